@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+# poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...])
+#
+# One folder of src/ is one static library. LINKS are layers (and header-only libraries its headers need);
+# PRIVATE are third parties seen by its .cpp files only: the door stays in one layer.
+function(poinsot_layer name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE" ${ARGN})
+  add_library(poinsot_${name} STATIC ${ARG_SOURCES})
+  add_library(poinsot::${name} ALIAS poinsot_${name})
+  target_include_directories(poinsot_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE poinsot_flags ${ARG_PRIVATE})
+endfunction()
+
+# poinsot_test(NAME SOURCES ... LINKS ... LABELS unit|gl|golden|video|cli|slow...)
+# One GoogleTest program; each of its cases is a ctest with the labels, so that `ctest -L unit` takes seconds.
+function(poinsot_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} poinsot_flags GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    POINSOT_SOURCE_DIR="${CMAKE_SOURCE_DIR}" POINSOT_BINARY_DIR="${CMAKE_BINARY_DIR}"
+    POINSOT_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/poinsot")
+  gtest_discover_tests(${name} PROPERTIES LABELS "${ARG_LABELS}" DISCOVERY_TIMEOUT 60)
+endfunction()

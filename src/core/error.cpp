@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+namespace poinsot::core {
+
+std::string toString(const SourceLocation& where) {
+  if (where.line == 0) return where.file;
+  if (where.column == 0) return fmt::format("{}:{}", where.file, where.line);
+  return fmt::format("{}:{}:{}", where.file, where.line, where.column);
+}
+
+Error::Error(ErrorKind kind, const std::string& message, std::optional<SourceLocation> where)
+    : std::runtime_error(where ? toString(*where) + ": " + message : message),
+      kind_(kind),
+      message_(message),
+      where_(std::move(where)) {}
+
+}  // namespace poinsot::core

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/expect.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string_view>
+
+namespace poinsot::core {
+
+void brokenContract(const char* condition, const char* file, int line) {
+  // The path of the build machine is no business of the message.
+  const std::string_view path(file);
+  const auto src = path.rfind("/src/");
+  const std::string_view shown = src == std::string_view::npos ? path : path.substr(src + 1);
+  throw std::logic_error(fmt::format("broken contract: {} ({}:{})", condition, shown, line));
+}
+
+}  // namespace poinsot::core

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace poinsot::core {
+
+/// Number of single-character edits (insert, delete, replace, swap of neighbours) from a to b.
+int editDistance(std::string_view a, std::string_view b);
+
+/// The candidate nearest to `word` if it is near enough to be what was meant (at most a third of its letters
+/// differ), for "did you mean".
+std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// Untrusted text made safe for a terminal, a log or a message: control characters, DEL, C1, bidi controls,
+/// line separators and invalid UTF-8 become \xNN or \u{N}; cut at 200 characters with an ellipsis.
+std::string printable(std::string_view untrusted);
+
+}  // namespace poinsot::core

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/camera.h"
+
+/// What is in a picture, as plain values: no GL, no physics, no files. Lengths are in the picture's world W,
+/// widths of lines and sizes of type in pixels, colours in linear light.
+namespace poinsot::draw {
+
+/// Linear-light red, green, blue in [0, 1].
+using Color = glm::vec3;
+
+/// Linear light of an sRGB colour written 0xRRGGBB.
+Color fromSrgb(unsigned hex);
+
+/// How a solid answers light. `gloss` 0 is chalk, 1 a hard highlight.
+struct Material {
+  Color color{0.5f};
+  float gloss = 0.35f;
+};
+
+// ---- solids: opaque, exact silhouettes --------------------------------------------------------------------
+
+/// Lines on an ellipsoid: parallels and meridians about its axes, in the ellipsoid's own angles.
+struct Graticule {
+  Color color{0};
+  float width_px = 1.4f;
+  float opacity = 1.0f;
+  float farOpacity = 0.35f;  ///< on the sheet away from the viewer (translucent ellipsoids)
+};
+
+/// A solid ellipsoid; the columns of `semiAxes_W` are its three semi-axis vectors.
+struct Ellipsoid {
+  glm::vec3 centre_W{0};
+  glm::mat3 semiAxes_W{1};
+  Material material;
+};
+
+/// A solid of revolution between two discs: cylinder, cone (one radius 0), truncated cone.
+struct Frustum {
+  glm::vec3 from_W{0};
+  glm::vec3 to_W{0, 0, 1};
+  float fromRadius = 1;
+  float toRadius = 1;
+  Material material;
+};
+
+/// A solid box; the columns of `halfAxes_W` are half its edges.
+struct Box {
+  glm::vec3 centre_W{0};
+  glm::mat3 halfAxes_W{1};
+  Material material;
+};
+
+/// A smooth line through points. With `radius_W` > 0 it is a round tube of that radius, shaded; else a flat line
+/// of constant width. `lift_W` moves it towards the viewer, so that a line on a surface is seen in front of it.
+struct Curve {
+  std::vector<glm::vec3> points_W;
+  bool closed = false;
+  float width_px = 2;
+  float radius_W = 0;
+  float lift_W = 0;
+  Material material;
+};
+
+// ---- sheets: translucent, composed per pixel in the right order ---------------------------------------------
+
+/// A hollow ellipsoid of tinted glass; seen flat-on it has `opacity`, towards its rim `rimOpacity`.
+struct GlassEllipsoid {
+  glm::vec3 centre_W{0};
+  glm::mat3 semiAxes_W{1};
+  Color color{1};
+  float opacity = 0.12f;
+  float rimOpacity = 0.45f;
+  std::optional<Graticule> graticule;
+};
+
+/// A rectangle with a square grid; `u_W` and `v_W` are perpendicular half-edges.
+struct GridPlane {
+  glm::vec3 centre_W{0};
+  glm::vec3 u_W{1, 0, 0};
+  glm::vec3 v_W{0, 1, 0};
+  float spacing_W = 0.25f;   ///< between lines; a line runs through the centre in both directions
+  Color color{1};
+  float opacity = 0.12f;
+  Color lineColor{0};
+  float lineOpacity = 0.5f;
+  float lineWidth_px = 1.5f;
+  // A soft dark spot under what rests on the plane: depth 0 is none.
+  glm::vec3 shadowCentre_W{0};
+  float shadowRadius_W = 0;
+  float shadowOpacity = 0;
+};
+
+// ---- text: always in front -----------------------------------------------------------------------------------
+
+/// One line of type. `tex` is the small TeX subset of text/math_setter.h. `baseline_px` is the left end of the
+/// baseline from the picture's top left corner, y down.
+struct Text {
+  std::string tex;
+  glm::vec2 baseline_px{0};
+  float size_px = 32;
+  Color color{0};
+  std::optional<Color> halo;   ///< a rim around the glyphs that keeps them legible over lines
+  float halo_px = 0;
+};
+
+struct DrawList {
+  Camera camera;
+  Color background{1};
+  glm::vec3 lightDirection_C{-0.35f, 0.6f, 0.72f};  ///< towards the light, in camera axes: it travels with the eye
+  std::vector<Ellipsoid> ellipsoids;
+  std::vector<Frustum> frustums;
+  std::vector<Box> boxes;
+  std::vector<Curve> curves;
+  std::vector<GlassEllipsoid> glassEllipsoids;
+  std::vector<GridPlane> planes;
+  std::vector<Text> texts;
+};
+
+}  // namespace poinsot::draw

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poinsot::gl {
+
+enum class Backend { kAuto, kOsMesa, kEgl };
+
+/// A current OpenGL 3.3 core context without a window. Drawing goes to framebuffer objects of the caller's.
+class OffscreenContext {
+ public:
+  virtual ~OffscreenContext() = default;
+  virtual const char* backendName() const = 0;  ///< "osmesa" or "egl"
+  std::string renderer() const;                 ///< GL_RENDERER
+  std::string version() const;                  ///< GL_VERSION
+};
+
+/// Opens a context on this thread and loads the GL functions. kAuto takes OSMesa, else EGL.
+/// @throws core::Error(kGraphics) saying what to install, when none works.
+std::unique_ptr<OffscreenContext> openContext(Backend backend);
+
+/// What `poinsot backends` prints.
+struct BackendReport {
+  std::string name;
+  bool works = false;
+  std::string detail;  ///< renderer and version, or why not and which package to install
+};
+std::vector<BackendReport> probeBackends();
+
+/// Sets the environment variables that decide pixels (Mesa reads them once, at the first context) and clears
+/// those that would change them. `reproducible` asks for the CPU-independent profile. Call before any GL.
+void pinEnvironment(bool reproducible);
+
+}  // namespace poinsot::gl

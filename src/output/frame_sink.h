@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "image/image.h"
+
+namespace poinsot::output {
+
+/// Where frames go. Frames arrive in rising order of k, the frame number of the scene's film.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  /// @throws core::Error(kIo or kEncode).
+  virtual void write(const image::Image& picture, std::int64_t k) = 0;
+  /// Makes everything written so far complete and durable. A sink destroyed without it leaves nothing behind.
+  virtual void finish() = 0;
+};
+
+}  // namespace poinsot::output

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/principal_moments.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace poinsot::physics {
+namespace {
+
+// A lamina has I3 = I1 + I2 exactly; its moments, computed in doubles, may exceed that by a few roundings.
+constexpr double kTriangleSlack = 1e-12;
+
+[[noreturn]] void refuse(const Eigen::Vector3d& I, const char* reason) {
+  throw core::Error(core::ErrorKind::kPhysics,
+                    fmt::format("{}, got ({}, {}, {}) kg·m²", reason, I[0], I[1], I[2]));
+}
+
+}  // namespace
+
+PrincipalMoments::PrincipalMoments(const Eigen::Vector3d& moments) : moments_(moments) {
+  if (!moments.allFinite()) refuse(moments, "principal moments must be finite");
+  if (moments.minCoeff() <= 0) refuse(moments, "principal moments must be positive");
+  const double largest = moments.maxCoeff();
+  const Eigen::Vector3d scaled = moments / largest;  // sums of these cannot overflow
+  if (1.0 > (scaled.sum() - 1.0) * (1 + kTriangleSlack))
+    refuse(moments, "no moment may exceed the sum of the other two (a solid body cannot have these values)");
+}
+
+}  // namespace poinsot::physics

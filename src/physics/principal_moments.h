@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+namespace poinsot::physics {
+
+/// The three principal moments of inertia about the centre of mass, in kg·m², in the order of the body's axes
+/// (any order). Valid by construction: finite, positive, no moment above the sum of the other two.
+class PrincipalMoments {
+ public:
+  /// @throws core::Error(kPhysics) naming the violated condition and the values.
+  explicit PrincipalMoments(const Eigen::Vector3d& moments);
+
+  const Eigen::Vector3d& values() const { return moments_; }
+  double operator[](int axis) const { return moments_[axis]; }
+
+  /// I·omega in principal axes: body components of the angular momentum, in kg·m²/s.
+  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_B) const { return moments_.cwiseProduct(omega_B); }
+
+  /// T = ½ ω·I·ω (eq 12), in joules.
+  double kineticEnergy(const Eigen::Vector3d& omega_B) const {
+    return 0.5 * omega_B.dot(moments_.cwiseProduct(omega_B));
+  }
+
+ private:
+  Eigen::Vector3d moments_;
+};
+
+}  // namespace poinsot::physics

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+
+#include "core/rational.h"
+#include "physics/principal_moments.h"
+
+/// The whole request as values. Made by scene_file.h, never changed afterwards. SI units, radians.
+namespace poinsot::scene {
+
+/// Solids a body may be made of or drawn as. `size` is always the extent along the body's x, y, z axes, in m.
+enum class ShapeKind {
+  kBox,        ///< edges along the axes
+  kEllipsoid,  ///< axes along the axes
+  kCylinder,   ///< about z; x and y extents equal
+  kRacket,     ///< in the xy plane, handle along -x; hoop of the width y, handle of length x - y
+};
+
+struct Shape {
+  ShapeKind kind = ShapeKind::kBox;
+  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
+};
+
+struct Body {
+  physics::PrincipalMoments moments{Eigen::Vector3d::Ones()};
+  std::optional<Shape> shape;  ///< when the file gave a shape instead of bare moments
+};
+
+enum class LPoints { kAuto, kDown, kUp };
+
+struct Motion {
+  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< at motion time 0, rad/s, principal axes
+  std::optional<Eigen::Quaterniond> orientation_WB;   ///< unit; none: L turned onto the world's vertical
+  LPoints lPoints = LPoints::kAuto;
+};
+
+struct Time {
+  double start_s = 0;
+  double duration_s = 10;        ///< film time
+  core::Rational fps{30, 1};
+  std::optional<double> speed;   ///< motion seconds per film second; none: chosen from |omega|
+};
+
+enum class CameraFrame { kSpace, kBody };
+
+struct Camera {
+  double azimuth_rad = 0;    ///< about the world's vertical (z), from its x axis
+  double elevation_rad = 0;  ///< above the horizontal
+  double fov_rad = 0;        ///< vertical field of view
+  double zoom = 1;           ///< 1 frames the whole motion; 2 shows it twice as large
+  CameraFrame frame = CameraFrame::kSpace;  ///< which axes stand still in the picture
+};
+
+/// A drawn thing's common options; `scale` multiplies the default size in the picture.
+struct Drawn {
+  bool visible = true;
+  double scale = 1;
+};
+
+struct Show {
+  std::string title, subtitle;   ///< the TeX subset of text/
+  double exaggerateAngles = 1;   ///< > 1: transverse omega is drawn that many times larger, and the picture says so
+  bool labels = true;
+  struct : Drawn {
+    std::optional<Shape> shape;  ///< drawn in place of what sets the inertia; only its proportions count
+  } body;
+  Drawn principalAxes, L, omega;
+  struct : Drawn {
+    double opacity = 0;
+    bool graticule = true;
+  } ellipsoid;                   ///< its scale is also the plane's: the two are in rad/s and touch
+  struct : Drawn {
+    double opacity = 0;
+    bool grid = true;
+  } plane;
+  Drawn contact, polhode, height;
+  struct : Drawn {
+    bool future = true;          ///< the part not yet travelled, faint
+  } herpolhode;
+};
+
+enum class Theme { kLight, kDark };
+
+struct Style {
+  Theme theme = Theme::kLight;
+  double lineWidth = 1;  ///< factor on all lines
+  double textSize = 1;   ///< factor on all type
+};
+
+struct Output {
+  int width = 1920;
+  int height = 1080;
+  int crf = 18;          ///< x264 constant rate factor, 0 (lossless) to 51
+};
+
+struct Scene {
+  std::string name;      ///< the file's name without folder and extension
+  Body body;
+  Motion motion;
+  Time time;
+  Camera camera;
+  Show show;
+  Style style;
+  Output output;
+};
+
+}  // namespace poinsot::scene

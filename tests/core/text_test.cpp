@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/text.h"
+
+#include <gtest/gtest.h>
+
+namespace poinsot::core {
+namespace {
+
+// Worked by hand.
+TEST(EditDistance, CountsSingleEdits) {
+  EXPECT_EQ(editDistance("omega", "omega"), 0);
+  EXPECT_EQ(editDistance("omega", "omga"), 1);
+  EXPECT_EQ(editDistance("moega", "omega"), 1);  // a swap of neighbours is one slip of the hand
+  EXPECT_EQ(editDistance("", "abc"), 3);
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3);
+}
+
+TEST(Closest, OffersOnlyNearWords) {
+  const std::vector<std::string> keys = {"duration", "fps", "speed", "start"};
+  EXPECT_EQ(closest("durration", keys), "duration");
+  EXPECT_EQ(closest("sped", keys), "speed");
+  EXPECT_EQ(closest("zzz", keys), std::nullopt);
+  EXPECT_EQ(closest("fsp", keys), "fps");
+}
+
+TEST(Printable, NeutralisesWhatATerminalObeys) {
+  EXPECT_EQ(printable("plain ω text"), "plain ω text");
+  EXPECT_EQ(printable("\x1b[31mred"), "\\x1b[31mred");
+  EXPECT_EQ(printable("a\nb\rc\x7f"), "a\\x0ab\\x0dc\\x7f");
+  EXPECT_EQ(printable("\xe2\x80\xae"), "\\u{202e}");   // right-to-left override
+  EXPECT_EQ(printable("\xc2\x9b"), "\\x9b");           // C1 control sequence introducer
+  EXPECT_EQ(printable("\xff\xc0\x80"), "\\xff\\xc0\\x80");  // not UTF-8, and an overlong NUL
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate half
+}
+
+TEST(Printable, CutsAt200Characters) {
+  EXPECT_EQ(printable(std::string(200, 'x')), std::string(200, 'x'));
+  EXPECT_EQ(printable(std::string(201, 'x')), std::string(200, 'x') + "…");
+}
+
+}  // namespace
+}  // namespace poinsot::core
