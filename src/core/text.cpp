@@ -11,12 +11,15 @@ namespace {
 
 constexpr int kLongestShown = 200;
 
-struct CodePoint {
-  char32_t value = 0;
-  std::size_t length = 0;  // bytes; 0 when the bytes are not UTF-8
-};
+bool unsafe(char32_t c) {
+  const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
+  const bool bidi = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069) || c == 0x200e || c == 0x200f;
+  return control || bidi || c == 0x2028 || c == 0x2029 || c == 0xfeff;
+}
 
-CodePoint decodeFirst(std::string_view text) {
+}  // namespace
+
+CodePoint firstCodePoint(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
   if (lead < 0x80) return {lead, 1};
@@ -32,14 +35,6 @@ CodePoint decodeFirst(std::string_view text) {
   if (value < kSmallest[length] || value > 0x10ffff || surrogate) return {};  // overlong or no character
   return {value, length};
 }
-
-bool unsafe(char32_t c) {
-  const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
-  const bool bidi = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069) || c == 0x200e || c == 0x200f;
-  return control || bidi || c == 0x2028 || c == 0x2029 || c == 0xfeff;
-}
-
-}  // namespace
 
 int editDistance(std::string_view a, std::string_view b) {
   // Optimal string alignment: three rows, as a swap of neighbours looks two rows back.
@@ -76,7 +71,7 @@ std::string printable(std::string_view untrusted) {
   std::string shown;
   for (int count = 0; !untrusted.empty(); ++count) {
     if (count == kLongestShown) return shown + "…";
-    const CodePoint c = decodeFirst(untrusted);
+    const CodePoint c = firstCodePoint(untrusted);
     if (c.length == 0) {
       shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(untrusted[0]));
       untrusted.remove_prefix(1);

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace poinsot::core {
+
+/// One character of UTF-8 and how many bytes it took.
+struct CodePoint {
+  char32_t value = 0;
+  std::size_t length = 0;  ///< 0 when the bytes are not UTF-8
+};
+
+/// The first character of `text`, which must not be empty. Overlong forms and surrogates are not UTF-8.
+CodePoint firstCodePoint(std::string_view text);
 
 /// Number of single-character edits (insert, delete, replace, swap of neighbours) from a to b.
 int editDistance(std::string_view a, std::string_view b);

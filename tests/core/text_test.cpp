@@ -33,6 +33,16 @@ TEST(Printable, NeutralisesWhatATerminalObeys) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate half
 }
 
+// Byte sequences from the Unicode standard, table 3-7.
+TEST(FirstCodePoint, DecodesUtf8AndRefusesTheRest) {
+  EXPECT_EQ(firstCodePoint("ab").value, U'a');
+  EXPECT_EQ(firstCodePoint("ωx").value, U'ω');
+  EXPECT_EQ(firstCodePoint("\xf0\x9d\x91\x80").value, U'\U0001D440');
+  EXPECT_EQ(firstCodePoint("\xf0\x9d\x91\x80").length, 4u);
+  for (const char* bad : {"\xff", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x88"})
+    EXPECT_EQ(firstCodePoint(bad).length, 0u);
+}
+
 TEST(Printable, CutsAt200Characters) {
   EXPECT_EQ(printable(std::string(200, 'x')), std::string(200, 'x'));
   EXPECT_EQ(printable(std::string(201, 'x')), std::string(200, 'x') + "…");
