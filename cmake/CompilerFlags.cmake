@@ -8,6 +8,5 @@ target_compile_options(poinsot_flags INTERFACE
   -Wnon-virtual-dtor
   -Wold-style-cast
   -Woverloaded-virtual
-  -Wnull-dereference
   -Wimplicit-fallthrough
   -Wextra-semi)

@@ -10,11 +10,11 @@ namespace poinsot::draw {
 /// A pinhole camera in the picture's world W. C: x right, y up, looking along -z.
 struct Camera {
   glm::vec3 eye_W{0, 0, 5};
-  glm::mat3 R_WC{1};            ///< columns: right, up, backward in W
-  float tanHalfFovY = 0.2f;     ///< half the picture's height at unit distance
-  float near = 0.1f;            ///< nearest and farthest distance along the view direction that is drawn
+  glm::mat3 R_WC{1};         ///< columns: right, up, backward in W
+  float tanHalfFovY = 0.2f;  ///< half the picture's height at unit distance
+  float near = 0.1f;         ///< nearest and farthest distance along the view direction that is drawn
   float far = 100.0f;
-  glm::vec2 size_px{1, 1};      ///< width, height of the picture
+  glm::vec2 size_px{1, 1};          ///< width, height of the picture
   glm::vec2 centre_px{0.5f, 0.5f};  ///< where the optical axis meets the picture, y down
 
   /// Pixels per unit length at unit distance.
@@ -24,6 +24,9 @@ struct Camera {
 /// Camera at `eye_W` looking at `target_W`, `up_W` upright in the picture; the optical axis in its middle.
 /// @pre eye and target differ; up is not along the view.
 Camera lookAt(glm::vec3 eye_W, glm::vec3 target_W, glm::vec3 up_W, float fovY_rad, glm::vec2 size_px);
+
+/// A point's coordinates in camera axes C.
+glm::vec3 toCamera(const Camera& camera, glm::vec3 point_W);
 
 /// Distance of a point along the view direction; positive in front of the camera.
 float depthOf(const Camera& camera, glm::vec3 point_W);

@@ -9,16 +9,11 @@
 #include <vector>
 
 #include "draw/camera.h"
+#include "draw/color.h"
 
 /// What is in a picture, as plain values: no GL, no physics, no files. Lengths are in the picture's world W,
 /// widths of lines and sizes of type in pixels, colours in linear light.
 namespace poinsot::draw {
-
-/// Linear-light red, green, blue in [0, 1].
-using Color = glm::vec3;
-
-/// Linear light of an sRGB colour written 0xRRGGBB.
-Color fromSrgb(unsigned hex);
 
 /// How a solid answers light. `gloss` 0 is chalk, 1 a hard highlight.
 struct Material {
@@ -87,7 +82,7 @@ struct GridPlane {
   glm::vec3 centre_W{0};
   glm::vec3 u_W{1, 0, 0};
   glm::vec3 v_W{0, 1, 0};
-  float spacing_W = 0.25f;   ///< between lines; a line runs through the centre in both directions
+  float spacing_W = 0.25f;  ///< between lines; a line runs through the centre in both directions
   Color color{1};
   float opacity = 0.12f;
   Color lineColor{0};
@@ -108,7 +103,7 @@ struct Text {
   glm::vec2 baseline_px{0};
   float size_px = 32;
   Color color{0};
-  std::optional<Color> halo;   ///< a rim around the glyphs that keeps them legible over lines
+  std::optional<Color> halo;  ///< a rim around the glyphs that keeps them legible over lines
   float halo_px = 0;
 };
 

@@ -1,0 +1,26 @@
+#include "camera.glsl"
+#include "coverage.glsl"
+#include "shading.glsl"
+#include "emit.glsl"
+
+uniform vec3 centre_C;
+uniform mat3 toUnitSphere;  // inverse of the semi-axis matrix
+uniform vec2 outlineCentre_px;
+uniform vec3 outlineForm;
+uniform vec3 color;
+uniform float gloss;
+
+void main() {
+  vec2 p_px = gl_FragCoord.xy;
+  float coverage = covered(insideDistance(ScreenEllipse(outlineCentre_px, outlineForm), p_px));
+  vec3 ray = rayThrough(p_px);
+  // From the point of the ray nearest the centre, so that no large numbers cancel.
+  float t0 = dot(centre_C, ray) / dot(ray, ray);
+  vec3 o = toUnitSphere * (t0 * ray - centre_C), d = toUnitSphere * ray;
+  float a = dot(d, d), along = dot(o, d) / a;
+  vec3 offset = o - along * d;
+  float t = t0 - along - sqrt(max(1.0 - dot(offset, offset), 0.0) / a);
+  vec3 s = o + (t - t0) * d;
+  vec3 n_C = normalize(s * toUnitSphere);  // transpose(inverse) of the semi-axes, times s
+  emit(shade(Material(color, gloss), n_C, -normalize(ray)), coverage, toDepth(t));
+}

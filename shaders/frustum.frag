@@ -1,0 +1,59 @@
+#include "camera.glsl"
+#include "coverage.glsl"
+#include "shading.glsl"
+#include "emit.glsl"
+
+// The picture of a frustum is the hull of its two end discs: two ellipses and the strip between their tangents.
+uniform vec3 from_C;
+uniform vec3 axis_C;         // unit, from the first disc to the second
+uniform vec4 radii;          // first, second, height, slope (second - first) / height
+uniform vec4 discCentres_px;
+uniform vec3 firstForm, secondForm;
+uniform vec3 sides[4];       // edges of the strip, 0 and 2 the silhouette; all (0, 0, -1) when there is none
+uniform int visibleCap;      // 0: none, 1: first disc, 2: second
+uniform vec3 color;
+uniform float gloss;
+
+void main() {
+  vec2 p_px = gl_FragCoord.xy;
+  float first = insideDistance(ScreenEllipse(discCentres_px.xy, firstForm), p_px);
+  float second = insideDistance(ScreenEllipse(discCentres_px.zw, secondForm), p_px);
+  float strip = min(min(insideDistance(sides[0], p_px), insideDistance(sides[1], p_px)),
+                    min(insideDistance(sides[2], p_px), insideDistance(sides[3], p_px)));
+  float whole = covered(max(max(first, second), strip));
+  float cap = visibleCap == 0 ? 0.0 : covered(visibleCap == 1 ? first : second);
+
+  vec3 ray = rayThrough(p_px), towardEye_C = -normalize(ray);
+  float t0 = dot(from_C, ray) / dot(ray, ray);
+  vec3 o = t0 * ray - from_C;  // from the first centre to the nearest point of the ray
+  float du = dot(ray, axis_C), ou = dot(o, axis_C), slope = radii.w, kk = 1.0 + slope * slope;
+  float a = dot(ray, ray) - kk * du * du;
+  float b = dot(ray, o) - kk * du * ou - slope * radii.x * du;
+  float c = dot(o, o) - kk * ou * ou - 2.0 * slope * radii.x * ou - radii.x * radii.x;
+  float root = sqrt(max(b * b - a * c, 0.0));
+  // The nearer root of the two, without cancellation; a changes sign when the eye looks into the cone.
+  float q = b > 0.0 ? -b - root : -b + root;
+  float r1 = q / a, r2 = abs(q) > 1e-20 ? c / q : r1;
+  float near = min(r1, r2), far = max(r1, r2);
+  float s = ou + near * du;
+  bool nearIsOn = s > -0.02 * radii.z && s < 1.02 * radii.z && radii.x + slope * s > -1e-3 * max(radii.x, radii.y);
+  float tSide = nearIsOn ? near : far;
+  float height = clamp(ou + tSide * du, 0.0, radii.z);
+  vec3 radial = o + tSide * ray - (ou + tSide * du) * axis_C;
+  vec3 nSide_C = normalize(normalize(radial + 1e-12 * towardEye_C) - slope * axis_C);
+  if (dot(nSide_C, towardEye_C) < 0.0) nSide_C = normalize(nSide_C - dot(nSide_C, towardEye_C) * towardEye_C);
+
+  float capHeight = visibleCap == 2 ? radii.z : 0.0;
+  float tCap = (capHeight - ou) / (abs(du) > 1e-6 ? du : 1e-6);
+  vec3 nCap_C = visibleCap == 2 ? axis_C : -axis_C;
+
+  Material material = Material(color, gloss);
+  vec3 sideColor = shade(material, nSide_C, towardEye_C), capColor = shade(material, nCap_C, towardEye_C);
+  float capShare = whole > 0.0 ? min(cap / whole, 1.0) : 0.0;
+  // Outside the sharp silhouette the roots mean nothing: the axis is deep enough for an edge's order.
+  float t = t0 + (capShare > 0.5 ? tCap : tSide);
+  float size = max(max(radii.x, radii.y), 1e-6);
+  float tAxis = t0 + dot(from_C + clamp(ou, 0.0, radii.z) * axis_C - t0 * ray, ray) / dot(ray, ray);
+  t = clamp(t, tAxis - radii.z - size, tAxis + radii.z + size);
+  emit(mix(sideColor, capColor, capShare), whole, toDepth(t));
+}

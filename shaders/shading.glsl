@@ -1,0 +1,18 @@
+// Lighting in linear light. The light travels with the camera, so that a body looks alike from every side.
+uniform vec3 lightDirection_C;
+
+struct Material {
+  vec3 color;
+  float gloss;
+};
+
+// n_C and towardEye_C are unit vectors. Wrapped diffuse keeps the shadow side readable on a projector; the
+// highlight is small and white, so that hue is lost nowhere else.
+vec3 shade(Material m, vec3 n_C, vec3 towardEye_C) {
+  float wrapped = 0.5 + 0.5 * dot(n_C, lightDirection_C);
+  float sky = 0.5 + 0.5 * n_C.y;
+  vec3 diffuse = m.color * (0.30 + 0.16 * sky + 0.72 * wrapped * wrapped);
+  vec3 halfway = normalize(lightDirection_C + towardEye_C);
+  float highlight = pow(max(dot(n_C, halfway), 0.0), 48.0);
+  return diffuse + vec3(0.45 * m.gloss * highlight);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/color.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot::draw {
+namespace {
+
+double decode(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+
+std::array<float, 256> makeDecodeTable() {
+  std::array<float, 256> table{};
+  for (std::size_t v = 0; v < table.size(); ++v)
+    table[v] = static_cast<float>(decode(static_cast<double>(v) / 255));
+  return table;
+}
+
+// Linear light at which the nearest 8-bit value changes from v to v + 1.
+std::array<float, 255> makeThresholds() {
+  std::array<float, 255> table{};
+  for (std::size_t v = 0; v < table.size(); ++v)
+    table[v] = static_cast<float>(decode((static_cast<double>(v) + 0.5) / 255));
+  return table;
+}
+
+}  // namespace
+
+float linearFromSrgb8(std::uint8_t value) {
+  static const auto table = makeDecodeTable();
+  return table[value];
+}
+
+std::uint8_t srgb8FromLinear(float linear) {
+  static const auto thresholds = makeThresholds();
+  const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
+  return static_cast<std::uint8_t>(above - thresholds.begin());
+}
+
+Color fromSrgb(std::uint32_t hex) {
+  const auto channel = [hex](int shift) {
+    return linearFromSrgb8(static_cast<std::uint8_t>(hex >> shift & 0xff));
+  };
+  return {channel(16), channel(8), channel(0)};
+}
+
+}  // namespace poinsot::draw

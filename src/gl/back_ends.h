@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "gl/offscreen_context.h"
+
+namespace poinsot::gl {
+
+using FunctionLoader = void (*(*)(const char*))();
+
+// Internal. Fills glad's table for the current context.
+// @throws core::Error(kGraphics) when the context is older than OpenGL 3.3.
+void loadFunctions(FunctionLoader loader);
+
+// Each is made in the one file that knows its library. Current on return, functions loaded.
+std::unique_ptr<OffscreenContext> openOsMesaContext();
+std::unique_ptr<OffscreenContext> openEglContext();
+
+}  // namespace poinsot::gl

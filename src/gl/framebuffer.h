@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "gl/unique_name.h"
+
+namespace poinsot::gl {
+
+/// A framebuffer with textures of its own: colour attachments in the order of `colorFormats` (sized internal
+/// formats) and, unless `depthFormat` is 0, a depth texture. All are read with texelFetch only.
+class Framebuffer {
+ public:
+  /// @throws core::Error(kGraphics) when the size or a format cannot be had.
+  Framebuffer(glm::ivec2 size, const std::vector<GLenum>& colorFormats, GLenum depthFormat);
+
+  void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id()); }
+  GLuint color(std::size_t i) const { return colors_[i].id(); }
+  GLuint depth() const { return depth_.id(); }
+  glm::ivec2 size() const { return size_; }
+
+ private:
+  TextureName makeTexture(GLenum format, GLenum attachment) const;
+
+  glm::ivec2 size_;
+  FramebufferName framebuffer_;
+  std::vector<TextureName> colors_;
+  TextureName depth_;
+};
+
+}  // namespace poinsot::gl

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/offscreen_context.h"
+
+#include "core/error.h"
+#include "gl/back_ends.h"
+#include "gl/gl_includes.h"
+
+namespace poinsot::gl {
+namespace {
+
+using core::Error;
+using core::ErrorKind;
+
+std::string glString(GLenum name) {
+  const auto* text = glGetString(name);
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)()) {
+  try {
+    const auto context = open();
+    return {name, true, context->renderer() + ", OpenGL " + context->version()};
+  } catch (const Error& error) {
+    return {name, false, error.message()};
+  }
+}
+
+}  // namespace
+
+std::string OffscreenContext::renderer() const { return glString(GL_RENDERER); }
+std::string OffscreenContext::version() const { return glString(GL_VERSION); }
+
+void loadFunctions(FunctionLoader loader) {
+  const int version = gladLoadGL(loader);
+  if (version < GLAD_MAKE_VERSION(3, 3))
+    throw Error(ErrorKind::kGraphics, "the back end's OpenGL is older than 3.3");
+}
+
+std::unique_ptr<OffscreenContext> openContext(Backend backend) {
+  if (backend == Backend::kOsMesa) return openOsMesaContext();
+  if (backend == Backend::kEgl) return openEglContext();
+  try {
+    return openOsMesaContext();
+  } catch (const Error& osMesaError) {
+    try {
+      return openEglContext();
+    } catch (const Error& eglError) {
+      throw Error(ErrorKind::kGraphics, "no OpenGL back end works\n  osmesa: " + osMesaError.message() +
+                                            "\n  egl: " + eglError.message());
+    }
+  }
+}
+
+std::vector<BackendReport> probeBackends() {
+  return {probe("osmesa", openOsMesaContext), probe("egl", openEglContext)};
+}
+
+}  // namespace poinsot::gl

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/shader_program.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "core/error.h"
+
+namespace poinsot::gl {
+namespace {
+
+using core::Error;
+using core::ErrorKind;
+
+template <typename GetParameter, typename GetLog>
+void requireOk(GLuint id, GLenum status, const std::string& what, GetParameter get, GetLog log) {
+  GLint ok = 0, length = 0;
+  get(id, status, &ok);
+  if (ok) return;
+  get(id, GL_INFO_LOG_LENGTH, &length);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  log(id, length, nullptr, text.data());
+  throw Error(ErrorKind::kGraphics, what + ": " + text);
+}
+
+GLuint compile(GLenum stage, const std::string& label, const std::string& source) {
+  const GLuint shader = glCreateShader(stage);
+  const std::string whole = "#version 330 core\n" + source;
+  const char* text = whole.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  const char* name = stage == GL_VERTEX_SHADER ? " (vertex shader)" : " (fragment shader)";
+  requireOk(shader, GL_COMPILE_STATUS, label + name, glGetShaderiv, glGetShaderInfoLog);
+  return shader;
+}
+
+GLsizei count(std::size_t n) { return static_cast<GLsizei>(n); }
+
+}  // namespace
+
+ShaderProgram::ShaderProgram(const std::string& label, const std::string& vertexSource,
+                             const std::string& fragmentSource)
+    : program_(ProgramName::make()) {
+  for (const GLuint shader :
+       {compile(GL_VERTEX_SHADER, label, vertexSource), compile(GL_FRAGMENT_SHADER, label, fragmentSource)}) {
+    glAttachShader(program_.id(), shader);
+    glDeleteShader(shader);  // lives on while attached
+  }
+  glLinkProgram(program_.id());
+  requireOk(program_.id(), GL_LINK_STATUS, label + " (linking)", glGetProgramiv, glGetProgramInfoLog);
+}
+
+void ShaderProgram::set(const char* name, int value) const { glUniform1i(location(name), value); }
+void ShaderProgram::set(const char* name, float value) const { glUniform1f(location(name), value); }
+void ShaderProgram::set(const char* name, const glm::vec2& value) const {
+  glUniform2fv(location(name), 1, glm::value_ptr(value));
+}
+void ShaderProgram::set(const char* name, const glm::vec3& value) const {
+  glUniform3fv(location(name), 1, glm::value_ptr(value));
+}
+void ShaderProgram::set(const char* name, const glm::vec4& value) const {
+  glUniform4fv(location(name), 1, glm::value_ptr(value));
+}
+void ShaderProgram::set(const char* name, const glm::mat3& value) const {
+  glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void ShaderProgram::set(const char* name, const std::vector<glm::vec3>& values) const {
+  if (!values.empty()) glUniform3fv(location(name), count(values.size()), glm::value_ptr(values[0]));
+}
+void ShaderProgram::set(const char* name, const std::vector<glm::vec4>& values) const {
+  if (!values.empty()) glUniform4fv(location(name), count(values.size()), glm::value_ptr(values[0]));
+}
+void ShaderProgram::set(const char* name, const std::vector<glm::mat3>& values) const {
+  if (!values.empty())
+    glUniformMatrix3fv(location(name), count(values.size()), GL_FALSE, glm::value_ptr(values[0]));
+}
+
+}  // namespace poinsot::gl

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+#include "gl/unique_name.h"
+
+namespace poinsot::gl {
+
+/// A linked vertex + fragment program. Uniforms that the compiler removed are ignored when set.
+class ShaderProgram {
+ public:
+  /// The sources are complete but for the #version line. `label` names the program in error messages.
+  /// @throws core::Error(kGraphics) with the compiler's log.
+  ShaderProgram(const std::string& label, const std::string& vertexSource, const std::string& fragmentSource);
+
+  void use() const { glUseProgram(program_.id()); }
+  // These act on the program, which must be in use.
+  void set(const char* name, int value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, const glm::vec2& value) const;
+  void set(const char* name, const glm::vec3& value) const;
+  void set(const char* name, const glm::vec4& value) const;
+  void set(const char* name, const glm::mat3& value) const;
+  void set(const char* name, const std::vector<glm::vec3>& values) const;
+  void set(const char* name, const std::vector<glm::vec4>& values) const;
+  void set(const char* name, const std::vector<glm::mat3>& values) const;
+
+ private:
+  GLint location(const char* name) const { return glGetUniformLocation(program_.id(), name); }
+  ProgramName program_;
+};
+
+}  // namespace poinsot::gl

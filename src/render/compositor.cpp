@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/compositor.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/shader_source.h"
+#include "render/solid_painter.h"
+
+namespace poinsot::render {
+namespace {
+
+constexpr int kTile_px = 64;  // llvmpipe's own tile
+
+struct GlassSheet {
+  glm::vec3 centre_C;
+  glm::mat3 toUnitSphere;
+  ScreenEllipse outline;
+};
+
+struct PlaneSheet {
+  glm::vec3 centre_C, u_C, v_C, normal_C;
+  std::array<glm::vec3, 4> edges;
+  PixelBounds bounds;
+  bool visible = false;
+};
+
+GlassSheet glassSheet(const draw::Camera& camera, const draw::GlassEllipsoid& e) {
+  const glm::mat3 semiAxes_C = glm::transpose(camera.R_WC) * e.semiAxes_W;
+  GlassSheet sheet{toCamera(camera, e.centre_W), glm::mat3(glm::inverse(glm::dmat3(semiAxes_C))), {}};
+  if (inFront(camera, sheet.centre_C, semiAxes_C))
+    sheet.outline = ellipseOutline(camera, sheet.centre_C, semiAxes_C);
+  return sheet;
+}
+
+PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
+  PlaneSheet sheet;
+  sheet.centre_C = toCamera(camera, p.centre_W);
+  const glm::vec3 u = p.u_W * camera.R_WC, v = p.v_W * camera.R_WC;
+  sheet.u_C = glm::normalize(u);
+  sheet.v_C = glm::normalize(v);
+  sheet.normal_C = glm::normalize(glm::cross(u, v));
+  const std::array<glm::vec3, 4> corners_C{sheet.centre_C - u - v, sheet.centre_C + u - v, sheet.centre_C + u + v,
+                                           sheet.centre_C - u + v};
+  std::array<glm::vec2, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (-corners_C[i].z <= camera.near) return sheet;
+    corners[i] = projectCamera(camera, corners_C[i]);
+    sheet.bounds.include(corners[i], 1.5f);
+  }
+  sheet.edges = quadEdges(corners);
+  sheet.visible = true;
+  return sheet;
+}
+
+bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
+  return bounds.left < tile.right && bounds.right > tile.left && bounds.top < tile.bottom &&
+         bounds.bottom > tile.top;
+}
+
+// A tile wholly outside one edge of the plane's picture does not show the plane.
+bool touches(const PlaneSheet& plane, const PixelBounds& tile) {
+  if (!plane.visible || !touches(plane.bounds, tile)) return false;
+  for (const glm::vec3& e : plane.edges) {
+    const float x = e.x > 0 ? tile.right : tile.left, y = e.y > 0 ? tile.bottom : tile.top;
+    if (e.x * x + e.y * y + e.z < -1.5f) return false;
+  }
+  return true;
+}
+
+void addTile(std::vector<glm::vec2>& triangles, const PixelBounds& t) {
+  const glm::vec2 a(t.left, t.top), b(t.right, t.top), c(t.left, t.bottom), d(t.right, t.bottom);
+  triangles.insert(triangles.end(), {a, b, c, c, b, d});
+}
+
+void setGlass(const gl::ShaderProgram& program, const draw::DrawList& list, const std::vector<GlassSheet>& sheets,
+              const std::vector<std::size_t>& chosen) {
+  std::vector<glm::vec3> centres;
+  std::vector<glm::mat3> forms;
+  std::vector<glm::vec4> colors, lines, options;
+  for (std::size_t n = 0; n < chosen.size(); ++n) {
+    const auto& sheet = sheets[chosen[n]];
+    const auto& e = list.glassEllipsoids[chosen[n]];
+    const draw::Graticule graticule = e.graticule.value_or(draw::Graticule{{}, 0, 0, 0});
+    centres.push_back(sheet.centre_C);
+    forms.push_back(sheet.toUnitSphere);
+    colors.emplace_back(e.color, e.opacity);
+    lines.emplace_back(graticule.color, graticule.opacity);
+    options.emplace_back(e.rimOpacity, graticule.width_px, graticule.farOpacity, 0);
+    const std::string index = "[" + std::to_string(n) + "]";
+    program.set(("outlineCentre_px" + index).c_str(), sheet.outline.centre_px);
+    program.set(("outlineForm" + index).c_str(), sheet.outline.form);
+  }
+  program.set("centre_C", centres);
+  program.set("toUnitSphere", forms);
+  program.set("glassColor", colors);
+  program.set("graticuleColor", lines);
+  program.set("glassOptions", options);
+}
+
+void setPlanes(const gl::ShaderProgram& program, const draw::DrawList& list, const std::vector<PlaneSheet>& sheets,
+               const std::vector<std::size_t>& chosen) {
+  std::vector<glm::vec3> centres, normals, us, vs, edges;
+  std::vector<glm::vec4> colors, grids, options, shadows;
+  for (const std::size_t i : chosen) {
+    const auto& sheet = sheets[i];
+    const auto& p = list.planes[i];
+    centres.push_back(sheet.centre_C);
+    normals.push_back(sheet.normal_C);
+    us.push_back(sheet.u_C);
+    vs.push_back(sheet.v_C);
+    edges.insert(edges.end(), sheet.edges.begin(), sheet.edges.end());
+    colors.emplace_back(p.color, p.opacity);
+    grids.emplace_back(p.lineColor, p.lineOpacity);
+    options.emplace_back(glm::length(p.u_W), glm::length(p.v_W), p.spacing_W, p.lineWidth_px);
+    const glm::vec3 toShadow = p.shadowCentre_W - p.centre_W;
+    shadows.emplace_back(glm::dot(toShadow, glm::normalize(p.u_W)), glm::dot(toShadow, glm::normalize(p.v_W)),
+                         p.shadowRadius_W, p.shadowRadius_W > 0 ? p.shadowOpacity : 0.0f);
+  }
+  program.set("planeCentre_C", centres);
+  program.set("planeNormal_C", normals);
+  program.set("planeU_C", us);
+  program.set("planeV_C", vs);
+  program.set("planeEdges", edges);
+  program.set("planeColor", colors);
+  program.set("gridColor", grids);
+  program.set("planeOptions", options);
+  program.set("shadow", shadows);
+}
+
+void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
+  const std::array<std::pair<const char*, GLuint>, 6> textures{{{"solidColor", solids.full.color(0)},
+                                                                {"solidDepth", solids.full.depth()},
+                                                                {"edgeColor", solids.edge.color(0)},
+                                                                {"edgeDepth", solids.edge.depth()},
+                                                                {"nextEdgeColor", solids.nextEdge.color(0)},
+                                                                {"nextEdgeDepth", solids.nextEdge.depth()}}};
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+    glBindTexture(GL_TEXTURE_2D, textures[i].second);
+    program.set(textures[i].first, static_cast<int>(i));
+  }
+}
+
+}  // namespace
+
+const gl::ShaderProgram& Compositor::program(std::size_t ellipsoids, std::size_t planes) {
+  const auto key = std::make_pair(ellipsoids, planes);
+  if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
+  const std::string defines =
+      "#define ELLIPSOIDS " + std::to_string(ellipsoids) + "\n#define PLANES " + std::to_string(planes) + "\n";
+  return programs_
+      .emplace(key, gl::ShaderProgram("composite.frag", shaderSource("tiles.vert"),
+                                      shaderSource("composite.frag", defines)))
+      .first->second;
+}
+
+void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, const PixelBounds& solidBounds,
+                      float sharpness, bool transparent) {
+  std::vector<GlassSheet> glass;
+  std::vector<PlaneSheet> planes;
+  for (const auto& e : list.glassEllipsoids) glass.push_back(glassSheet(list.camera, e));
+  for (const auto& p : list.planes) planes.push_back(planeSheet(list.camera, p));
+
+  std::map<Sheets, std::vector<glm::vec2>> tiles;
+  const glm::vec2 size_px = list.camera.size_px;
+  for (float y = 0; y < size_px.y; y += kTile_px) {
+    for (float x = 0; x < size_px.x; x += kTile_px) {
+      const PixelBounds tile{x, y, std::min(x + kTile_px, size_px.x), std::min(y + kTile_px, size_px.y)};
+      Sheets sheets;
+      for (std::size_t i = 0; i < glass.size(); ++i)
+        if (touches(glass[i].outline.bounds, tile)) sheets.first.push_back(i);
+      for (std::size_t i = 0; i < planes.size(); ++i)
+        if (touches(planes[i], tile)) sheets.second.push_back(i);
+      const bool empty = sheets.first.empty() && sheets.second.empty() && !touches(solidBounds, tile);
+      if (!empty) addTile(tiles[sheets], tile);
+    }
+  }
+
+  glBindVertexArray(vertices_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+  for (const auto& [sheets, triangles] : tiles) {
+    const auto& shader = program(sheets.first.size(), sheets.second.size());
+    setPicture(shader, list, sharpness);
+    shader.set("background", list.background);
+    shader.set("transparentBackground", transparent ? 1 : 0);
+    bindLayers(shader, solids);
+    setGlass(shader, list, glass, sheets.first);
+    setPlanes(shader, list, planes, sheets.second);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2)), triangles.data(),
+                 GL_STREAM_DRAW);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+  }
+}
+
+}  // namespace poinsot::render

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "gl/framebuffer.h"
+#include "gl/shader_program.h"
+#include "render/screen_outline.h"
+
+namespace poinsot::render {
+
+/// What the solid passes left: the nearest full fragment, and the two nearest edges.
+struct SolidLayers {
+  const gl::Framebuffer& full;
+  const gl::Framebuffer& edge;
+  const gl::Framebuffer& nextEdge;
+};
+
+/// Puts solids and translucent sheets together, pixel by pixel in order of depth (composite.frag). The picture is
+/// cut into tiles; each is drawn by a shader made for the sheets that reach it, so that empty paper costs nothing.
+class Compositor {
+ public:
+  /// Draws into the bound framebuffer, which holds the background already.
+  void draw(const draw::DrawList& list, const SolidLayers& solids, const PixelBounds& solidBounds, float sharpness,
+            bool transparent);
+
+ private:
+  using Sheets = std::pair<std::vector<std::size_t>, std::vector<std::size_t>>;  // indices: ellipsoids, planes
+
+  const gl::ShaderProgram& program(std::size_t ellipsoids, std::size_t planes);
+
+  std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram> programs_;
+  gl::VertexArrayName vertices_ = gl::VertexArrayName::make();
+  gl::BufferName buffer_ = gl::BufferName::make();
+};
+
+}  // namespace poinsot::render

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/frustum_outline.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+namespace poinsot::render {
+namespace {
+
+// Two unit vectors that make a right-handed frame with the axis.
+std::array<glm::vec3, 2> perpendiculars(glm::vec3 axis) {
+  const glm::vec3 other = std::abs(axis.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 first = glm::normalize(glm::cross(axis, other));
+  return {first, glm::cross(axis, first)};
+}
+
+// The two rulings on the silhouette, as directions from the axis: where the side's normal is perpendicular to the
+// sight line, n·p = 0 with n = radial - slope axis and p = from + radius radial:
+//   a cos φ + b sin φ = slope (axis·from) - radius,    a, b = e1·from, e2·from
+// None where the eye is inside the (extended) cone: one disc then covers the other.
+std::optional<std::array<glm::vec3, 2>> silhouetteRulings(glm::vec3 from_C, glm::vec3 axis_C, float radius,
+                                                          float slope) {
+  const auto [e1, e2] = perpendiculars(axis_C);
+  const float a = glm::dot(e1, from_C), b = glm::dot(e2, from_C);
+  const float c = slope * glm::dot(axis_C, from_C) - radius;
+  const float r = std::hypot(a, b);
+  if (std::abs(c) >= r) return std::nullopt;
+  // cos and sin of atan2(b, a) ± acos(c / r), without the angles.
+  const float cosine = c / r, sine = std::sqrt(1 - cosine * cosine);
+  const float ca = a / r, sa = b / r;
+  return std::array<glm::vec3, 2>{(ca * cosine - sa * sine) * e1 + (sa * cosine + ca * sine) * e2,
+                                  (ca * cosine + sa * sine) * e1 + (sa * cosine - ca * sine) * e2};
+}
+
+ScreenEllipse discOutline(const draw::Camera& camera, glm::vec3 centre_C, glm::vec3 axis_C, float radius) {
+  const auto [e1, e2] = perpendiculars(axis_C);
+  return ellipseOutline(camera, centre_C, glm::mat3(radius * e1, radius * e2, glm::vec3(0)));
+}
+
+}  // namespace
+
+FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& f) {
+  FrustumOutline outline;
+  outline.from_C = toCamera(camera, f.from_W);
+  const glm::vec3 to_C = toCamera(camera, f.to_W);
+  outline.height = glm::distance(outline.from_C, to_C);
+  const float reach = std::max(f.fromRadius, f.toRadius);
+  if (outline.height <= 0 || -std::max(outline.from_C.z, to_C.z) - reach <= camera.near) return outline;
+  outline.axis_C = (to_C - outline.from_C) / outline.height;
+  outline.first = discOutline(camera, outline.from_C, outline.axis_C, f.fromRadius);
+  outline.second = discOutline(camera, to_C, outline.axis_C, f.toRadius);
+  outline.bounds.include(outline.first.bounds);
+  outline.bounds.include(outline.second.bounds);
+  outline.sides.fill(glm::vec3(0, 0, -1e6f));
+  if (glm::dot(outline.axis_C, outline.from_C) > 0 && f.fromRadius > 0) outline.visibleCap = 1;
+  if (glm::dot(outline.axis_C, to_C) < 0 && f.toRadius > 0) outline.visibleCap = 2;
+
+  const float slope = (f.toRadius - f.fromRadius) / outline.height;
+  const auto rulings = silhouetteRulings(outline.from_C, outline.axis_C, f.fromRadius, slope);
+  if (!rulings) return outline;
+  const auto corner = [&](glm::vec3 end_C, float radius, std::size_t k) {
+    return projectCamera(camera, end_C + radius * (*rulings)[k]);
+  };
+  // Order: along one ruling, across, back along the other, across: edges 0 and 2 are the silhouette.
+  const std::array<glm::vec2, 4> corners{corner(outline.from_C, f.fromRadius, 0), corner(to_C, f.toRadius, 0),
+                                         corner(to_C, f.toRadius, 1), corner(outline.from_C, f.fromRadius, 1)};
+  outline.sides = quadEdges(corners);
+  // A pointed end has no edge across: the two silhouettes meet there.
+  if (f.toRadius == 0) outline.sides[1] = glm::vec3(0, 0, 1e6f);
+  if (f.fromRadius == 0) outline.sides[3] = glm::vec3(0, 0, 1e6f);
+  return outline;
+}
+
+}  // namespace poinsot::render

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "draw/draw_list.h"
+#include "render/screen_outline.h"
+
+namespace poinsot::render {
+
+/// The picture of a frustum: the hull of its two end discs, and what frustum.frag needs to shade it.
+struct FrustumOutline {
+  glm::vec3 from_C{0}, axis_C{0, 0, 1};
+  float height = 0;
+  ScreenEllipse first, second;
+  std::array<glm::vec3, 4> sides{};  ///< of the strip between the tangents; 0 and 2 are the silhouette
+  int visibleCap = 0;                ///< 0: none looks at the eye, 1: the first disc, 2: the second
+  PixelBounds bounds;                ///< empty when it is not wholly in front of the camera
+};
+
+FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& frustum);
+
+}  // namespace poinsot::render

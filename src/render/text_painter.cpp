@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/text_painter.h"
+
+#include <algorithm>
+
+#include "text/coverage.h"
+#include "text/math_setter.h"
+
+namespace poinsot::render {
+namespace {
+
+// One pixel: `share` of it is covered by `color`. A fourth channel is straight alpha.
+void blend(std::uint8_t* pixel, int channels, const draw::Color& color, float share) {
+  const float below = channels == 4 ? static_cast<float>(pixel[3]) / 255.0f : 1.0f;
+  const float alpha = share + below * (1 - share);
+  for (int c = 0; c < 3; ++c) {
+    const float under = draw::linearFromSrgb8(pixel[c]);
+    pixel[c] = draw::srgb8FromLinear((color[c] * share + under * below * (1 - share)) / alpha);
+  }
+  if (channels == 4) pixel[3] = static_cast<std::uint8_t>(alpha * 255.0f + 0.5f);
+}
+
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, image::Image& picture) {
+  const int right = std::min(map.left + map.width, picture.size.width);
+  const int bottom = std::min(map.top + map.height, picture.size.height);
+  for (int y = std::max(map.top, 0); y < bottom; ++y) {
+    for (int x = std::max(map.left, 0); x < right; ++x) {
+      const std::uint8_t coverage = map.at(x, y);
+      if (coverage) blend(picture.at(x, y), picture.channels, color, static_cast<float>(coverage) / 255.0f);
+    }
+  }
+}
+
+}  // namespace
+
+const text::GlyphRun& TextPainter::run(const std::string& tex) {
+  const auto known = runs_.find(tex);
+  return known != runs_.end() ? known->second : runs_.emplace(tex, text::setTex(tex)).first->second;
+}
+
+void TextPainter::paint(const draw::Text& item, image::Image& picture) {
+  const text::GlyphRun& glyphs = run(item.tex);
+  const auto layer = [&](const draw::Color& color, double outline_px) {
+    const auto x = static_cast<double>(item.baseline_px.x), y = static_cast<double>(item.baseline_px.y);
+    blendCoverage(text::rasterize(glyphs, static_cast<double>(item.size_px), x, y, outline_px), color, picture);
+  };
+  if (item.halo && item.halo_px > 0) layer(*item.halo, static_cast<double>(item.halo_px));
+  layer(item.color, 0);
+}
+
+}  // namespace poinsot::render
