@@ -3,8 +3,8 @@
 #include "shading.glsl"
 #include "emit.glsl"
 
-// The faces that look at the eye, at most three. They lie side by side in the picture: their coverages add up.
-uniform int faceCount;
+// The faces that look at the eye, three at most; the edges of a missing one have nothing inside. They lie side by
+// side in the picture: their coverages add up.
 uniform vec3 edges[12];      // four to a face, towards its inside
 uniform vec3 normals_C[3];
 uniform vec3 points_C[3];    // a point of each face
@@ -17,7 +17,7 @@ void main() {
   Material material = Material(color, gloss);
   vec3 sum = vec3(0.0);
   float whole = 0.0, largest = 0.0, t = depthRange.y;
-  for (int i = 0; i < faceCount; ++i) {
+  for (int i = 0; i < 3; ++i) {
     float share = coveredQuad(edges[4 * i], edges[4 * i + 1], edges[4 * i + 2], edges[4 * i + 3], p_px);
     float tFace = dot(normals_C[i], points_C[i]) / min(dot(normals_C[i], ray), -1e-6);
     sum += share * shade(material, normals_C[i], towardEye_C);

@@ -4,8 +4,13 @@
 // Puts one pixel together from everything that was kept of it: the nearest solid that fills it, the two nearest
 // edges, and every translucent sheet, which is solved for here. Each fragment is dimmed by those in front of it;
 // no order of drawing exists, so none can be wrong. Linear light until the last line.
+#if SOLIDS
 uniform sampler2D solidColor, solidDepth;
 uniform sampler2D edgeColor, edgeDepth, nextEdgeColor, nextEdgeDepth;
+const int kEdges = 2;
+#else
+const int kEdges = 0;
+#endif
 uniform vec3 background;
 uniform int transparentBackground;
 
@@ -32,7 +37,7 @@ uniform vec4 shadow[PLANES];               // centre in the plane (u, v), radius
 
 out vec4 pixel;
 
-const int kFragments = 2 + 2 * ELLIPSOIDS + PLANES;
+const int kFragments = kEdges + 2 * ELLIPSOIDS + PLANES;
 vec4 colors[kFragments];   // straight rgb, opacity
 float depths[kFragments];
 
@@ -135,19 +140,24 @@ void main() {
   vec2 p_px = gl_FragCoord.xy;
   ivec2 texel = ivec2(p_px);
   vec3 ray = rayThrough(p_px);
+#if SOLIDS
   colors[0] = texelFetch(edgeColor, texel, 0);
   depths[0] = texelFetch(edgeDepth, texel, 0).r;
   colors[1] = texelFetch(nextEdgeColor, texel, 0);
   depths[1] = texelFetch(nextEdgeDepth, texel, 0).r;
-#if ELLIPSOIDS > 0
-  for (int k = 0; k < ELLIPSOIDS; ++k) addEllipsoid(k, 2 + 2 * k, p_px, ray);
-#endif
-#if PLANES > 0
-  for (int k = 0; k < PLANES; ++k) addPlane(k, 2 + 2 * ELLIPSOIDS + k, p_px, ray);
-#endif
-
   vec4 solid = texelFetch(solidColor, texel, 0);
   float depth = texelFetch(solidDepth, texel, 0).r;
+#else
+  vec4 solid = vec4(0.0);
+  float depth = 1.0;
+#endif
+#if ELLIPSOIDS > 0
+  for (int k = 0; k < ELLIPSOIDS; ++k) addEllipsoid(k, kEdges + 2 * k, p_px, ray);
+#endif
+#if PLANES > 0
+  for (int k = 0; k < PLANES; ++k) addPlane(k, kEdges + 2 * ELLIPSOIDS + k, p_px, ray);
+#endif
+
   for (int i = 0; i < kFragments; ++i) colors[i].a *= float(depths[i] <= depth);
 
   vec3 sum = vec3(0.0);

@@ -6,13 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "render/cells.h"
 #include "render/shader_source.h"
 #include "render/solid_painter.h"
 
 namespace poinsot::render {
 namespace {
-
-constexpr int kTile_px = 64;  // llvmpipe's own tile
 
 struct GlassSheet {
   glm::vec3 centre_C;
@@ -68,11 +67,6 @@ bool touches(const PlaneSheet& plane, const PixelBounds& tile) {
     if (e.x * x + e.y * y + e.z < -1.5f) return false;
   }
   return true;
-}
-
-void addTile(std::vector<glm::vec2>& triangles, const PixelBounds& t) {
-  const glm::vec2 a(t.left, t.top), b(t.right, t.top), c(t.left, t.bottom), d(t.right, t.bottom);
-  triangles.insert(triangles.end(), {a, b, c, c, b, d});
 }
 
 void setGlass(const gl::ShaderProgram& program, const draw::DrawList& list, const std::vector<GlassSheet>& sheets,
@@ -146,36 +140,33 @@ void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
 
 }  // namespace
 
-const gl::ShaderProgram& Compositor::program(std::size_t ellipsoids, std::size_t planes) {
-  const auto key = std::make_pair(ellipsoids, planes);
+const gl::ShaderProgram& Compositor::program(bool solids, std::size_t ellipsoids, std::size_t planes) {
+  const auto key = std::make_tuple(solids, ellipsoids, planes);
   if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-  const std::string defines =
-      "#define ELLIPSOIDS " + std::to_string(ellipsoids) + "\n#define PLANES " + std::to_string(planes) + "\n";
-  return programs_
-      .emplace(key, gl::ShaderProgram("composite.frag", shaderSource("tiles.vert"),
-                                      shaderSource("composite.frag", defines)))
-      .first->second;
+  const std::string defines = "#define SOLIDS " + std::to_string(solids) + "\n#define ELLIPSOIDS " +
+                              std::to_string(ellipsoids) + "\n#define PLANES " + std::to_string(planes) + "\n";
+  gl::ShaderProgram made("composite.frag", shaderSource("tiles.vert"), shaderSource("composite.frag", defines));
+  return programs_.emplace(key, std::move(made)).first->second;
 }
 
-void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, const PixelBounds& solidBounds,
+void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, const TileMask& solidTiles,
                       float sharpness, bool transparent) {
   std::vector<GlassSheet> glass;
   std::vector<PlaneSheet> planes;
   for (const auto& e : list.glassEllipsoids) glass.push_back(glassSheet(list.camera, e));
   for (const auto& p : list.planes) planes.push_back(planeSheet(list.camera, p));
 
-  std::map<Sheets, std::vector<glm::vec2>> tiles;
-  const glm::vec2 size_px = list.camera.size_px;
-  for (float y = 0; y < size_px.y; y += kTile_px) {
-    for (float x = 0; x < size_px.x; x += kTile_px) {
-      const PixelBounds tile{x, y, std::min(x + kTile_px, size_px.x), std::min(y + kTile_px, size_px.y)};
-      Sheets sheets;
+  std::map<Content, std::vector<glm::vec2>> tiles;
+  for (int row = 0; row < solidTiles.rows(); ++row) {
+    for (int column = 0; column < solidTiles.columns(); ++column) {
+      const PixelBounds tile = solidTiles.tile(column, row);
+      Content content{solidTiles.marked(column, row), {}, {}};
+      auto& [hasSolids, ellipsoidsHere, planesHere] = content;
       for (std::size_t i = 0; i < glass.size(); ++i)
-        if (touches(glass[i].outline.bounds, tile)) sheets.first.push_back(i);
+        if (touches(glass[i].outline.bounds, tile)) ellipsoidsHere.push_back(i);
       for (std::size_t i = 0; i < planes.size(); ++i)
-        if (touches(planes[i], tile)) sheets.second.push_back(i);
-      const bool empty = sheets.first.empty() && sheets.second.empty() && !touches(solidBounds, tile);
-      if (!empty) addTile(tiles[sheets], tile);
+        if (touches(planes[i], tile)) planesHere.push_back(i);
+      if (hasSolids || !ellipsoidsHere.empty() || !planesHere.empty()) addRectangle(tiles[content], tile);
     }
   }
 
@@ -183,14 +174,15 @@ void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, con
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
-  for (const auto& [sheets, triangles] : tiles) {
-    const auto& shader = program(sheets.first.size(), sheets.second.size());
+  for (const auto& [content, triangles] : tiles) {
+    const auto& [hasSolids, ellipsoidsHere, planesHere] = content;
+    const auto& shader = program(hasSolids, ellipsoidsHere.size(), planesHere.size());
     setPicture(shader, list, sharpness);
     shader.set("background", list.background);
     shader.set("transparentBackground", transparent ? 1 : 0);
     bindLayers(shader, solids);
-    setGlass(shader, list, glass, sheets.first);
-    setPlanes(shader, list, planes, sheets.second);
+    setGlass(shader, list, glass, ellipsoidsHere);
+    setPlanes(shader, list, planes, planesHere);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2)), triangles.data(),
                  GL_STREAM_DRAW);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));

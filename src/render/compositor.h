@@ -2,13 +2,13 @@
 #pragma once
 
 #include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "draw/draw_list.h"
 #include "gl/framebuffer.h"
 #include "gl/shader_program.h"
-#include "render/screen_outline.h"
+#include "render/tile_mask.h"
 
 namespace poinsot::render {
 
@@ -24,15 +24,16 @@ struct SolidLayers {
 class Compositor {
  public:
   /// Draws into the bound framebuffer, which holds the background already.
-  void draw(const draw::DrawList& list, const SolidLayers& solids, const PixelBounds& solidBounds, float sharpness,
+  void draw(const draw::DrawList& list, const SolidLayers& solids, const TileMask& solidTiles, float sharpness,
             bool transparent);
 
  private:
-  using Sheets = std::pair<std::vector<std::size_t>, std::vector<std::size_t>>;  // indices: ellipsoids, planes
+  /// What reaches a tile: whether solids do, and the indices of ellipsoids and planes.
+  using Content = std::tuple<bool, std::vector<std::size_t>, std::vector<std::size_t>>;
 
-  const gl::ShaderProgram& program(std::size_t ellipsoids, std::size_t planes);
+  const gl::ShaderProgram& program(bool solids, std::size_t ellipsoids, std::size_t planes);
 
-  std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram> programs_;
+  std::map<std::tuple<bool, std::size_t, std::size_t>, gl::ShaderProgram> programs_;
   gl::VertexArrayName vertices_ = gl::VertexArrayName::make();
   gl::BufferName buffer_ = gl::BufferName::make();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/frustum_outline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -39,6 +40,11 @@ ScreenEllipse discOutline(const draw::Camera& camera, glm::vec3 centre_C, glm::v
 }
 
 }  // namespace
+
+bool FrustumOutline::inside(glm::vec2 p_px) const {
+  const auto within = [&](glm::vec3 e) { return glm::dot(glm::vec2(e), p_px) + e.z >= 0; };
+  return first.inside(p_px) || second.inside(p_px) || std::all_of(sides.begin(), sides.end(), within);
+}
 
 FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& f) {
   FrustumOutline outline;

@@ -16,6 +16,8 @@ struct FrustumOutline {
   std::array<glm::vec3, 4> sides{};  ///< of the strip between the tangents; 0 and 2 are the silhouette
   int visibleCap = 0;                ///< 0: none looks at the eye, 1: the first disc, 2: the second
   PixelBounds bounds;                ///< empty when it is not wholly in front of the camera
+
+  bool inside(glm::vec2 p_px) const;
 };
 
 FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& frustum);

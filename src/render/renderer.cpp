@@ -76,12 +76,12 @@ struct Renderer::Passes {
     buffers.emplace(size);
   }
 
-  void drawSolids(const PixelBounds& bounds) {
+  void drawSolids(const TileMask& tiles) {
     const auto pass = [&](const gl::Framebuffer& target, SolidPass which, GLuint depth) {
       target.bind();
       glClearColor(0, 0, 0, 0);
       glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      if (!bounds.empty()) solids.draw(which, depth);
+      if (tiles.any()) solids.draw(which, depth);
     };
     pass(buffers->full, SolidPass::kFull, 0);
     pass(buffers->edge, SolidPass::kNearestEdge, 0);
@@ -100,10 +100,10 @@ struct Renderer::Passes {
   void draw(const draw::DrawList& list, glm::ivec2 size, bool transparent) {
     prepareBuffers(size);
     glViewport(0, 0, size.x, size.y);
-    const PixelBounds bounds = solids.prepare(list, sharpness);
-    drawSolids(bounds);
+    const TileMask tiles = solids.prepare(list, sharpness);
+    drawSolids(tiles);
     clearPicture(list, transparent);
-    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, bounds, sharpness, transparent);
+    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, sharpness, transparent);
     glFinish();
   }
 };

@@ -38,6 +38,11 @@ PixelBounds PixelBounds::clipped(glm::vec2 size_px) const {
   return whole;
 }
 
+bool ScreenEllipse::inside(glm::vec2 p_px) const {
+  const glm::vec2 q = p_px - centre_px;
+  return form.x * q.x * q.x + 2 * form.y * q.x * q.y + form.z * q.y * q.y <= 1;
+}
+
 ScreenEllipse ellipseOutline(const draw::Camera& camera, glm::vec3 centre_C, const glm::mat3& semiAxes_C) {
   const glm::dmat3 A(semiAxes_C);
   const glm::dvec3 c(centre_C);

@@ -29,6 +29,8 @@ struct ScreenEllipse {
   glm::vec2 centre_px{0};
   glm::vec3 form{1, 0, 1};
   PixelBounds bounds;
+
+  bool inside(glm::vec2 p_px) const;
 };
 
 /// Outline of x = centre + A s, |s| <= 1, in camera axes. A column of zeros makes a disc.

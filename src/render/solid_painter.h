@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "draw/draw_list.h"
 #include "gl/shader_program.h"
+#include "render/cells.h"
 #include "render/curve_strip.h"
-#include "render/screen_outline.h"
+#include "render/tile_mask.h"
 
 namespace poinsot::render {
 
@@ -22,38 +24,45 @@ class SolidPainter {
   SolidPainter();
 
   /// Works out outlines and strips of this list, once for the three passes.
-  /// @return the pixels that any solid may touch.
-  PixelBounds prepare(const draw::DrawList& list, float sharpness);
+  /// @return the tiles that any solid may touch.
+  TileMask prepare(const draw::DrawList& list, float sharpness);
 
   /// Draws what prepare() was given into the bound framebuffer. `nearestEdgeDepth` is read in kNextEdge only.
   void draw(SolidPass pass, GLuint nearestEdgeDepth) const;
 
  private:
-  struct Programs {
-    gl::ShaderProgram ellipsoid, frustum, box, curve;
-  };
-  static Programs makePrograms(SolidPass pass);
+  enum Kind : std::size_t { kEllipsoid, kFrustum, kBox, kFlatCurve, kTube, kKinds };
+  using Programs = std::vector<gl::ShaderProgram>;  // by Kind
 
-  void drawEllipsoids(const Programs& programs) const;
-  void drawFrustums(const Programs& programs) const;
-  void drawBoxes(const Programs& programs) const;
-  void drawCurves(const Programs& programs) const;
-
-  struct PreparedCurve {
+  /// One draw call: its uniforms and its triangles, those of the edge passes first.
+  struct Item {
+    Kind kind;
+    std::function<void(const gl::ShaderProgram&)> setUniforms;
     GLint first = 0;
-    GLsizei count = 0;
-    draw::Material material;
-    float lift = 0;
+    GLsizei edgeCount = 0, fullCount = 0;
   };
+
+  static Programs makePrograms(SolidPass pass);
+  void prepareEllipsoid(const draw::Camera& camera, const draw::Ellipsoid& ellipsoid);
+  void prepareFrustum(const draw::Camera& camera, const draw::Frustum& frustum);
+  void prepareBox(const draw::Camera& camera, const draw::Box& box);
+  void prepareCurve(const draw::Camera& camera, const draw::Curve& curve);
+  void addItem(Kind kind, const Cells& cells, std::function<void(const gl::ShaderProgram&)> setUniforms);
+  Cells markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside);
 
   std::array<Programs, 3> programs_;
-  gl::VertexArrayName noVertices_ = gl::VertexArrayName::make();
+  gl::VertexArrayName cellVertices_ = gl::VertexArrayName::make();
   gl::VertexArrayName curveVertices_ = gl::VertexArrayName::make();
+  gl::BufferName cellBuffer_ = gl::BufferName::make();
   gl::BufferName curveBuffer_ = gl::BufferName::make();
+
+  // Of the list last prepared.
   const draw::DrawList* list_ = nullptr;
   float sharpness_ = 1;
-  std::vector<StripVertex> vertices_;
-  std::vector<PreparedCurve> curves_;
+  TileMask tiles_;
+  std::vector<Item> items_;
+  std::vector<glm::vec2> cells_;
+  std::vector<StripVertex> strips_;
 };
 
 }  // namespace poinsot::render
