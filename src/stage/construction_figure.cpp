@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/construction_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kPlaneBeyondEllipsoid = 1.45;  // half width of the plane, in the ellipsoid's longest semi-axis
+constexpr double kCellsToEdge = 7;              // about that many grid cells from the centre to the edge
+constexpr double kRecent_s = 0.9;               // film time of the bright end of the herpolhode
+
+double niceNumber(double x) {
+  const double power = std::pow(10.0, std::floor(std::log10(x)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (x <= 1.42 * step * power) return step * power;
+  return 10 * power;
+}
+
+// Two horizontal-as-can-be unit vectors across `normal`.
+std::pair<Vector3d, Vector3d> across(const Vector3d& normal) {
+  const Vector3d hint = std::abs(normal.x()) < 0.9 ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
+  const Vector3d u = (hint - hint.dot(normal) * normal).normalized();
+  return {u, normal.cross(u)};
+}
+
+}  // namespace
+
+ConstructionFigure::ConstructionFigure(const scene::Scene& scene, const PictureMotion& motion,
+                                       const Scales& scales)
+    : show_(scene.show), motion_(motion), scale_(scales.ellipsoid) {
+  const physics::PoinsotConstruction construction(motion.motion());
+  semiAxes_ = scale_ * construction.semiAxes();
+  height_ = scale_ * construction.planeHeight();
+  double radius = 0;
+  for (const PathPoint& p : motion.path())
+    radius = std::max(radius, (p.omega_W - p.omega_W.dot(motion.motion().L_W().normalized()) *
+                                               motion.motion().L_W().normalized())
+                                  .norm());
+  const double wanted = std::max(kPlaneBeyondEllipsoid * semiAxes_.maxCoeff(), 1.2 * scale_ * radius) / scale_;
+  spacing_ = niceNumber(wanted / kCellsToEdge);
+  halfWidth_ = std::ceil(wanted / spacing_ - 1e-9) * spacing_ * scale_;
+}
+
+std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
+  std::vector<Vector3d> points;
+  const Matrix3d R_VW = motion_.R_VW(0);
+  const Vector3d down = R_VW * motion_.motion().L_W().normalized();
+  const auto [u, v] = across(down);
+  if (show_.plane.visible)
+    for (const double a : {-1.0, 1.0})
+      for (const double b : {-1.0, 1.0}) points.push_back(height_ * down + halfWidth_ * (a * u + b * v));
+  // The ellipsoid as it rolls: its extremes along a few directions, over the whole film.
+  if (!show_.ellipsoid.visible) return points;
+  constexpr int kInstants = 48;
+  for (int i = 0; i <= kInstants; ++i) {
+    const Matrix3d A = motion_.at(motion_.duration_s() * i / kInstants).R_VB * semiAxes_.asDiagonal();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d extreme = A * (A.transpose() * Vector3d::Unit(axis)).normalized();
+      points.push_back(extreme);
+      points.push_back(-extreme);
+    }
+  }
+  return points;
+}
+
+void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& state, const Palette& colors,
+                                      double width_px) const {
+  draw::GlassEllipsoid glass;
+  glass.semiAxes_W = toPicture(Matrix3d(state.R_VB * semiAxes_.asDiagonal()));
+  glass.color = colors.ellipsoid;
+  glass.opacity = static_cast<float>(show_.ellipsoid.opacity);
+  glass.rimOpacity = static_cast<float>(std::min(1.0, 3.2 * show_.ellipsoid.opacity));
+  if (show_.ellipsoid.graticule)
+    glass.graticule = draw::Graticule{colors.graticule, static_cast<float>(0.8 * width_px), 0.75f, 0.3f};
+  list.glassEllipsoids.push_back(glass);
+}
+
+void ConstructionFigure::addPlane(draw::DrawList& list, const PictureState& state, const Palette& colors,
+                                  double width_px) const {
+  const Vector3d normal = state.L_V.normalized();
+  // The plane belongs to inertial space: its grid turns with W where the body stands still.
+  const auto [u_W, v_W] = across(motion_.motion().L_W().normalized());
+  const Matrix3d R_VW = state.R_VW;
+  draw::GridPlane plane;
+  plane.centre_W = toPicture(Vector3d(height_ * normal));
+  plane.u_W = toPicture(Vector3d(halfWidth_ * (R_VW * u_W)));
+  plane.v_W = toPicture(Vector3d(halfWidth_ * (R_VW * v_W)));
+  plane.spacing_W = static_cast<float>(spacing_ * scale_);
+  plane.color = colors.plane;
+  plane.opacity = static_cast<float>(show_.plane.opacity);
+  plane.lineColor = colors.planeLine;
+  plane.lineOpacity = show_.plane.grid ? 0.5f : 0.0f;
+  plane.lineWidth_px = static_cast<float>(0.8 * width_px);
+  if (show_.ellipsoid.visible) {
+    plane.shadowCentre_W = toPicture(Vector3d(scale_ * state.omega_V));
+    plane.shadowRadius_W = static_cast<float>(0.3 * semiAxes_.minCoeff());
+    plane.shadowOpacity = 0.22f;
+  }
+  list.planes.push_back(plane);
+}
+
+void ConstructionFigure::addPolhode(draw::DrawList& list, double filmTime_s, const PictureState& state,
+                                    const Palette& colors) const {
+  draw::Curve future, travelled;
+  const auto at = [&](const PathPoint& p) { return toPicture(Vector3d(scale_ * (state.R_VB * p.omega_B))); };
+  for (const PathPoint& p : motion_.path())
+    (p.filmTime_s < filmTime_s ? travelled : future).points_W.push_back(at(p));
+  const auto now = at(motion_.pathPoint(filmTime_s));
+  travelled.points_W.push_back(now);
+  future.points_W.insert(future.points_W.begin(), now);
+  travelled.material.color = colors.trail;
+  future.material.color = colors.futureTrail;
+  travelled.radius_W = 0.011f;
+  future.radius_W = 0.007f;
+  list.curves.push_back(std::move(future));
+  list.curves.push_back(std::move(travelled));
+}
+
+void ConstructionFigure::addHerpolhode(draw::DrawList& list, double filmTime_s, const Palette& colors,
+                                       double width_px) const {
+  const Matrix3d R_VW = motion_.R_VW(filmTime_s);
+  draw::Curve future, travelled, recent;
+  const auto at = [&](const PathPoint& p) { return toPicture(Vector3d(scale_ * (R_VW * p.omega_W))); };
+  for (const PathPoint& p : motion_.path()) {
+    if (p.filmTime_s >= filmTime_s)
+      future.points_W.push_back(at(p));
+    else
+      (p.filmTime_s < filmTime_s - kRecent_s ? travelled : recent).points_W.push_back(at(p));
+  }
+  const auto now = at(motion_.pathPoint(filmTime_s));
+  if (!recent.points_W.empty()) travelled.points_W.push_back(recent.points_W.front());
+  recent.points_W.push_back(now);
+  future.points_W.insert(future.points_W.begin(), now);
+  const auto add = [&](draw::Curve& curve, const draw::Color& color, double width, float lift) {
+    curve.material.color = color;
+    curve.width_px = static_cast<float>(width * width_px);
+    curve.lift_W = lift;
+    list.curves.push_back(std::move(curve));
+  };
+  if (show_.herpolhode.future) add(future, colors.futureTrail, 1.2, 0.004f);
+  add(travelled, colors.trail, 1.7, 0.008f);
+  add(recent, colors.trail, 2.9, 0.012f);
+}
+
+void ConstructionFigure::add(draw::DrawList& list, double filmTime_s, const PictureState& state,
+                             const Palette& colors, double lineWidth_px) const {
+  if (show_.ellipsoid.visible) addEllipsoid(list, state, colors, lineWidth_px);
+  if (show_.plane.visible) addPlane(list, state, colors, lineWidth_px);
+  if (show_.polhode.visible) addPolhode(list, filmTime_s, state, colors);
+  if (show_.herpolhode.visible) addHerpolhode(list, filmTime_s, colors, lineWidth_px);
+  if (show_.contact.visible && show_.omega.visible) {
+    const double radius = 0.024 * show_.contact.scale;
+    list.ellipsoids.push_back(
+        {toPicture(Vector3d(scale_ * state.omega_V)), glm::mat3(static_cast<float>(radius)), {colors.ink, 0.4f}});
+  }
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "physics/free_motion.h"
+#include "scene/scene.h"
+
+namespace poinsot::stage {
+
+/// The motion as the picture shows it. V: the picture's axes, z up: inertial axes, or the body's turned so that
+/// the axis it spins about points up. Still in rad/s and kg·m²/s; scaling comes later (scales.h).
+struct PictureState {
+  Eigen::Matrix3d R_VB;
+  Eigen::Matrix3d R_VW;
+  Eigen::Vector3d omega_V;
+  Eigen::Vector3d L_V;
+};
+
+/// One sample of the path of the tip of omega.
+struct PathPoint {
+  double filmTime_s;
+  Eigen::Vector3d omega_B;
+  Eigen::Vector3d omega_W;
+};
+
+class PictureMotion {
+ public:
+  /// @throws core::Error(kPhysics) for a body at rest whose directions are to be shown.
+  explicit PictureMotion(const scene::Scene& scene);
+
+  PictureState at(double filmTime_s) const;
+  /// From inertial axes to the picture's.
+  Eigen::Matrix3d R_VW(double filmTime_s) const;
+
+  /// The tip of omega over the whole film, dense enough to look smooth.
+  const std::vector<PathPoint>& path() const { return path_; }
+  PathPoint pathPoint(double filmTime_s) const;
+
+  const physics::FreeMotion& motion() const { return motion_; }
+  double speed() const { return speed_; }
+  double duration_s() const { return duration_s_; }
+
+ private:
+  std::vector<PathPoint> samplePath() const;
+
+  physics::FreeMotion motion_;
+  double start_s_;
+  double speed_;
+  double duration_s_;
+  bool bodyStandsStill_;
+  Eigen::Matrix3d R_VB_;  // where the body stands, when it does
+  std::vector<PathPoint> path_;
+};
+
+}  // namespace poinsot::stage

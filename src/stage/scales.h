@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stage/body_figure.h"
+#include "stage/picture_motion.h"
+
+namespace poinsot::stage {
+
+/// How SI magnitudes become lengths in the picture, whose unit is about half of what is shown: body, ellipsoid
+/// with plane, omega and L each have a scale of their own, so that a football and the Earth fill the frame alike.
+struct Scales {
+  double body = 1;       ///< per metre
+  double ellipsoid = 1;  ///< per rad/s: ellipsoid, plane, polhode, herpolhode, contact point
+  double omega = 1;      ///< per rad/s: the arrow; the ellipsoid's unless the scene says otherwise
+  double lengthOfL = 1;  ///< of the arrow of L, in the picture
+  double reach = 1;      ///< radius of the ball about the centre that holds body, ellipsoid and omega
+};
+
+Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body);
+
+}  // namespace poinsot::stage

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/stage.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "stage/arrow.h"
+#include "stage/body_figure.h"
+#include "stage/construction_figure.h"
+#include "stage/framing.h"
+#include "stage/label_layout.h"
+#include "stage/palette.h"
+#include "stage/picture_motion.h"
+#include "stage/scales.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+// In picture lengths.
+constexpr double kVectorRadius = 0.021, kAxisRadius = 0.0125;
+constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
+// In shares of the picture's height.
+constexpr double kLine = 2.0 / 1080, kLabel = 0.044, kTitle = 0.042, kSubtitle = 0.027, kNote = 0.021,
+                 kEdge = 0.055;
+
+bool showsConstruction(const scene::Scene& scene) {
+  const auto& show = scene.show;
+  return scene.motion.omega_B.norm() > 0 &&
+         (show.ellipsoid.visible || show.plane.visible || show.polhode.visible || show.herpolhode.visible ||
+          show.contact.visible);
+}
+
+}  // namespace
+
+struct Stage::Plan {
+  scene::Scene scene;
+  Palette colors;
+  PictureMotion motion;
+  BodyFigure body;
+  Scales scales;
+  std::optional<ConstructionFigure> construction;
+
+  explicit Plan(scene::Scene s)
+      : scene(std::move(s)),
+        colors(palette(scene.style.theme)),
+        motion(scene),
+        body(scene),
+        scales(makeScales(scene, motion, body)) {
+    if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
+  }
+
+  // One principal axis, from the centre to inside the ellipsoid or beyond the body.
+  double axisLength(int axis) const {
+    const double body_length = kAxisBeyondBody * scales.body * body.halfExtents()[axis] + 0.12;
+    if (!construction || !scene.show.ellipsoid.visible) return scene.show.principalAxes.scale * body_length;
+    return scene.show.principalAxes.scale * kAxisInEllipsoid * construction->semiAxes()[axis];
+  }
+
+  draw::Camera camera(glm::vec2 size_px) const;
+  void addVectors(draw::DrawList& list, const PictureState& state) const;
+  void addAxes(draw::DrawList& list, const PictureState& state) const;
+  void addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const;
+  std::vector<Label> labels(const draw::DrawList& list, const PictureState& state) const;
+  void addTitle(draw::DrawList& list) const;
+};
+
+draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
+  std::vector<Vector3d> points;
+  if (construction) points = construction->outermostPoints();
+  const Vector3d L_V = motion.at(0).L_V;
+  if (scene.show.L.visible && L_V.norm() > 0) points.push_back(scales.lengthOfL * L_V.normalized());
+  if (points.empty() || !scene.show.ellipsoid.visible) {
+    const double r = scales.reach;
+    for (const double s : {-r, r})
+      for (int axis = 0; axis < 3; ++axis) points.push_back(s * Vector3d::Unit(axis));
+  }
+  Margins margins;
+  // The title's lines stand over the picture, not in it.
+  if (!scene.show.title.empty()) margins.top = 0.1;
+  return frameAll(scene.camera, points, margins, size_px);
+}
+
+void Stage::Plan::addVectors(draw::DrawList& list, const PictureState& state) const {
+  const double width = kVectorRadius * scene.style.lineWidth;
+  if (scene.show.L.visible && state.L_V.norm() > 0)
+    addArrow(list, Vector3d::Zero(), scales.lengthOfL * state.L_V.normalized(), width, colors.L);
+  if (scene.show.omega.visible)
+    addArrow(list, Vector3d::Zero(), scales.omega * state.omega_V, width, colors.omega);
+}
+
+void Stage::Plan::addAxes(draw::DrawList& list, const PictureState& state) const {
+  if (!scene.show.principalAxes.visible) return;
+  for (int axis = 0; axis < 3; ++axis)
+    addArrow(list, Vector3d::Zero(), axisLength(axis) * state.R_VB.col(axis), kAxisRadius * scene.style.lineWidth,
+             colors.axis);
+}
+
+std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const PictureState& state) const {
+  std::vector<Label> labels;
+  const auto H = static_cast<double>(list.camera.size_px.y);
+  const auto size_px = static_cast<float>(kLabel * scene.style.textSize * H);
+  const glm::vec2 centre_px = project(list.camera, glm::vec3(0));
+  const auto add = [&](const std::string& tex, const Vector3d& tip_V, glm::vec2 direction,
+                       const draw::Color& color, float size) {
+    const glm::vec2 anchor = project(list.camera, toPicture(tip_V));
+    labels.push_back({tex, anchor, direction, 0.35f * size, size, color});
+  };
+  if (scene.show.L.visible && state.L_V.norm() > 0) {
+    const Vector3d tip = scales.lengthOfL * state.L_V.normalized();
+    add("$\\mathbf{L}$", tip, {1, 0}, colors.L, 1.15f * size_px);
+  }
+  if (scene.show.omega.visible && state.omega_V.norm() > 0) {
+    // Beside the shaft, on the side away from L, so that the label keeps clear of the curves at the tip.
+    const Vector3d middle = 0.6 * scales.omega * state.omega_V;
+    const glm::vec2 tip_px = project(list.camera, toPicture(Vector3d(scales.omega * state.omega_V)));
+    const glm::vec2 along = tip_px - centre_px;
+    const glm::vec2 side(-along.y, along.x);
+    add("$\\boldsymbol{\\omega}$", middle, along.x < 0 ? (side.x < 0 ? side : -side) : (side.x < 0 ? -side : side),
+        colors.omega, 1.15f * size_px);
+  }
+  if (scene.show.principalAxes.visible) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d tip = axisLength(axis) * state.R_VB.col(axis);
+      const glm::vec2 out = project(list.camera, toPicture(tip)) - centre_px;
+      // An axis that points at the eye has no direction in the picture: its label leans upwards.
+      add(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), tip, out + glm::vec2(0, -0.3f * size_px),
+          colors.axis, 0.85f * size_px);
+    }
+  }
+  return labels;
+}
+
+// The height of the centre above the plane, 2T/L (eq 40), as a dimension line beside the ellipsoid.
+void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const {
+  if (!construction || !scene.show.plane.visible || !scene.show.height.visible) return;
+  const Vector3d down = state.L_V.normalized();
+  const glm::vec3 r = -list.camera.R_WC[0];
+  Vector3d left(static_cast<double>(r.x), static_cast<double>(r.y), static_cast<double>(r.z));
+  left = (left - left.dot(down) * down).normalized();
+  const double away = 1.08 * construction->semiAxes().maxCoeff();
+  const Vector3d foot = construction->planeHeight() * down + away * left, head = away * left;
+  const auto H = static_cast<double>(list.camera.size_px.y);
+  const auto line = [&](const Vector3d& a, const Vector3d& b) {
+    draw::Curve curve;
+    curve.points_W = {toPicture(a), toPicture(b)};
+    curve.width_px = static_cast<float>(0.9 * kLine * H * scene.style.lineWidth);
+    curve.lift_W = 0.004f;
+    curve.material.color = colors.L;
+    list.curves.push_back(std::move(curve));
+  };
+  line(foot, head);
+  line(foot - 0.035 * left, foot + 0.035 * left);
+  line(head - 0.035 * left, head + 0.035 * left);
+  const auto size_px = static_cast<float>(0.72 * kLabel * scene.style.textSize * H);
+  labels.push_back({"$2T/L$",
+                    project(list.camera, toPicture(Vector3d(0.5 * (foot + head)))),
+                    {-1, 0},
+                    0.4f * size_px,
+                    size_px,
+                    colors.L});
+}
+
+void Stage::Plan::addTitle(draw::DrawList& list) const {
+  const auto H = static_cast<double>(list.camera.size_px.y) * scene.style.textSize;
+  const auto left = static_cast<float>(kEdge * H);
+  auto y = static_cast<float>(kEdge * H);
+  const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
+    const auto size_px = static_cast<float>(size * H);
+    y += size_px;
+    list.texts.push_back({tex, {left, y}, size_px, color, std::nullopt, 0});
+    y += 0.35f * size_px;
+  };
+  if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
+  if (!scene.show.subtitle.empty()) addLine(scene.show.subtitle, kSubtitle, colors.quietInk);
+  // What is not to scale is said in the picture.
+  y = list.camera.size_px.y - static_cast<float>((kEdge + 1.35 * kNote) * H);
+  if (scene.show.exaggerateAngles > 1)
+    addLine(fmt::format("angles drawn {:g} times larger", scene.show.exaggerateAngles), kNote, colors.quietInk);
+}
+
+Stage::Stage(scene::Scene scene) : plan_(std::make_unique<Plan>(std::move(scene))) {}
+Stage::~Stage() = default;
+Stage::Stage(Stage&&) noexcept = default;
+
+draw::DrawList Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
+  const Plan& plan = *plan_;
+  draw::DrawList list;
+  list.camera = plan.camera(size_px);
+  list.background = plan.colors.paper;
+  const PictureState state = plan.motion.at(filmTime_s);
+  const double line_px = kLine * static_cast<double>(size_px.y) * plan.scene.style.lineWidth;
+  if (plan.scene.show.body.visible) plan.body.add(list, state.R_VB, plan.scales.body, plan.colors, line_px);
+  plan.addAxes(list, state);
+  plan.addVectors(list, state);
+  if (plan.construction) plan.construction->add(list, filmTime_s, state, plan.colors, line_px);
+  std::vector<Label> labels;
+  if (plan.scene.show.labels) labels = plan.labels(list, state);
+  plan.addHeight(list, state, labels);
+  addLabels(list, labels, plan.colors.paper);
+  plan.addTitle(list);
+  return list;
+}
+
+const scene::Scene& Stage::scene() const { return plan_->scene; }
+double Stage::speed() const { return plan_->motion.speed(); }
+
+}  // namespace poinsot::stage

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace poinsot::stage {
+
+/// The one place where doubles become the floats of a draw list.
+inline glm::vec3 toPicture(const Eigen::Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+inline glm::mat3 toPicture(const Eigen::Matrix3d& m) {
+  return {toPicture(Eigen::Vector3d(m.col(0))), toPicture(Eigen::Vector3d(m.col(1))),
+          toPicture(Eigen::Vector3d(m.col(2)))};
+}
+
+}  // namespace poinsot::stage
