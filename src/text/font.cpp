@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/font.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <hb-ot.h>
+#include <hb.h>
+
+#include "core/error.h"
+#include "core/expect.h"
+
+extern "C" const unsigned char poinsot_font_latin_modern_math[];
+extern "C" const unsigned char poinsot_font_latin_modern_math_end[];
+
+namespace poinsot::text {
+namespace {
+
+using BufferPtr = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
+
+long embeddedSize() { return poinsot_font_latin_modern_math_end - poinsot_font_latin_modern_math; }
+
+// Direction, script and language are said, never guessed: guessing reads the machine's locale.
+BufferPtr makeBuffer(hb_script_t script) {
+  BufferPtr buffer(hb_buffer_create(), &hb_buffer_destroy);
+  hb_buffer_set_direction(buffer.get(), HB_DIRECTION_LTR);
+  hb_buffer_set_script(buffer.get(), script);
+  hb_buffer_set_language(buffer.get(), hb_language_from_string("en", -1));
+  return buffer;
+}
+
+}  // namespace
+
+struct Font::Handles {
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  hb_blob_t* blob = nullptr;
+  hb_face_t* shapingFace = nullptr;
+  hb_font_t* shapingFont = nullptr;  // its scale is left at the font's units, so every position is a whole number
+  double unitsPerEm = 1;
+
+  Handles() {
+    const unsigned char* bytes = poinsot_font_latin_modern_math;
+    if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, bytes, embeddedSize(), 0, &face) != 0) {
+      release();
+      throw core::Error(core::ErrorKind::kGraphics, "FreeType cannot read the embedded font Latin Modern Math");
+    }
+    blob = hb_blob_create(reinterpret_cast<const char*>(bytes), static_cast<unsigned>(embeddedSize()),
+                          HB_MEMORY_MODE_READONLY, nullptr, nullptr);
+    shapingFace = hb_face_create(blob, 0);
+    shapingFont = hb_font_create(shapingFace);
+    unitsPerEm = hb_face_get_upem(shapingFace);
+  }
+  ~Handles() { release(); }
+  Handles(const Handles&) = delete;
+  Handles& operator=(const Handles&) = delete;
+
+  // Every one of these calls accepts a null pointer.
+  void release() const {
+    hb_font_destroy(shapingFont);
+    hb_face_destroy(shapingFace);
+    hb_blob_destroy(blob);
+    FT_Done_Face(face);
+    FT_Done_FreeType(library);
+  }
+
+  double em(hb_position_t units) const { return units / unitsPerEm; }
+};
+
+namespace {
+
+MathConstants readConstants(hb_font_t* font, double unitsPerEm) {
+  const auto raw = [&](hb_ot_math_constant_t which) {
+    return static_cast<double>(hb_ot_math_get_constant(font, which));
+  };
+  const auto em = [&](hb_ot_math_constant_t which) { return raw(which) / unitsPerEm; };
+  MathConstants c;
+  c.scriptScale = raw(HB_OT_MATH_CONSTANT_SCRIPT_PERCENT_SCALE_DOWN) / 100;
+  c.scriptScriptScale = raw(HB_OT_MATH_CONSTANT_SCRIPT_SCRIPT_PERCENT_SCALE_DOWN) / 100;
+  c.axisHeight = em(HB_OT_MATH_CONSTANT_AXIS_HEIGHT);
+  c.accentBaseHeight = em(HB_OT_MATH_CONSTANT_ACCENT_BASE_HEIGHT);
+  c.subscriptShiftDown = em(HB_OT_MATH_CONSTANT_SUBSCRIPT_SHIFT_DOWN);
+  c.subscriptTopMax = em(HB_OT_MATH_CONSTANT_SUBSCRIPT_TOP_MAX);
+  c.subscriptBaselineDropMin = em(HB_OT_MATH_CONSTANT_SUBSCRIPT_BASELINE_DROP_MIN);
+  c.superscriptShiftUp = em(HB_OT_MATH_CONSTANT_SUPERSCRIPT_SHIFT_UP);
+  c.superscriptShiftUpCramped = em(HB_OT_MATH_CONSTANT_SUPERSCRIPT_SHIFT_UP_CRAMPED);
+  c.superscriptBottomMin = em(HB_OT_MATH_CONSTANT_SUPERSCRIPT_BOTTOM_MIN);
+  c.superscriptBaselineDropMax = em(HB_OT_MATH_CONSTANT_SUPERSCRIPT_BASELINE_DROP_MAX);
+  c.subSuperscriptGapMin = em(HB_OT_MATH_CONSTANT_SUB_SUPERSCRIPT_GAP_MIN);
+  c.superscriptBottomMaxWithSubscript = em(HB_OT_MATH_CONSTANT_SUPERSCRIPT_BOTTOM_MAX_WITH_SUBSCRIPT);
+  c.spaceAfterScript = em(HB_OT_MATH_CONSTANT_SPACE_AFTER_SCRIPT);
+  c.fractionNumeratorShiftUp = em(HB_OT_MATH_CONSTANT_FRACTION_NUMERATOR_SHIFT_UP);
+  c.fractionDenominatorShiftDown = em(HB_OT_MATH_CONSTANT_FRACTION_DENOMINATOR_SHIFT_DOWN);
+  c.fractionNumeratorGapMin = em(HB_OT_MATH_CONSTANT_FRACTION_NUMERATOR_GAP_MIN);
+  c.fractionDenominatorGapMin = em(HB_OT_MATH_CONSTANT_FRACTION_DENOMINATOR_GAP_MIN);
+  c.fractionRuleThickness = em(HB_OT_MATH_CONSTANT_FRACTION_RULE_THICKNESS);
+  c.radicalVerticalGap = em(HB_OT_MATH_CONSTANT_RADICAL_VERTICAL_GAP);
+  c.radicalRuleThickness = em(HB_OT_MATH_CONSTANT_RADICAL_RULE_THICKNESS);
+  c.radicalExtraAscender = em(HB_OT_MATH_CONSTANT_RADICAL_EXTRA_ASCENDER);
+  return c;
+}
+
+}  // namespace
+
+const Font& Font::mathematics() {
+  static const thread_local Font font;
+  return font;
+}
+
+Font::Font()
+    : handles_(std::make_unique<const Handles>()),
+      constants_(readConstants(handles_->shapingFont, handles_->unitsPerEm)) {}
+
+Font::~Font() = default;
+
+std::optional<GlyphId> Font::glyph(char32_t character) const {
+  hb_codepoint_t id = 0;
+  if (!hb_font_get_nominal_glyph(handles_->shapingFont, character, &id)) return std::nullopt;
+  return id;
+}
+
+GlyphMetrics Font::metrics(GlyphId id) const {
+  hb_font_t* font = handles_->shapingFont;
+  hb_glyph_extents_t ink{};
+  hb_font_get_glyph_extents(font, id, &ink);
+  GlyphMetrics m;
+  m.advance = handles_->em(hb_font_get_glyph_h_advance(font, id));
+  m.left = handles_->em(ink.x_bearing);
+  m.right = handles_->em(ink.x_bearing + ink.width);
+  m.top = handles_->em(ink.y_bearing);
+  m.bottom = handles_->em(ink.y_bearing + ink.height);
+  m.italicCorrection = handles_->em(hb_ot_math_get_glyph_italics_correction(font, id));
+  m.topAccent = handles_->em(hb_ot_math_get_glyph_top_accent_attachment(font, id));
+  return m;
+}
+
+GlyphId Font::scriptForm(GlyphId id, int level) const {
+  return level == 0 ? id : alternate(id, "ssty", static_cast<unsigned>(level));
+}
+
+GlyphId Font::dotlessForm(GlyphId id) const { return alternate(id, "dtls", 1); }
+
+// A feature's lookups, asked for one glyph: simpler and quicker than shaping, and needs no character.
+GlyphId Font::alternate(GlyphId id, const char* feature, unsigned value) const {
+  hb_face_t* face = handles_->shapingFace;
+  const hb_tag_t wanted[] = {hb_tag_from_string(feature, -1), HB_TAG_NONE};
+  const std::unique_ptr<hb_set_t, decltype(&hb_set_destroy)> lookups(hb_set_create(), &hb_set_destroy);
+  hb_ot_layout_collect_lookups(face, HB_OT_TAG_GSUB, nullptr, nullptr, wanted, lookups.get());
+  hb_codepoint_t lookup = HB_SET_VALUE_INVALID;
+  while (hb_set_next(lookups.get(), &lookup)) {
+    hb_codepoint_t form = 0;
+    unsigned count = 1;
+    const unsigned offered = hb_ot_layout_lookup_get_glyph_alternates(face, lookup, id, value - 1, &count, &form);
+    if (count == 1) return form;
+    if (offered > 0) return alternate(id, feature, offered);  // fewer forms than levels: the last serves the rest
+  }
+  return id;
+}
+
+std::vector<GlyphId> Font::tallerForms(GlyphId id) const {
+  hb_ot_math_glyph_variant_t variants[16];
+  unsigned count = 16;
+  hb_ot_math_get_glyph_variants(handles_->shapingFont, id, HB_DIRECTION_TTB, 0, &count, variants);
+  std::vector<GlyphId> forms;
+  for (unsigned i = 0; i < count; ++i) forms.push_back(variants[i].glyph);
+  return forms;
+}
+
+std::vector<ShapedGlyph> Font::shape(std::u32string_view text, int level) const {
+  const BufferPtr buffer = makeBuffer(HB_SCRIPT_LATIN);
+  for (std::size_t i = 0; i < text.size(); ++i) hb_buffer_add(buffer.get(), text[i], static_cast<unsigned>(i));
+  hb_buffer_set_content_type(buffer.get(), HB_BUFFER_CONTENT_TYPE_UNICODE);
+  const hb_feature_t scriptForms = {HB_TAG('s', 's', 't', 'y'), static_cast<unsigned>(level),
+                                    HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
+  hb_shape(handles_->shapingFont, buffer.get(), &scriptForms, 1);
+
+  unsigned count = 0;
+  const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
+  const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer.get(), nullptr);
+  std::vector<ShapedGlyph> glyphs;
+  hb_position_t pen = 0;
+  for (unsigned i = 0; i < count; ++i) {
+    const hb_glyph_position_t& p = positions[i];
+    glyphs.push_back({infos[i].codepoint, handles_->em(pen + p.x_offset), handles_->em(p.y_offset),
+                      handles_->em(p.x_advance), infos[i].cluster});
+    pen += p.x_advance;
+  }
+  return glyphs;
+}
+
+FT_FaceRec_* Font::face() const { return handles_->face; }
+FT_LibraryRec_* Font::library() const { return handles_->library; }
+double Font::unitsPerEm() const { return handles_->unitsPerEm; }
+
+}  // namespace poinsot::text

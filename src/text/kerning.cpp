@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/kerning.h"
+
+#include <string_view>
+
+namespace poinsot::text {
+namespace {
+
+constexpr double kSlight_em = -1.0 / 36;
+constexpr double kClear_em = -1.0 / 12;
+constexpr double kDeep_em = -1.0 / 9;
+
+// The gap that any letter of `left` leaves before any letter of `right`.
+struct Pair {
+  std::u32string_view left;
+  std::u32string_view right;
+  double amount_em;
+};
+
+constexpr Pair kPairs[] = {
+    // An overhanging arm and a low letter under it.
+    {U"T", U"aceoqruwy", kClear_em},
+    {U"T", U"A", kClear_em},
+    {U"FVW", U"aeoru", kClear_em},
+    {U"FVW", U"A", kDeep_em},
+    {U"VW", U"CGOQ", kSlight_em},
+    {U"Y", U"aeoru", kClear_em},
+    {U"Y", U"A", kClear_em},
+    {U"P", U"A", kClear_em},
+    {U"P", U"aeo", kSlight_em},
+    {U"FPTVWYvwyr", U".,", kClear_em},
+    {U"FTVWY", U"-–—:;", kSlight_em},
+    // A slope against a slope, a foot below an arm.
+    {U"AR", U"CGOQUt", kSlight_em},
+    {U"A", U"TY", kClear_em},
+    {U"A", U"VW", kDeep_em},
+    {U"A", U"vwy’", kSlight_em},
+    {U"R", U"TVWY", kSlight_em},
+    {U"L", U"TY’", kClear_em},
+    {U"L", U"VW", kDeep_em},
+    {U"L", U"y", kSlight_em},
+    // Round capitals against slopes.
+    {U"DO", U"AVWXY", kSlight_em},
+    {U"KX", U"CGOQ", kSlight_em},
+    // Small letters: slopes, and the stem of a before v.
+    {U"kvwy", U"aceo", kSlight_em},
+    {U"a", U"vwy", kSlight_em},
+    {U"hmn", U"tuvwy", kSlight_em},
+    {U"bop", U"vwxy", kSlight_em},
+    {U"c", U"hk", kSlight_em},
+    // Round beside round touches: give air.
+    {U"bop", U"ceoq", -kSlight_em},
+    {U"f", U"’?!)]", -kClear_em},
+};
+
+}  // namespace
+
+double kerning_em(char32_t left, char32_t right) {
+  for (const Pair& pair : kPairs)
+    if (pair.left.find(left) != pair.left.npos && pair.right.find(right) != pair.right.npos) return pair.amount_em;
+  return 0;
+}
+
+}  // namespace poinsot::text

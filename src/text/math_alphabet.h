@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace poinsot::text {
+
+/// The shapes a letter comes in; Unicode gives each its own characters (block U+1D400).
+enum class Alphabet {
+  kMathItalic,  ///< the default of mathematics: slanted, but capital Greek upright, as TeX has it
+  kRoman,
+  kBold,
+  kBoldItalic,
+};
+
+/// The character for `letter` in that shape; `letter` itself where it has no such form (operators, accented
+/// letters).
+char32_t inAlphabet(char32_t letter, Alphabet alphabet);
+
+/// Whether the letter leans, so that its italic correction is room it needs.
+bool leans(char32_t letter, Alphabet alphabet);
+
+}  // namespace poinsot::text

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/math_layout.h"
+
+#include <algorithm>
+
+#include "text/plain_text.h"
+
+namespace poinsot::text {
+namespace {
+
+const MathConstants& constants() { return Font::mathematics().constants(); }
+
+// Binary operators that are only signs become ordinary; from left to right, as each sees its left neighbour
+// settled.
+std::vector<Atom> withSignsSettled(std::vector<Atom> atoms) {
+  const AtomClass* before = nullptr;
+  for (auto atom = atoms.begin(); atom != atoms.end(); ++atom) {
+    if (atom->isSpace) continue;
+    const auto next = std::find_if(atom + 1, atoms.end(), [](const Atom& a) { return !a.isSpace; });
+    const AtomClass* after = next == atoms.end() ? nullptr : &next->atomClass;
+    if (atom->atomClass == AtomClass::kBinary && isSign(before, after)) atom->atomClass = AtomClass::kOrdinary;
+    before = &atom->atomClass;
+  }
+  return atoms;
+}
+
+// Baselines of the scripts, as distances up and down from the base's.
+struct Shifts {
+  double up = 0;
+  double down = 0;
+};
+
+double shiftUp(const Box& base, const Box& sup, const MathStyle& style) {
+  const MathConstants& c = constants();
+  const double scale = scaleOf(style.level);
+  double up = scale * (style.cramped ? c.superscriptShiftUpCramped : c.superscriptShiftUp);
+  if (!base.character) up = std::max(up, base.height - scale * c.superscriptBaselineDropMax);
+  return std::max(up, scale * c.superscriptBottomMin + sup.depth);
+}
+
+double shiftDown(const Box& base, const Box& sub, const MathStyle& style) {
+  const MathConstants& c = constants();
+  const double scale = scaleOf(style.level);
+  double down = scale * c.subscriptShiftDown;
+  if (!base.character) down = std::max(down, base.depth + scale * c.subscriptBaselineDropMin);
+  return std::max(down, sub.height - scale * c.subscriptTopMax);
+}
+
+// Opens the gap between the two: first by raising the superscript as far as the font allows, then by lowering.
+Shifts apart(Shifts shifts, const Box& sub, const Box& sup, double scale) {
+  const MathConstants& c = constants();
+  const double gap = (shifts.up - sup.depth) - (sub.height - shifts.down);
+  const double missing = scale * c.subSuperscriptGapMin - gap;
+  if (missing <= 0) return shifts;
+  const double supBottom = shifts.up - sup.depth;
+  const double raise = std::clamp(scale * c.superscriptBottomMaxWithSubscript - supBottom, 0.0, missing);
+  return {shifts.up + raise, shifts.down + (missing - raise)};
+}
+
+}  // namespace
+
+Box joined(const std::vector<Atom>& list, const MathStyle& style) {
+  const std::vector<Atom> atoms = withSignsSettled(list);
+  Box line;
+  const AtomClass* before = nullptr;
+  for (const Atom& atom : atoms) {
+    if (!atom.isSpace && before != nullptr) {
+      const double space_em = spaceBetween_em(*before, atom.atomClass, style.level > 0);
+      if (space_em > 0) append(line, spaceBox(space_em, style.level));
+    }
+    append(line, atom.box);
+    if (!atom.isSpace) before = &atom.atomClass;
+  }
+  // A group of one is that one: its scripts and accents are placed by its own measures.
+  if (atoms.size() == 1) return atoms.front().box;
+  line.accentX = line.width / 2;
+  return line;
+}
+
+Box withScripts(const Box& base, const Scripts& scripts, const MathStyle& style) {
+  const double scale = scaleOf(style.level);
+  Shifts shifts;
+  if (scripts.sup) shifts.up = shiftUp(base, *scripts.sup, style);
+  if (scripts.sub) shifts.down = shiftDown(base, *scripts.sub, style);
+  if (scripts.sup && scripts.sub) shifts = apart(shifts, *scripts.sub, *scripts.sup, scale);
+
+  Box box = base;
+  box.italic = 0;
+  if (scripts.primes) append(box, *scripts.primes);
+  double right = box.width;
+  if (scripts.sub) {
+    const double x = base.width - base.italic;
+    place(box, *scripts.sub, x, -shifts.down);
+    right = std::max(right, x + scripts.sub->width + scale * constants().spaceAfterScript);
+    box.plain += plainSubscript(scripts.sub->plain);
+  }
+  if (scripts.sup) {
+    place(box, *scripts.sup, box.width, shifts.up);
+    right = std::max(right, box.width + scripts.sup->width + scale * constants().spaceAfterScript);
+    box.plain += plainSuperscript(scripts.sup->plain);
+  }
+  box.width = right;
+  return box;
+}
+
+namespace {
+
+// The same letter without its dot; only a bare letter has one to lose.
+Box withoutDot(Box base) {
+  if (!base.character || base.glyphs.size() != 1) return base;
+  const Font& font = Font::mathematics();
+  PlacedGlyph& glyph = base.glyphs.front();
+  const GlyphId dotless = font.dotlessForm(glyph.id);
+  if (dotless == glyph.id) return base;
+  glyph.id = dotless;
+  const GlyphMetrics metrics = font.metrics(dotless);
+  base.height = glyph.scale * metrics.top;
+  base.accentX = glyph.scale * metrics.topAccent;
+  base.width = glyph.scale * metrics.advance + base.italic;
+  return base;
+}
+
+}  // namespace
+
+Box accented(const Box& base, char32_t combining, const MathStyle& style) {
+  MathStyle markStyle = style;
+  markStyle.alphabet = Alphabet::kRoman;
+  const Box mark = glyphBox(combining, combining, markStyle);
+  Box box = withoutDot(base);
+  // The mark is drawn for a base of this height; over a taller one it rises by the difference.
+  const double drawnFor = scaleOf(style.level) * constants().accentBaseHeight;
+  place(box, mark, box.accentX - mark.accentX, std::max(0.0, box.height - drawnFor));
+  box.plain += combining;
+  return box;
+}
+
+Box fraction(const Box& numerator, const Box& denominator, const MathStyle& style) {
+  const MathConstants& c = constants();
+  const double scale = scaleOf(style.level);
+  const double rule = scale * c.fractionRuleThickness;
+  const double barBottom = scale * c.axisHeight - rule / 2;
+  const double up = std::max(scale * c.fractionNumeratorShiftUp,
+                             barBottom + rule + scale * c.fractionNumeratorGapMin + numerator.depth);
+  const double down = std::max(scale * c.fractionDenominatorShiftDown,
+                               denominator.height + scale * c.fractionDenominatorGapMin - barBottom);
+  const double side =
+      scale * 0.12;  // TeX's \nulldelimiterspace, 1.2 pt at 10 pt: a bar does not touch its neighbour
+  const double bar = std::max(numerator.width, denominator.width);
+
+  Box box;
+  box.width = bar + 2 * side;
+  place(box, numerator, side + (bar - numerator.width) / 2, up);
+  place(box, denominator, side + (bar - denominator.width) / 2, -down);
+  box.rules.push_back({side, barBottom, bar, rule});
+  box.accentX = box.width / 2;
+  box.plain = plainFraction(numerator.plain, denominator.plain);
+  return box;
+}
+
+std::optional<Box> squareRoot(const Box& content, const MathStyle& style) {
+  const Font& font = Font::mathematics();
+  const MathConstants& c = constants();
+  const double scale = scaleOf(style.level);
+  const double rule = scale * c.radicalRuleThickness;
+  const double needed = content.height + content.depth + scale * c.radicalVerticalGap + rule;
+  for (const GlyphId form : font.tallerForms(*font.glyph(U'√'))) {
+    const GlyphMetrics sign = font.metrics(form);
+    const double spare = scale * (sign.top - sign.bottom) - needed;
+    if (spare < 0) continue;
+    // What the sign has to spare is shared between above and below.
+    const double top = content.height + scale * c.radicalVerticalGap + spare / 2 + rule;
+    const double y = top - scale * sign.top;
+    Box box;
+    box.glyphs.push_back({form, 0, y, scale});
+    box.depth = std::max(0.0, -(y + scale * sign.bottom));
+    box.height = top;
+    // The bar starts where the sign's ink ends: overlapping edges would be darker than the rest of the bar.
+    const double barStart = scale * sign.right;
+    const double contentX = scale * sign.advance;
+    box.rules.push_back({barStart, top - rule, contentX + content.width - barStart, rule});
+    place(box, content, contentX, 0);
+    box.height = top + scale * c.radicalExtraAscender;
+    box.width = contentX + content.width;
+    box.accentX = box.width / 2;
+    box.plain = plainRoot(content.plain);
+    return box;
+  }
+  return std::nullopt;
+}
+
+}  // namespace poinsot::text

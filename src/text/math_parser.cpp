@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "text/commands.h"
+#include "text/math_layout.h"
+#include "text/parsers.h"
+
+namespace poinsot::text {
+namespace {
+
+MathStyle raised(const MathStyle& style) { return {std::min(style.level + 1, 2), style.cramped, style.alphabet}; }
+MathStyle cramped(const MathStyle& style) { return {style.level, true, style.alphabet}; }
+
+class MathParser {
+ public:
+  MathParser(TexReader& reader, const MathStyle& style) : reader_(reader), style_(style) {}
+
+  Box parseList(const ListEnd& end) {
+    const TexReader::Nested nested(reader_);
+    std::vector<Atom> atoms;
+    while (reader_.skipBlanks(), !takeEnd(reader_, end)) {
+      if (isScriptSign(reader_.peek()))
+        atoms.push_back({});  // scripts of nothing, as in {}^2
+      else
+        atoms.push_back(parseNucleus());
+      parseScripts(atoms.back());
+    }
+    return joined(atoms, style_);
+  }
+
+  // One letter, one command with its arguments or one group in braces.
+  Atom parseNucleus() {
+    const TexReader::Nested nested(reader_);
+    const std::size_t column = reader_.column();
+    const char32_t c = reader_.take();
+    if (c == U'\\') return parseCommand(column);
+    if (c == U'{') return {parseMath(reader_, style_, {U'}', column})};
+    if (c == U'$') reader_.fail(column, "'$' inside braces; close them first");
+    const Symbol symbol = symbolOf(c);
+    if (symbol.character != c || symbol.atomClass != AtomClass::kOrdinary)
+      return {glyphBox(symbol.character, symbol.character, style_), symbol.atomClass};
+    return {letterBox(c, column)};
+  }
+
+ private:
+  static bool isScriptSign(char32_t c) { return c == U'_' || c == U'^' || c == U'\''; }
+
+  Box letterBox(char32_t letter, std::size_t column) const {
+    const char32_t shaped = inAlphabet(letter, style_.alphabet);
+    requireGlyph(reader_, column, shaped);
+    return glyphBox(shaped, letter, style_);
+  }
+
+  void parseScripts(Atom& atom) {
+    Scripts scripts;
+    bool any = false;
+    for (reader_.skipBlanks(); isScriptSign(reader_.peek()); reader_.skipBlanks()) {
+      any = true;
+      parseScript(scripts);
+    }
+    if (any) atom.box = withScripts(atom.box, scripts, style_);
+  }
+
+  void parseScript(Scripts& scripts) {
+    const std::size_t column = reader_.column();
+    const char32_t sign = reader_.take();
+    if (sign == U'\'') {
+      if (!scripts.primes) scripts.primes.emplace();
+      append(*scripts.primes, glyphBox(U'′', U'′', style_));
+      return;
+    }
+    std::optional<Box>& script = sign == U'_' ? scripts.sub : scripts.sup;
+    if (script) reader_.fail(column, fmt::format("a second '{}'; put both in braces", static_cast<char>(sign)));
+    const MathStyle style = raised(style_);
+    script =
+        parseArgument(column, fmt::format("'{}'", static_cast<char>(sign)), sign == U'_' ? cramped(style) : style);
+  }
+
+  // What a script or a command applies to: a group in braces or the next single thing.
+  Box parseArgument(std::size_t column, const std::string& what, const MathStyle& style) {
+    reader_.skipBlanks();
+    const char32_t next = reader_.peek();
+    if (reader_.atEnd() || next == U'}' || next == U'$' || isScriptSign(next))
+      reader_.fail(column, what + " needs an argument, such as {x}");
+    return MathParser(reader_, style).parseNucleus().box;
+  }
+
+  Atom parseCommand(std::size_t column) {
+    const std::string name = reader_.takeName();
+    const Command* command = findCommand(name);
+    if (command == nullptr) failUnknownCommand(reader_, column, name);
+    const std::string what = "\\" + name;
+    switch (command->kind) {
+      case CommandKind::kSymbol:
+        return {glyphBox(command->character, command->character, style_), command->atomClass};
+      case CommandKind::kLetter:
+        return {letterBox(command->character, column)};
+      case CommandKind::kSpace:
+        return {spaceBox(command->width_em, style_.level), {}, true};
+      case CommandKind::kFunction:
+        return {functionBox(name), AtomClass::kFunction};
+      case CommandKind::kText:
+        return {runningText(*command, column)};
+      case CommandKind::kAlphabet:
+        return {parseArgument(column, what, {style_.level, style_.cramped, command->alphabet})};
+      case CommandKind::kAccent:
+        return {accented(parseArgument(column, what, cramped(style_)), command->character, style_)};
+      case CommandKind::kRoot:
+        return {rootBox(column, what)};
+      case CommandKind::kFraction:
+        break;
+    }
+    const Box numerator = parseArgument(column, what, raised(style_));
+    const Box denominator = parseArgument(column, what, cramped(raised(style_)));
+    return {fraction(numerator, denominator, style_), AtomClass::kInner};
+  }
+
+  Box functionBox(const std::string& name) const {
+    return textBox(std::u32string(name.begin(), name.end()), false, style_.level);
+  }
+
+  Box runningText(const Command& command, std::size_t column) {
+    if (!reader_.takeIf(U'{')) reader_.fail(column, fmt::format("\\{0} needs braces: \\{0}{{...}}", command.name));
+    const TextStyle text{command.alphabet == Alphabet::kBold, style_.level, true};
+    return parseText(reader_, text, {U'}', reader_.column() - 1});
+  }
+
+  Box rootBox(std::size_t column, const std::string& what) {
+    if (const auto root = squareRoot(parseArgument(column, what, cramped(style_)), style_)) return *root;
+    reader_.fail(column, "what is under the root is taller than the font's largest root sign");
+  }
+
+  TexReader& reader_;
+  MathStyle style_;
+};
+
+}  // namespace
+
+Box parseMath(TexReader& reader, const MathStyle& style, const ListEnd& end) {
+  return MathParser(reader, style).parseList(end);
+}
+
+}  // namespace poinsot::text

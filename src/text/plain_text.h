@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace poinsot::text {
+
+/// UTF-8.
+std::string toUtf8(std::u32string_view characters);
+
+/// Formulas in one line of plain Unicode, to be read aloud or searched: "x₁", "x^(a + b)", "(a + b)/2", "√x".
+std::u32string plainSubscript(const std::u32string& script);
+std::u32string plainSuperscript(const std::u32string& script);
+std::u32string plainFraction(const std::u32string& numerator, const std::u32string& denominator);
+std::u32string plainRoot(const std::u32string& content);
+
+}  // namespace poinsot::text

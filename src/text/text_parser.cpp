@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "text/commands.h"
+#include "text/parsers.h"
+#include "text/plain_text.h"
+
+namespace poinsot::text {
+namespace {
+
+// What is typed for a character that keyboards lack; longest first.
+struct Typed {
+  std::u32string_view typed;
+  char32_t character;
+};
+constexpr Typed kTypography[] = {{U"---", U'—'}, {U"--", U'–'}, {U"``", U'“'},    {U"''", U'”'},
+                                 {U"`", U'‘'},   {U"'", U'’'},  {U"~", U'\u00A0'}};
+
+std::u32string withTypography(std::u32string_view text) {
+  std::u32string result;
+  while (!text.empty()) {
+    char32_t character = text.front();
+    std::size_t length = 1;
+    for (const Typed& t : kTypography) {
+      if (!text.starts_with(t.typed)) continue;
+      character = t.character;
+      length = t.typed.size();
+      break;
+    }
+    result += character;
+    text.remove_prefix(length);
+  }
+  return result;
+}
+
+class TextParser {
+ public:
+  TextParser(TexReader& reader, const TextStyle& style) : reader_(reader), style_(style) {}
+
+  Box parse(const ListEnd& end) {
+    const TexReader::Nested nested(reader_);
+    while (!takeEnd(reader_, end)) parseNext();
+    setPending();
+    return std::move(line_);
+  }
+
+ private:
+  void parseNext() {
+    const std::size_t column = reader_.column();
+    const char32_t c = reader_.take();
+    if (c == U'\\') return parseCommand(column);
+    if (c == U'$') return parseFormula(column);
+    if (c == U'{') return setBox(parseText(reader_, style_, {U'}', column}));
+    if (c == U'_' || c == U'^')
+      reader_.fail(column, fmt::format("'{0}' outside a formula; write $...{0}...$, or \\_ for the sign",
+                                       static_cast<char>(c)));
+    if (isBlank(c)) {
+      reader_.skipBlanks();
+      pending_ += U' ';
+      return;
+    }
+    requireGlyph(reader_, column, c);
+    pending_ += c;
+  }
+
+  void parseFormula(std::size_t column) {
+    if (style_.insideMath) reader_.fail(column, "a formula inside \\text{...}; end the text first");
+    setBox(parseMath(reader_, {style_.level, false, Alphabet::kMathItalic}, {U'$', column}));
+  }
+
+  void parseCommand(std::size_t column) {
+    const std::string name = reader_.takeName();
+    const Command* command = findCommand(name);
+    if (command == nullptr) failUnknownCommand(reader_, column, name);
+    if (!command->inText) reader_.fail(column, fmt::format("\\{0} outside a formula; write $\\{0}...$", name));
+    switch (command->kind) {
+      case CommandKind::kSpace:
+        return setBox(spaceBox(command->width_em, style_.level));
+      case CommandKind::kText:
+        return parseArgument(*command, column);
+      default:
+        pending_ += command->character;  // a sign that running text has too
+    }
+  }
+
+  void parseArgument(const Command& command, std::size_t column) {
+    if (!reader_.takeIf(U'{')) reader_.fail(column, fmt::format("\\{0} needs braces: \\{0}{{...}}", command.name));
+    TextStyle inner = style_;
+    inner.bold = style_.bold || command.alphabet == Alphabet::kBold;
+    setBox(parseText(reader_, inner, {U'}', reader_.column() - 1}));
+  }
+
+  void setBox(const Box& box) {
+    setPending();
+    append(line_, box);
+  }
+
+  // Text is shaped in runs as long as possible: kerning and ligatures look at neighbours.
+  void setPending() {
+    if (!pending_.empty()) append(line_, textBox(withTypography(pending_), style_.bold, style_.level));
+    pending_.clear();
+  }
+
+  TexReader& reader_;
+  TextStyle style_;
+  std::u32string pending_;
+  Box line_;
+};
+
+}  // namespace
+
+Box parseText(TexReader& reader, const TextStyle& style, const ListEnd& end) {
+  Box box = TextParser(reader, style).parse(end);
+  box.accentX = box.width / 2;
+  return box;
+}
+
+bool takeEnd(TexReader& reader, const ListEnd& end) {
+  if (reader.atEnd()) {
+    if (end.sign == U'}') reader.fail(end.openedAt, "'{' is never closed");
+    if (end.sign == U'$') reader.fail(end.openedAt, "'$' is never closed; a formula is $...$, the sign \\$");
+    return true;
+  }
+  if (end.sign != 0 && reader.takeIf(end.sign)) return true;
+  if (reader.peek() == U'}') reader.fail(reader.column(), "'}' without its '{'");
+  return false;
+}
+
+void failUnknownCommand(const TexReader& reader, std::size_t column, const std::string& name) {
+  const std::string meant = nearestCommand(name);
+  const std::string hint = meant.empty() ? "" : fmt::format("; did you mean \\{}?", meant);
+  reader.fail(column, fmt::format("unknown command \\{}{}", name, hint));
+}
+
+void requireGlyph(const TexReader& reader, std::size_t column, char32_t character) {
+  if (Font::mathematics().glyph(character)) return;
+  reader.fail(column, fmt::format("the font has no glyph for {} (U+{:04X})",
+                                  core::printable(toUtf8({&character, 1})), static_cast<unsigned>(character)));
+}
+
+}  // namespace poinsot::text
