@@ -11,7 +11,7 @@ struct Material {
 vec3 shade(Material m, vec3 n_C, vec3 towardEye_C) {
   float wrapped = 0.5 + 0.5 * dot(n_C, lightDirection_C);
   float sky = 0.5 + 0.5 * n_C.y;
-  vec3 diffuse = m.color * (0.30 + 0.16 * sky + 0.72 * wrapped * wrapped);
+  vec3 diffuse = m.color * (0.24 + 0.14 * sky + 0.82 * wrapped * wrapped);
   vec3 halfway = normalize(lightDirection_C + towardEye_C);
   float h2 = dot(n_C, halfway);
   h2 *= h2;

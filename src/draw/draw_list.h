@@ -110,7 +110,7 @@ struct Text {
 struct DrawList {
   Camera camera;
   Color background{1};
-  glm::vec3 lightDirection_C{-0.35f, 0.6f, 0.72f};  ///< towards the light, in camera axes: it travels with the eye
+  glm::vec3 lightDirection_C{-0.5f, 0.72f, 0.48f};  ///< towards the light, in camera axes: it travels with the eye
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Frustum> frustums;
   std::vector<Box> boxes;

@@ -10,6 +10,7 @@ namespace {
 
 // In shaft radii.
 constexpr double kHeadLength = 9.0, kHeadRadius = 3.1;
+constexpr double kLongestHead = 0.45;     // of the arrow
 constexpr double kSmallestLength = 1e-6;  // shorter arrows have no direction worth showing
 
 }  // namespace
@@ -19,7 +20,7 @@ void addArrow(draw::DrawList& list, const Eigen::Vector3d& from_V, const Eigen::
   const Eigen::Vector3d along = to_V - from_V;
   const double length = along.norm();
   if (length < kSmallestLength) return;
-  const double radius = std::min(shaftRadius, 0.75 * length / kHeadLength);
+  const double radius = std::min(shaftRadius, kLongestHead * length / kHeadLength);
   const Eigen::Vector3d neck_V = to_V - along * (kHeadLength * radius / length);
   const draw::Material material{color, 0.3f};
   draw::Curve shaft;

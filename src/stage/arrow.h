@@ -7,8 +7,8 @@
 
 namespace poinsot::stage {
 
-/// Adds an arrow: a round shaft and a cone whose proportions stay the same unless the arrow is shorter than four
-/// thirds of its head, when the whole of it shrinks.
+/// Adds an arrow: a round shaft and a cone in fixed proportion. An arrow too short for its head shrinks as a
+/// whole, so that it stays an arrow.
 void addArrow(draw::DrawList& list, const Eigen::Vector3d& from_V, const Eigen::Vector3d& to_V, double shaftRadius,
               const draw::Color& color);
 

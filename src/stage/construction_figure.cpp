@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPlaneBeyondEllipsoid = 1.45;  // half width of the plane, in the ellipsoid's longest semi-axis
+constexpr double kPlaneBeyondEllipsoid = 1.18;  // half width of the plane, in the ellipsoid's longest semi-axis
 constexpr double kCellsToEdge = 7;              // about that many grid cells from the centre to the edge
 constexpr double kRecent_s = 0.9;               // film time of the bright end of the herpolhode
 
@@ -48,14 +48,22 @@ ConstructionFigure::ConstructionFigure(const scene::Scene& scene, const PictureM
   halfWidth_ = std::ceil(wanted / spacing_ - 1e-9) * spacing_ * scale_;
 }
 
+std::array<Vector3d, 4> ConstructionFigure::planeCorners(const Matrix3d& R_VW) const {
+  const Vector3d down = motion_.motion().L_W().normalized();
+  const auto [u, v] = across(down);
+  const auto corner = [&, u = u, v = v](double a, double b) {
+    return Vector3d(R_VW * (height_ * down + halfWidth_ * (a * u + b * v)));
+  };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+}
+
 std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
   std::vector<Vector3d> points;
-  const Matrix3d R_VW = motion_.R_VW(0);
-  const Vector3d down = R_VW * motion_.motion().L_W().normalized();
-  const auto [u, v] = across(down);
   if (show_.plane.visible)
-    for (const double a : {-1.0, 1.0})
-      for (const double b : {-1.0, 1.0}) points.push_back(height_ * down + halfWidth_ * (a * u + b * v));
+    for (const Vector3d& corner : planeCorners(motion_.R_VW(0))) points.push_back(corner);
+  if (show_.polhode.visible || show_.herpolhode.visible)
+    for (std::size_t i = 0; i < motion_.path().size(); i += 16)
+      points.push_back(scale_ * motion_.path()[i].omega_W);
   // The ellipsoid as it rolls: its extremes along a few directions, over the whole film.
   if (!show_.ellipsoid.visible) return points;
   constexpr int kInstants = 48;
@@ -155,8 +163,8 @@ void ConstructionFigure::add(draw::DrawList& list, double filmTime_s, const Pict
   if (show_.plane.visible) addPlane(list, state, colors, lineWidth_px);
   if (show_.polhode.visible) addPolhode(list, filmTime_s, state, colors);
   if (show_.herpolhode.visible) addHerpolhode(list, filmTime_s, colors, lineWidth_px);
-  if (show_.contact.visible && show_.omega.visible) {
-    const double radius = 0.024 * show_.contact.scale;
+  if (show_.contact.visible && (show_.plane.visible || show_.ellipsoid.visible)) {
+    const double radius = 0.03 * show_.contact.scale;
     list.ellipsoids.push_back(
         {toPicture(Vector3d(scale_ * state.omega_V)), glm::mat3(static_cast<float>(radius)), {colors.ink, 0.4f}});
   }

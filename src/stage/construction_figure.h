@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <array>
 #include <vector>
 
 #include "draw/draw_list.h"
@@ -23,6 +23,8 @@ class ConstructionFigure {
 
   /// Points that the frame must hold, in V.
   std::vector<Eigen::Vector3d> outermostPoints() const;
+  /// Corners of the plane's square, in order.
+  std::array<Eigen::Vector3d, 4> planeCorners(const Eigen::Matrix3d& R_VW) const;
   /// Spacing of the plane's grid in rad/s: 1, 2 or 5 times a power of ten.
   double gridSpacing() const { return spacing_; }
   /// Distance of the plane from the centre, in the picture.

@@ -41,7 +41,7 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
     scales.body = kBodyAlone * show.body.scale / body.halfExtents().maxCoeff();
     scales.ellipsoid = omega > 0 ? kOmegaAlone / omega : 1;
     scales.lengthOfL = kLAbove * show.L.scale;
-    scales.reach = std::max(scales.body * body.radius(), kOmegaAlone * show.omega.scale);
+    scales.reach = scales.body * body.radius();
   }
   scales.omega = scales.ellipsoid * show.omega.scale;
   return scales;

@@ -13,7 +13,8 @@ struct Scales {
   double ellipsoid = 1;  ///< per rad/s: ellipsoid, plane, polhode, herpolhode, contact point
   double omega = 1;      ///< per rad/s: the arrow; the ellipsoid's unless the scene says otherwise
   double lengthOfL = 1;  ///< of the arrow of L, in the picture
-  double reach = 1;      ///< radius of the ball about the centre that holds body, ellipsoid and omega
+  double reach =
+      1;  ///< radius of the ball about the centre that holds the body, and the ellipsoid where it is shown
 };
 
 Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body);

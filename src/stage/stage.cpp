@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -16,6 +18,7 @@
 #include "stage/picture_motion.h"
 #include "stage/scales.h"
 #include "stage/to_picture.h"
+#include "text/math_setter.h"
 
 namespace poinsot::stage {
 namespace {
@@ -67,6 +70,7 @@ struct Stage::Plan {
   void addAxes(draw::DrawList& list, const PictureState& state) const;
   void addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const;
   std::vector<Label> labels(const draw::DrawList& list, const PictureState& state) const;
+  void addPlaneName(draw::DrawList& list, const PictureState& state) const;
   void addTitle(draw::DrawList& list) const;
 };
 
@@ -75,6 +79,9 @@ draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
   if (construction) points = construction->outermostPoints();
   const Vector3d L_V = motion.at(0).L_V;
   if (scene.show.L.visible && L_V.norm() > 0) points.push_back(scales.lengthOfL * L_V.normalized());
+  if (scene.show.omega.visible)
+    for (std::size_t i = 0; i < motion.path().size(); i += 16)
+      points.push_back(scales.omega * motion.path()[i].omega_W);
   if (points.empty() || !scene.show.ellipsoid.visible) {
     const double r = scales.reach;
     for (const double s : {-r, r})
@@ -116,13 +123,16 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
     add("$\\mathbf{L}$", tip, {1, 0}, colors.L, 1.15f * size_px);
   }
   if (scene.show.omega.visible && state.omega_V.norm() > 0) {
-    // Beside the shaft, on the side away from L, so that the label keeps clear of the curves at the tip.
-    const Vector3d middle = 0.6 * scales.omega * state.omega_V;
-    const glm::vec2 tip_px = project(list.camera, toPicture(Vector3d(scales.omega * state.omega_V)));
-    const glm::vec2 along = tip_px - centre_px;
-    const glm::vec2 side(-along.y, along.x);
-    add("$\\boldsymbol{\\omega}$", middle, along.x < 0 ? (side.x < 0 ? side : -side) : (side.x < 0 ? -side : side),
-        colors.omega, 1.15f * size_px);
+    const auto at = [&](double share) { return Vector3d(share * scales.omega * state.omega_V); };
+    const glm::vec2 along = project(list.camera, toPicture(at(1))) - centre_px;
+    if (scene.show.plane.visible || scene.show.ellipsoid.visible) {
+      // Beside the shaft, on the side away from L: clear of the curves at the tip.
+      const float outwards = along.x < 0 ? -1.0f : 1.0f;
+      add("$\\boldsymbol{\\omega}$", at(0.6), outwards * glm::vec2(std::abs(along.y), 0.35f * std::abs(along.x)),
+          colors.omega, 1.15f * size_px);
+    } else {
+      add("$\\boldsymbol{\\omega}$", at(1), {along.x < 0 ? -1 : 1, -0.6f}, colors.omega, 1.15f * size_px);
+    }
   }
   if (scene.show.principalAxes.visible) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -166,6 +176,26 @@ void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std
                     colors.L});
 }
 
+// The plane's name, under the middle of the edge that runs down to its nearest corner from the left.
+void Stage::Plan::addPlaneName(draw::DrawList& list, const PictureState& state) const {
+  if (!construction || !scene.show.plane.visible || !scene.show.labels) return;
+  const auto corners_V = construction->planeCorners(state.R_VW);
+  std::array<glm::vec2, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
+  const auto nearest = static_cast<std::size_t>(
+      std::max_element(corners.begin(), corners.end(), [](auto a, auto b) { return a.y < b.y; }) -
+      corners.begin());
+  const glm::vec2 before = corners[(nearest + 3) % 4], after = corners[(nearest + 1) % 4];
+  const glm::vec2 left = before.x < after.x ? before : after;
+  const auto size_px =
+      static_cast<float>(kNote * static_cast<double>(list.camera.size_px.y) * scene.style.textSize);
+  const glm::vec2 middle = 0.5f * (left + corners[nearest]);
+  const std::string tex = "invariable plane";
+  const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
+  const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + 2.2f * size_px);
+  list.texts.push_back({tex, place, size_px, colors.L, colors.paper, 0.1f * size_px});
+}
+
 void Stage::Plan::addTitle(draw::DrawList& list) const {
   const auto H = static_cast<double>(list.camera.size_px.y) * scene.style.textSize;
   const auto left = static_cast<float>(kEdge * H);
@@ -203,6 +233,7 @@ draw::DrawList Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
   if (plan.scene.show.labels) labels = plan.labels(list, state);
   plan.addHeight(list, state, labels);
   addLabels(list, labels, plan.colors.paper);
+  plan.addPlaneName(list, state);
   plan.addTitle(list);
   return list;
 }
