@@ -68,7 +68,6 @@ struct Renderer::Passes {
   Compositor compositor;
   TextPainter text;
   RenderTimes times;
-  float sharpness = 1;
 
   void prepareBuffers(glm::ivec2 size) {
     if (buffers && buffers->picture.size() == size) return;
@@ -97,13 +96,14 @@ struct Renderer::Passes {
     glClear(GL_COLOR_BUFFER_BIT);
   }
 
-  void draw(const draw::DrawList& list, glm::ivec2 size, bool transparent) {
+  void draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
     prepareBuffers(size);
     glViewport(0, 0, size.x, size.y);
-    const TileMask tiles = solids.prepare(list, sharpness);
+    const TileMask tiles = solids.prepare(list, options.sharpness);
     drawSolids(tiles);
-    clearPicture(list, transparent);
-    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, sharpness, transparent);
+    clearPicture(list, options.transparent);
+    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, options.sharpness,
+                    options.transparent);
     glFinish();
   }
 };
@@ -111,17 +111,17 @@ struct Renderer::Passes {
 Renderer::Renderer(gl::OffscreenContext&) : passes_(std::make_unique<Passes>()) {}
 Renderer::~Renderer() = default;
 
-image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, bool transparent) {
+image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options) {
   POINSOT_EXPECT(list.camera.size_px == glm::vec2(size.width, size.height));
   image::Image picture;
   {
     const Stopwatch watch(passes_->times.draw_s);
-    passes_->draw(list, {size.width, size.height}, transparent);
+    passes_->draw(list, {size.width, size.height}, options);
   }
   {
     const Stopwatch watch(passes_->times.read_s);
     auto rgba = readBack({size.width, size.height});
-    if (transparent) {
+    if (options.transparent) {
       picture.size = size;
       picture.channels = 4;
       picture.pixels = std::move(rgba);

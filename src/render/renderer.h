@@ -16,6 +16,11 @@ struct RenderTimes {
   double text_s = 0;
 };
 
+struct RenderOptions {
+  bool transparent = false;  ///< RGBA with the background's alpha 0, else RGB
+  float sharpness = 1;       ///< of edges: 1 for pictures; the reference renderer takes hard edges (reference.h)
+};
+
 /// Draws draw lists. Owns every GL object; the context it is given must outlive it and stay current.
 class Renderer {
  public:
@@ -23,9 +28,9 @@ class Renderer {
   explicit Renderer(gl::OffscreenContext& context);
   ~Renderer();
 
-  /// The picture, RGB; with `transparent` RGBA, the background's alpha 0.
+  /// @pre the list was composed for this size.
   /// @throws core::Error(kGraphics) when the back end cannot hold the picture.
-  image::Image render(const draw::DrawList& list, image::PixelSize size, bool transparent = false);
+  image::Image render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options = {});
 
   const RenderTimes& times() const;
 

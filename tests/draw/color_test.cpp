@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/color.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace poinsot::draw {
+namespace {
+
+// The curve of IEC 61966-2-1, written out again.
+double linear(int v) {
+  const double c = v / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+TEST(Color, DecodesEveryValueOfTheCurve) {
+  for (int v = 0; v < 256; ++v)
+    EXPECT_NEAR(linearFromSrgb8(static_cast<std::uint8_t>(v)), linear(v), 1e-7) << v;  // measured 3e-8: one float
+}
+
+TEST(Color, EncodesBackToTheSameValue) {
+  for (int v = 0; v < 256; ++v) EXPECT_EQ(srgb8FromLinear(linearFromSrgb8(static_cast<std::uint8_t>(v))), v);
+}
+
+TEST(Color, RoundsToTheNearestAndClamps) {
+  EXPECT_EQ(srgb8FromLinear(-1), 0);
+  EXPECT_EQ(srgb8FromLinear(2), 255);
+  // Half way in sRGB, a little to either side.
+  const auto between = static_cast<float>(std::pow((100.5 / 255 + 0.055) / 1.055, 2.4));
+  EXPECT_EQ(srgb8FromLinear(between * 0.9999f), 100);
+  EXPECT_EQ(srgb8FromLinear(between * 1.0001f), 101);
+}
+
+TEST(Color, SplitsHexadecimal) {
+  const Color c = fromSrgb(0x0072B2);
+  EXPECT_EQ(srgb8FromLinear(c.r), 0x00);
+  EXPECT_EQ(srgb8FromLinear(c.g), 0x72);
+  EXPECT_EQ(srgb8FromLinear(c.b), 0xB2);
+}
+
+}  // namespace
+}  // namespace poinsot::draw

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/offscreen_context.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/error.h"
+#include "gl/framebuffer.h"
+#include "gl/shader_program.h"
+
+namespace poinsot::gl {
+namespace {
+
+using testing::HasSubstr;
+
+class OffscreenContextTest : public testing::TestWithParam<Backend> {
+ protected:
+  static void SetUpTestSuite() { pinEnvironment(true); }
+  std::unique_ptr<OffscreenContext> context_ = openContext(GetParam());
+};
+
+std::string messageOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kGraphics);
+    return error.message();
+  }
+  return "no error";
+}
+
+TEST_P(OffscreenContextTest, IsLlvmpipeWithAtLeast33) {
+  EXPECT_THAT(context_->renderer(), HasSubstr("llvmpipe"));
+  EXPECT_FALSE(context_->version().empty());
+}
+
+TEST_P(OffscreenContextTest, ClearsAndReadsBack) {
+  const Framebuffer target({3, 2}, {GL_RGBA8}, 0);
+  target.bind();
+  glClearColor(1.0f, 0.2f, 0.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  unsigned char pixels[3 * 2 * 4] = {};
+  glReadPixels(0, 0, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(pixels[4 * i], 255);
+    EXPECT_EQ(pixels[4 * i + 1], 51);  // 0.2 * 255
+    EXPECT_EQ(pixels[4 * i + 2], 0);
+  }
+}
+
+TEST_P(OffscreenContextTest, AShaderErrorNamesTheShaderAndTheLine) {
+  const std::string vertex = "void main() { gl_Position = vec4(0.0); }\n";
+  const auto message =
+      messageOf([&] { ShaderProgram("broken.frag", vertex, "out vec4 c;\nvoid main() { c = nonsense; }\n"); });
+  EXPECT_THAT(message, HasSubstr("broken.frag (fragment shader)"));
+  EXPECT_THAT(message, HasSubstr("nonsense"));
+}
+
+// llvmpipe's limit is 16 384 a side.
+TEST_P(OffscreenContextTest, TooLargeAPictureIsAnErrorNotACrash) {
+  EXPECT_THAT(messageOf([] { Framebuffer({20000, 20000}, {GL_RGBA8}, 0); }), HasSubstr("20000 x 20000"));
+}
+
+INSTANTIATE_TEST_SUITE_P(BackEnds, OffscreenContextTest, testing::Values(Backend::kOsMesa, Backend::kEgl),
+                         [](const auto& backend) { return backend.param == Backend::kEgl ? "Egl" : "OsMesa"; });
+
+TEST(ProbeBackends, ReportsBoth) {
+  const auto reports = probeBackends();
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(reports[0].name, "osmesa");
+  EXPECT_EQ(reports[1].name, "egl");
+  for (const auto& report : reports) EXPECT_TRUE(report.works) << report.detail;
+}
+
+TEST(PinEnvironment, ClearsWhatChangesPixels) {
+  setenv("LP_NATIVE_VECTOR_WIDTH", "512", 1);
+  setenv("GALLIUM_DRIVER", "softpipe", 1);
+  pinEnvironment(true);
+  EXPECT_EQ(std::getenv("LP_NATIVE_VECTOR_WIDTH"), nullptr);
+  EXPECT_STREQ(std::getenv("GALLIUM_DRIVER"), "llvmpipe");
+  EXPECT_STREQ(std::getenv("GALLIUM_OVERRIDE_CPU_CAPS"), "sse4.1");
+}
+
+}  // namespace
+}  // namespace poinsot::gl

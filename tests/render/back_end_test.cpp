@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture_test.h"
+
+namespace poinsot::render {
+namespace {
+
+draw::DrawList busyList(image::PixelSize size) {
+  draw::DrawList list;
+  list.camera = draw::lookAt({7, -3, 2}, {0, 0, 0}, {0, 0, 1}, 0.4f, {size.width, size.height});
+  list.boxes.push_back({glm::vec3(0), glm::mat3(0.4f, 0.1f, 0, -0.1f, 0.3f, 0.1f, 0, -0.1f, 0.2f), {}});
+  list.frustums.push_back({{0, 0, -1}, {0, 0.2f, -1.3f}, 0.1f, 0, {}});
+  list.ellipsoids.push_back({{0, 1, 0}, glm::mat3(0.2f), {}});
+  draw::Curve curve;
+  for (int i = 0; i < 100; ++i)
+    curve.points_W.push_back({0.01f * static_cast<float>(i) - 0.5f, 0.9f, 0.004f * static_cast<float>(i)});
+  list.curves.push_back(curve);
+  curve.radius_W = 0.05f;
+  list.curves.push_back(curve);
+  draw::GlassEllipsoid glass;
+  glass.graticule = draw::Graticule{};
+  list.glassEllipsoids.push_back(glass);
+  draw::GridPlane plane;
+  plane.centre_W = {0, 0, -0.9f};
+  list.planes.push_back(plane);
+  list.texts.push_back({"$\\boldsymbol{\\omega}$", {30, 40}, 30, draw::Color(0), draw::Color(1), 3});
+  return list;
+}
+
+image::Image pictureOf(gl::Backend backend) {
+  const image::PixelSize size{320, 240};
+  const auto context = gl::openContext(backend);
+  return Renderer(*context).render(busyList(size), size);
+}
+
+TEST(BackEnds, OsMesaAndEglGiveTheSameBytes) {
+  gl::pinEnvironment(true);
+  EXPECT_EQ(pictureOf(gl::Backend::kOsMesa), pictureOf(gl::Backend::kEgl));
+}
+
+TEST(BackEnds, TheSameListGivesTheSameBytesAgain) {
+  gl::pinEnvironment(true);
+  const auto context = gl::openContext(gl::Backend::kOsMesa);
+  const image::PixelSize size{320, 240};
+  Renderer renderer(*context);
+  const image::Image first = renderer.render(busyList(size), size);
+  draw::DrawList empty;
+  empty.camera = busyList(size).camera;
+  renderer.render(empty, size);  // another picture in between
+  EXPECT_EQ(renderer.render(busyList(size), size), first);
+}
+
+TEST(Renderer, RefusesAListComposedForAnotherSize) {
+  const auto context = gl::openContext(gl::Backend::kOsMesa);
+  EXPECT_THROW(Renderer(*context).render(busyList({320, 240}), {100, 100}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace poinsot::render

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "render/box_outline.h"
+#include "render/cells.h"
+#include "render/frustum_outline.h"
+#include "render/tile_mask.h"
+
+namespace poinsot::render {
+namespace {
+
+using glm::vec2;
+using glm::vec3;
+
+draw::Camera camera() { return draw::lookAt({10, 1, 2}, {0, 0, 0}, {0, 0, 1}, 0.3f, {400, 300}); }
+
+double rho(const ScreenEllipse& e, vec2 p) {
+  const vec2 q = p - e.centre_px;
+  return std::sqrt(double(e.form.x) * q.x * q.x + 2 * double(e.form.y) * q.x * q.y + double(e.form.z) * q.y * q.y);
+}
+
+// The outline touches, and holds, the picture of every point of the surface.
+TEST(EllipseOutline, HoldsThePictureOfEveryPoint) {
+  const draw::Camera c = camera();
+  const vec3 centre(0.5f, -0.4f, 0.3f);
+  const glm::mat3 axes_W(0.8f, 0.2f, 0, -0.1f, 0.4f, 0.1f, 0, -0.15f, 0.6f);
+  const auto outline = ellipseOutline(c, toCamera(c, centre), glm::transpose(c.R_WC) * axes_W);
+  double farthest = 0;
+  for (int i = 0; i < 300; ++i) {
+    for (int k = 0; k < 600; ++k) {
+      const double lat = std::numbers::pi * (i + 0.5) / 300, lon = 2 * std::numbers::pi * k / 600;
+      const vec3 s(std::sin(lat) * std::cos(lon), std::sin(lat) * std::sin(lon), std::cos(lat));
+      farthest = std::max(farthest, rho(outline, project(c, centre + axes_W * s)));
+    }
+  }
+  EXPECT_NEAR(farthest, 1, 2e-4);  // measured 5e-6 below 1: the densest point of the grid
+}
+
+TEST(EllipseOutline, ADiscSeenEdgeOnIsALine) {
+  const draw::Camera c = draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.3f, {400, 300});
+  const glm::mat3 axes_W(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0));  // horizontal, at eye level
+  const auto outline = ellipseOutline(c, toCamera(c, vec3(0)), glm::transpose(c.R_WC) * axes_W);
+  EXPECT_NEAR(outline.bounds.bottom - outline.bounds.top, 3, 0.2);  // the margins alone
+  EXPECT_GT(outline.bounds.right - outline.bounds.left, 150);
+}
+
+TEST(FrustumOutline, KnowsWhichCapLooksAtTheEye) {
+  const draw::Camera c = camera();
+  const draw::Frustum towards{{0, 0, 0}, {1, 0, 0}, 0.3f, 0.3f, {}};
+  const draw::Frustum away{{1, 0, 0}, {0, 0, 0}, 0.3f, 0.3f, {}};
+  EXPECT_EQ(frustumOutline(c, towards).visibleCap, 2);
+  EXPECT_EQ(frustumOutline(c, away).visibleCap, 1);
+  // The eye is far out along x; a cone's point cannot be a cap.
+  EXPECT_EQ(frustumOutline(c, {{0, 0, 0}, {1, 0, 0}, 0.3f, 0, {}}).visibleCap, 0);
+}
+
+TEST(FrustumOutline, IsEmptyBehindTheCamera) {
+  EXPECT_TRUE(frustumOutline(camera(), {{20, 0, 0}, {21, 0, 0}, 0.3f, 0.3f, {}}).bounds.empty());
+}
+
+TEST(BoxOutline, HoldsItsCornersAndNothingFar) {
+  const draw::Camera c = camera();
+  const BoxOutline outline = boxOutline(c, {vec3(0), glm::mat3(0.3f), {}});
+  EXPECT_TRUE(outline.inside(project(c, vec3(0))));
+  EXPECT_FALSE(outline.inside({5, 5}));
+  int faces = 0;
+  for (const vec3& n : outline.normals_C) faces += n != vec3(0, 0, 1);
+  EXPECT_EQ(faces, 3);
+}
+
+TEST(Cells, CoverTheBoundsOnceAndTellInsideFromEdge) {
+  const PixelBounds bounds{0, 0, 200, 120};
+  const auto inside = [](vec2 p) { return std::hypot(p.x - 100, p.y - 60) < 55; };
+  const Cells cells = cutIntoCells(bounds, inside);
+  const auto area = [](const std::vector<vec2>& t) {
+    double sum = 0;
+    for (std::size_t i = 0; i < t.size(); i += 3)
+      sum += std::abs((double(t[i + 1].x) - t[i].x) * (double(t[i + 2].y) - t[i].y) -
+                      (double(t[i + 2].x) - t[i].x) * (double(t[i + 1].y) - t[i].y)) /
+             2;
+    return sum;
+  };
+  EXPECT_DOUBLE_EQ(area(cells.edge) + area(cells.full), 200 * 120);
+  EXPECT_GT(area(cells.full), 0.4 * std::numbers::pi * 55 * 55);
+  for (const vec2& p : cells.full) EXPECT_TRUE(inside(p));
+}
+
+TEST(TileMask, MarksWhatABoundsTouches) {
+  TileMask mask(vec2(200, 100));
+  EXPECT_EQ(mask.columns(), 4);
+  EXPECT_EQ(mask.rows(), 2);
+  EXPECT_FALSE(mask.any());
+  mask.mark({60, 10, 70, 20});
+  mask.mark({-50, -50, -10, -10});  // outside the picture
+  EXPECT_TRUE(mask.marked(0, 0));
+  EXPECT_TRUE(mask.marked(1, 0));
+  EXPECT_FALSE(mask.marked(2, 0));
+  EXPECT_FALSE(mask.marked(0, 1));
+  EXPECT_EQ(mask.tile(3, 1).right, 200);
+  EXPECT_EQ(mask.tile(3, 1).bottom, 100);
+}
+
+}  // namespace
+}  // namespace poinsot::render
