@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "image/image.h"
+
+namespace poinsot::image {
+
+/// Pixels per degree of a 0.7 m wide, 3840 pixel wide screen seen from 0.7 m: 3840 π / 180.
+inline constexpr double kFlipPixelsPerDegree = 67.02064327658225;
+
+/// What an eye that alternates between two pictures notices, per pixel in [0, 1], rows from the top.
+struct FlipMap {
+  PixelSize size;
+  std::vector<double> error;
+
+  double mean() const;
+  double max() const;
+};
+
+/// The FLIP difference of two sRGB pictures (alpha is left out), in double precision; symmetric in a and b.
+/// @pre same size.
+/// Source: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for
+/// Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020.
+FlipMap flip(const Image& a, const Image& b, double pixelsPerDegree = kFlipPixelsPerDegree);
+
+}  // namespace poinsot::image

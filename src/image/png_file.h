@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/image.h"
+
+namespace poinsot::image {
+
+/// One text chunk. Key: 1 to 79 printable ASCII characters; value: UTF-8 without NUL.
+struct PngText {
+  std::string key;
+  std::string value;
+};
+
+/// Largest side in pixels and largest decoded picture in bytes that decodePng accepts.
+inline constexpr std::uint32_t kLargestPngSide = 16384;
+inline constexpr std::uint64_t kLargestPngBytes = std::uint64_t{256} << 20;
+
+/// A PNG file: 8 bit RGB or RGBA, sRGB chunk, "Software: poinsot VERSION", then `texts`; no time, so that the same
+/// pixels give the same bytes (for one version of libpng and zlib).
+std::vector<std::uint8_t> encodePng(const Image& picture, const std::vector<PngText>& texts = {});
+
+/// The picture of a PNG file of any kind (1 to 16 bit, grey, palette, alpha, interlaced) as 8-bit RGB, or RGBA
+/// where the file has transparency. Samples are taken as sRGB: gamma and colour profiles are not applied.
+/// @param name stands for the bytes in messages.
+/// @throws core::Error(kIo) if damaged, truncated or no PNG; core::Error(kLimit) if larger than the limits above.
+Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name);
+
+/// @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
+Image readPng(const std::filesystem::path& path);
+
+/// Whether the file is a PNG written by encodePng. False for whatever cannot be read; never throws for content.
+bool isOwnPng(const std::filesystem::path& path);
+
+/// "1.6.39", of the library loaded at run time.
+std::string libpngVersion();
+
+}  // namespace poinsot::image

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/difference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/error.h"
+
+namespace poinsot::image {
+namespace {
+
+Image flat(PixelSize size, int channels, std::uint8_t value) {
+  Image picture(size, channels);
+  picture.pixels.assign(picture.pixels.size(), value);
+  return picture;
+}
+
+/// Mid-tones only, so that steps of a few levels stay in range.
+Image noise(PixelSize size, unsigned seed) {
+  Image picture(size, 3);
+  std::mt19937 random(seed);
+  for (auto& v : picture.pixels) v = static_cast<std::uint8_t>(100 + random() % 50);
+  return picture;
+}
+
+TEST(Difference, OfEqualPicturesIsNothing) {
+  const Image a = noise({9, 7}, 1);
+  const ImageDifference d = compare(a, a);
+  EXPECT_EQ(d.differingPixels, 0);
+  EXPECT_EQ(d.maxAbs, 0);
+  EXPECT_EQ(d.meanAbs, 0);
+  EXPECT_TRUE(std::isinf(d.psnr_dB));
+  EXPECT_EQ(verdict(d), Verdict::kIdentical);
+}
+
+// Worked by hand: 10 x 10 RGB = 300 values; two pixels differ, by 10 in one channel and by 4 and 3 in another two.
+TEST(Difference, CountsAndFindsTheWorstPixel) {
+  const Image a = flat({10, 10}, 3, 100);
+  Image b = a;
+  b.at(7, 2)[1] = 110;
+  b.at(3, 4)[0] = 96;
+  b.at(3, 4)[2] = 103;
+  const ImageDifference d = compare(a, b);
+  EXPECT_EQ(d.differingPixels, 2);
+  EXPECT_DOUBLE_EQ(d.differingShare, 0.02);
+  EXPECT_EQ(d.maxAbs, 10);
+  EXPECT_DOUBLE_EQ(d.meanAbs, 17.0 / 300);
+  EXPECT_DOUBLE_EQ(d.psnr_dB, 10 * std::log10(255.0 * 255 * 300 / (100 + 16 + 9)));
+  EXPECT_EQ(d.worstX, 7);
+  EXPECT_EQ(d.worstY, 2);
+  EXPECT_EQ(verdict(d), Verdict::kDifferent);
+}
+
+TEST(Difference, SeesAlpha) {
+  const Image a = flat({4, 4}, 4, 200);
+  Image b = a;
+  b.at(1, 1)[3] = 199;
+  EXPECT_EQ(compare(a, b).differingPixels, 1);
+  EXPECT_DOUBLE_EQ(compare(a, b).meanAbs, 1.0 / 64);
+}
+
+TEST(Difference, RefusesOtherShapes) {
+  const Image a = flat({4, 4}, 3, 0);
+  for (const Image& b : {flat({4, 5}, 3, 0), flat({4, 4}, 4, 0)}) {
+    EXPECT_THROW(compare(a, b), core::Error);
+    EXPECT_THROW(amplifiedDifference(a, b), core::Error);
+  }
+}
+
+// What a comparer must accept and reject: each limit of the rule alone decides at least one case.
+TEST(Verdict, NeedsEveryLimit) {
+  const Image a = noise({200, 100}, 2);  // 20 000 pixels: 0.5 % are 100
+  Image wobble = a, tooMany = a, tooMuch = a;
+  for (int i = 0; i < 100; ++i) wobble.at(2 * i, i)[i % 3] += 1;
+  for (int i = 0; i < 101; ++i) tooMany.at(i, i % 100)[0] += 1;
+  tooMuch.at(50, 50)[1] += 3;
+  EXPECT_EQ(verdict(compare(a, wobble)), Verdict::kNear);
+  EXPECT_EQ(verdict(compare(a, tooMany)), Verdict::kDifferent);
+  EXPECT_EQ(verdict(compare(a, tooMuch)), Verdict::kDifferent);
+
+  const ImageDifference legal = compare(a, wobble);
+  EXPECT_EQ(verdict(legal, NearRule{.flipMean = legal.flipMean / 2}), Verdict::kDifferent);
+  EXPECT_EQ(verdict(legal, NearRule{.flipMax = legal.flipMax / 2}), Verdict::kDifferent);
+  EXPECT_EQ(verdict(compare(a, tooMuch), NearRule{.maxAbs = 3}), Verdict::kNear);
+  EXPECT_EQ(toString(Verdict::kNear), "near");
+}
+
+// One level brighter everywhere stays below the maximum, and must not pass.
+TEST(Verdict, SeesAWholePictureOneLevelOff) {
+  const Image a = noise({64, 64}, 3);
+  Image b = a;
+  for (auto& v : b.pixels) ++v;
+  EXPECT_EQ(verdict(compare(a, b)), Verdict::kDifferent);
+}
+
+TEST(Difference, AmplifiesAndCuts) {
+  Image a = flat({2, 1}, 4, 10), b = a;
+  b.at(0, 0)[0] = 13;
+  b.at(1, 0)[2] = 200;
+  b.at(1, 0)[3] = 0;  // alpha is not shown
+  const Image shown = amplifiedDifference(a, b, 16);
+  EXPECT_EQ(shown.channels, 3);
+  EXPECT_EQ(shown.pixels, (std::vector<std::uint8_t>{48, 0, 0, 0, 0, 255}));
+}
+
+}  // namespace
+}  // namespace poinsot::image
