@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/free_motion.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "physics/elliptic.h"
+#include "physics/free_motion_constants.h"
+#include "physics/rotor.h"
+#include "physics/transcendental.h"
+
+// The closed form. The body sees m = I omega run along its polhode as Jacobi functions of u = lambda t + u0
+// (free_motion_constants.h). Let F(u) be the node frame of m in body axes: z along m, x along the node line e_c ×
+// m. L is fixed in space, so F turns about it by an angle phi alone:
+//
+//   R(t) = R0 F(u0) Rz(phi) F(u)^-1,       phi = (L/I2) t + s [H(u) - H(u0)]
+//   H(u) = atan(p sn cn / dn) + p (mc/(3g)) sn^3 R_J(cn^2, dn^2, 1, cn^2 + (mc/g) sn^2)      |u| <= K
+//   H(u + 2K) = H(u) + 2Q
+//
+// phi' = L (A_a^2 cn^2/I_a + A_2^2 sn^2/I_2)/(A_a^2 cn^2 + A_2^2 sn^2) is a mean of L/I_a and L/I_2. L/I_2 is the
+// part split off because |omega - (L/I_2) L^| <= lambda for every body and start: what is left then moves the
+// attitude by no more than du for an error du of the phase. Splitting off L/I_a, L/I_c or 2T/L instead (as
+// textbooks do) loses digits near the separatrix, for near-spheres and for rods. The half turn of the node line
+// near the middle axis is the arctangent, with coefficient exactly 1; the R_J term is a sum of positive terms.
+//
+// Everything that grows with t ((L/I2) t, u, N Q) is kept to ~100 bits until it is reduced; the rest is in double.
+// Verified in tests/physics/free_motion_oracle_test.cpp (Taylor integrator, 34 and 60 digits).
+
+namespace poinsot::physics {
+namespace {
+
+/// sn, cn, dn of the reduced phase, and what the half periods taken off did.
+struct PolhodePoint {
+  SnCnDn f;
+  double halfTurn = 1;  // -1 after an odd number of half periods: m_a and m_2 have changed sign
+};
+
+/// Components of a sorted-axes vector in the node axes (x, y, z = c), a cyclic change of axes.
+template <typename T>
+std::array<T, 3> toNodeAxes(const std::array<T, 3>& v, std::size_t c) {
+  return {v[(c + 1) % 3], v[(c + 2) % 3], v[c]};
+}
+
+template <typename T>
+std::array<T, 3> fromNodeAxes(const std::array<T, 3>& v, std::size_t c) {
+  std::array<T, 3> sorted;
+  sorted[(c + 1) % 3] = v[0];
+  sorted[(c + 2) % 3] = v[1];
+  sorted[c] = v[2];
+  return sorted;
+}
+
+Rotor<double> aboutZ(const SineCosine& half) { return {half.cosine, 0, 0, half.sine}; }
+
+/// q0 to 106 bits: any nonzero quaternion of the user, the one place where length is not trusted.
+Rotor<DoubleDouble> unitRotor(const Eigen::Quaterniond& q) {
+  const double largest = q.coeffs().cwiseAbs().maxCoeff();
+  if (!q.coeffs().allFinite() || largest == 0)
+    throw core::Error(core::ErrorKind::kPhysics,
+                      fmt::format("orientation must be a nonzero, finite quaternion, got ({}, {}, {}, {})", q.w(),
+                                  q.x(), q.y(), q.z()));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const auto scaled = [&](double v) { return DoubleDouble(std::ldexp(v, -exponent)); };
+  return normalized(Rotor<DoubleDouble>{scaled(q.w()), scaled(q.x()), scaled(q.y()), scaled(q.z())});
+}
+
+}  // namespace
+
+struct FreeMotion::Solution {
+  Solution(const PrincipalMoments& moments_, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0);
+
+  RigidBodyState at(double t_s) const;
+
+  PrincipalMoments moments;
+  FreeMotionConstants k;
+  JacobiFunctions jacobi;
+  Rotor<double> q0_WB;
+  Eigen::Vector3d L_W;
+  double kineticEnergy = 0;
+
+ private:
+  // The attitude relative to the start, in sorted axes of the body at t = 0, and omega in sorted axes.
+  struct Relative {
+    Rotor<double> q;
+    std::array<double, 3> omega;
+  };
+
+  void setStart();
+  Relative steadyAt(double tau) const;
+  Relative movingAt(double tau) const;
+  std::array<double, 3> momentum(const PolhodePoint& point) const;
+  double H(const SnCnDn& f) const;
+
+  // Roundings of k, for what is done in double.
+  double p_ = 0, mcOver3g_ = 0, mcOverG_ = 0;
+  DoubleDouble meanRate_;  // L/I2, or |omega| of a steady spin
+  DoubleDouble twoK_, twoQ_;
+  std::array<double, 3> amplitude_{};  // of m in sorted axes, with sign
+  Rotor<double> frame0_;               // F(u0)
+  double N0_ = 0, H0_ = 0;             // half periods in u0, H of the rest
+};
+
+FreeMotion::Solution::Solution(const PrincipalMoments& moments_, const Eigen::Vector3d& omega0_B,
+                               const Eigen::Quaterniond& q0)
+    : moments(moments_),
+      k(freeMotionConstants(moments_, omega0_B)),
+      jacobi(k.periodic() ? k.mc : DoubleDouble(0)) {
+  using DD = DoubleDouble;
+  const Rotor<DD> q0_exact = unitRotor(q0);
+  q0_WB = toDouble(q0_exact);
+  std::array<DD, 3> m0_B;
+  for (std::size_t i = 0; i < 3; ++i)
+    m0_B[static_cast<std::size_t>(k.start.axis[i])] = twoProduct(k.start.I[i], k.start.parity * k.start.omega[i]);
+  const std::array<DD, 3> m0_W = rotated(q0_exact, m0_B);
+  const int exponent = k.start.momentExponent + k.start.rateExponent;
+  for (int i = 0; i < 3; ++i) L_W[i] = std::ldexp(toDouble(m0_W[static_cast<std::size_t>(i)]), exponent);
+  kineticEnergy = std::ldexp(toDouble(k.twoT), exponent + k.start.rateExponent - 1);
+  setStart();
+}
+
+void FreeMotion::Solution::setStart() {
+  using DD = DoubleDouble;
+  const auto& I = k.start.I;
+  const auto& w = k.start.omega;
+  if (k.regime == PolhodeRegime::kSteady) {
+    meanRate_ = sqrt(twoProduct(w[0], w[0]) + twoProduct(w[1], w[1]) + twoProduct(w[2], w[2]));
+    return;
+  }
+  meanRate_ = k.L / I[1];
+  twoK_ = k.K * 2.0;
+  twoQ_ = k.Q * (2.0 * k.s);
+  p_ = toDouble(k.p);
+  mcOverG_ = toDouble(k.mc / k.g);
+  mcOver3g_ = toDouble(k.mc / (k.g * 3.0));
+  amplitude_[k.a] = k.sigmaA * toDouble(k.A_a);
+  amplitude_[1] = k.sigma * k.sigmaA * toDouble(k.A_2);
+  amplitude_[k.c] = k.sigma * toDouble(k.A_c);
+  const auto m0 =
+      toNodeAxes(std::array<DD, 3>{twoProduct(I[0], w[0]), twoProduct(I[1], w[1]), twoProduct(I[2], w[2])}, k.c);
+  frame0_ = toDouble(nodeFrame(m0[0], m0[1], m0[2]));
+  const Reduced start = k.periodic() ? reduced(k.u0, twoK_) : Reduced{k.u0, 0};
+  N0_ = start.multiple;
+  H0_ = H(jacobi.at(start.rest.hi));
+}
+
+double FreeMotion::Solution::H(const SnCnDn& f) const {
+  const double quotient = f.dn == 0 ? 1 : f.cn / f.dn;  // on the separatrix both are sech u, which underflows
+  const double turn = arcTangent(p_ * f.sn * quotient);
+  if (mcOver3g_ == 0 || p_ == 0) return turn;
+  const double cn2 = f.cn * f.cn, sn2 = f.sn * f.sn;
+  return turn + p_ * f.sn * sn2 * (mcOver3g_ * carlsonRJ(cn2, f.dn * f.dn, 1, cn2 + mcOverG_ * sn2));
+}
+
+std::array<double, 3> FreeMotion::Solution::momentum(const PolhodePoint& point) const {
+  std::array<double, 3> m{};
+  m[k.a] = point.halfTurn * amplitude_[k.a] * point.f.cn;
+  m[1] = point.halfTurn * amplitude_[1] * point.f.sn;
+  m[k.c] = amplitude_[k.c] * point.f.dn;
+  return m;
+}
+
+FreeMotion::Solution::Relative FreeMotion::Solution::movingAt(double tau) const {
+  const DoubleDouble u = k.lambda * tau + k.u0;
+  const Reduced phase = k.periodic() ? reduced(u, twoK_) : Reduced{u, 0};
+  const bool odd = std::fmod(phase.multiple, 2) != 0;
+  const PolhodePoint point{jacobi.at(phase.rest.hi), odd ? -1.0 : 1.0};
+  const DoubleDouble secular = reduced(meanRate_ * tau + twoQ_ * (phase.multiple - N0_), kTwoPi).rest;
+  const DoubleDouble phi = secular + DoubleDouble(k.s) * (DoubleDouble(H(point.f)) - H0_);
+  const std::array<double, 3> m = momentum(point);
+  const auto node = toNodeAxes(m, k.c);
+  const Rotor<double> turned = frame0_ * aboutZ(sineCosine(phi * 0.5));
+  const Rotor<double> q = turned * conjugate(nodeFrame(node[0], node[1], node[2]));
+  const auto axis = fromNodeAxes(std::array{q.x, q.y, q.z}, k.c);
+  return {{q.w, axis[0], axis[1], axis[2]}, {m[0] / k.start.I[0], m[1] / k.start.I[1], m[2] / k.start.I[2]}};
+}
+
+FreeMotion::Solution::Relative FreeMotion::Solution::steadyAt(double tau) const {
+  const auto& w = k.start.omega;
+  const double rate = toDouble(meanRate_);
+  if (rate == 0) return {{}, w};
+  const SineCosine half = sineCosine(reduced(meanRate_ * tau, kTwoPi).rest * 0.5);
+  const double s = half.sine;
+  return {{half.cosine, s * w[0] / rate, s * w[1] / rate, s * w[2] / rate}, w};
+}
+
+RigidBodyState FreeMotion::Solution::at(double t_s) const {
+  const double tau = std::ldexp(t_s, k.start.rateExponent);
+  POINSOT_EXPECT(std::isfinite(tau));
+  const Relative relative = k.regime == PolhodeRegime::kSteady ? steadyAt(tau) : movingAt(tau);
+  const Eigen::Vector3d axis_B = k.start.toBody({relative.q.x, relative.q.y, relative.q.z});
+  Rotor<double> q = normalized(q0_WB * Rotor<double>{relative.q.w, axis_B[0], axis_B[1], axis_B[2]});
+  if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
+  const Eigen::Vector3d omega_B = k.start.toBody(relative.omega);
+  const auto omega_W = rotated(q, std::array{omega_B[0], omega_B[1], omega_B[2]});
+  const auto rescaled = [&](double v) { return std::ldexp(v, k.start.rateExponent); };
+  RigidBodyState state;
+  state.t_s = t_s;
+  state.q_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+  state.omega_B = omega_B.unaryExpr(rescaled);
+  state.omega_W = {rescaled(omega_W[0]), rescaled(omega_W[1]), rescaled(omega_W[2])};
+  return state;
+}
+
+FreeMotion::FreeMotion(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B,
+                       const Eigen::Quaterniond& q0_WB)
+    : solution_(std::make_unique<const Solution>(moments, omega0_B, q0_WB)) {}
+
+FreeMotion::~FreeMotion() = default;
+FreeMotion::FreeMotion(FreeMotion&&) noexcept = default;
+FreeMotion& FreeMotion::operator=(FreeMotion&&) noexcept = default;
+
+RigidBodyState FreeMotion::at(double t_s) const { return solution_->at(t_s); }
+
+const PrincipalMoments& FreeMotion::moments() const { return solution_->moments; }
+const Eigen::Vector3d& FreeMotion::L_W() const { return solution_->L_W; }
+double FreeMotion::kineticEnergy() const { return solution_->kineticEnergy; }
+
+}  // namespace poinsot::physics

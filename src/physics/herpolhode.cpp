@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/herpolhode.h"
+
+#include <cmath>
+#include <limits>
+
+#include "physics/free_motion_constants.h"
+
+namespace poinsot::physics {
+namespace {
+
+using DD = DoubleDouble;
+
+/// rho^2 = |omega|^2 - (2T/L)^2, with the difference written as products:
+///   largest  (m_2 = 0):  sqrt(D1 D3/(I1 I3))/L
+///   smallest (m_a = 0):  sqrt(|D| Dc/(I2 Ic))/L,  Dc the difference that vanishes for spin about c
+double radius(const FreeMotionConstants& k, const DD& difference1, const DD& difference2, double Ij, double Ik) {
+  const DD rho = sqrt(difference1 * difference2 / (DD(Ij) * Ik)) / k.L;
+  return std::ldexp(toDouble(rho), k.start.rateExponent);
+}
+
+}  // namespace
+
+Herpolhode::Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B) {
+  const FreeMotionConstants k = freeMotionConstants(moments, omega0_B);
+  regime_ = k.regime;
+  if (regime_ == PolhodeRegime::kSteady) return;
+  const auto& I = k.start.I;
+  largestRadius_ = radius(k, k.D1, k.D3, I[0], I[2]);
+  smallestRadius_ = radius(k, abs(k.D), k.c == 2 ? k.D3 : k.D1, I[1], I[k.c]);
+  radialPeriod_ = anglePerRadialPeriod_ = std::numeric_limits<double>::infinity();
+  if (!k.periodic()) return;
+  const DD halfPeriod = k.K * 2.0 / k.lambda;
+  radialPeriod_ = std::ldexp(toDouble(halfPeriod), -k.start.rateExponent);
+  anglePerRadialPeriod_ = toDouble(k.L / I[1] * halfPeriod + k.Q * (2.0 * k.s));
+}
+
+std::optional<HerpolhodeClosure> Herpolhode::closure(int longest, double tolerance_rad) const {
+  if (radialPeriod_ == 0 || std::isinf(radialPeriod_)) return std::nullopt;
+  for (int n = 1; n <= longest; ++n) {
+    const Reduced turned = reduced(DD(anglePerRadialPeriod_) * static_cast<double>(n), kTwoPi);
+    if (std::abs(turned.rest.hi) <= tolerance_rad) return HerpolhodeClosure{n, static_cast<int>(turned.multiple)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace poinsot::physics

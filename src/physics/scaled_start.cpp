@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/scaled_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace poinsot::physics {
+namespace {
+
+// A component this much smaller than the largest is taken as 0: its square would leave the range of the products
+// below. It moves the attitude by less than 1e-105 rad, or, on the middle axis, would need 240 e-foldings to show.
+constexpr double kSmallestComponent = 0x1p-350;
+
+int exponentOf(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+bool isOdd(const std::array<int, 3>& p) {
+  return p == std::array{1, 0, 2} || p == std::array{0, 2, 1} || p == std::array{2, 1, 0};
+}
+
+double flushed(double component) { return std::abs(component) < kSmallestComponent ? 0 : component; }
+
+}  // namespace
+
+Eigen::Vector3d ScaledStart::toBody(const std::array<double, 3>& sorted) const {
+  Eigen::Vector3d body;
+  for (std::size_t k = 0; k < 3; ++k) body[axis[k]] = parity * sorted[k];
+  return body;
+}
+
+ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B) {
+  if (!omega0_B.allFinite())
+    throw core::Error(core::ErrorKind::kPhysics,
+                      fmt::format("angular velocity must be finite, got ({}, {}, {}) rad/s", omega0_B[0],
+                                  omega0_B[1], omega0_B[2]));
+  ScaledStart s;
+  s.axis = {0, 1, 2};
+  std::stable_sort(s.axis.begin(), s.axis.end(), [&](int a, int b) { return moments[a] < moments[b]; });
+  s.parity = isOdd(s.axis) ? -1 : 1;
+  s.momentExponent = exponentOf(moments.values().maxCoeff());
+  s.rateExponent = exponentOf(omega0_B.cwiseAbs().maxCoeff());
+  for (std::size_t k = 0; k < 3; ++k) {
+    s.I[k] = std::ldexp(moments[s.axis[k]], -s.momentExponent);
+    s.omega[k] = flushed(std::ldexp(s.parity * omega0_B[s.axis[k]], -s.rateExponent));
+  }
+  return s;
+}
+
+}  // namespace poinsot::physics

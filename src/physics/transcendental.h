@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "physics/double_double.h"
+
+namespace poinsot::physics {
+
+// The transcendental functions of the motion, from + - * / sqrt only. The C library's choose their code (and so
+// their last bit) by the CPU they find; these give one trajectory on every machine. About 1 ulp each; the measured
+// errors stand in tests/physics/transcendental_test.cpp.
+
+struct SineCosine {
+  double sine = 0;
+  double cosine = 1;
+};
+
+/// Of an angle in radians. @pre |angle| < 2^53.
+SineCosine sineCosine(const DoubleDouble& angle);
+
+/// In radians, within [-pi/2, pi/2]; atan(+-inf) = +-pi/2.
+double arcTangent(double x);
+
+/// e^x; 0 below the smallest double. @pre x <= 700.
+double exponential(double x);
+
+/// tanh u and sech u = 1/cosh u, consistent with each other; sech underflows to 0, nothing overflows.
+struct HyperbolicPair {
+  double tanh = 0;
+  double sech = 1;
+};
+HyperbolicPair hyperbolicPair(double u);
+
+}  // namespace poinsot::physics
