@@ -7,6 +7,8 @@
 #include <hb-ot.h>
 #include <hb.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/expect.h"
 
@@ -18,13 +20,26 @@ namespace {
 
 using BufferPtr = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
 
+using SetPtr = std::unique_ptr<hb_set_t, decltype(&hb_set_destroy)>;
+
 long embeddedSize() { return poinsot_font_latin_modern_math_end - poinsot_font_latin_modern_math; }
 
+// The substitutions behind a feature. Asked directly, as glyphs of mathematics are set one by one.
+std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
+  const hb_tag_t wanted[] = {hb_tag_from_string(feature, -1), HB_TAG_NONE};
+  const SetPtr set(hb_set_create(), &hb_set_destroy);
+  hb_ot_layout_collect_lookups(face, HB_OT_TAG_GSUB, nullptr, nullptr, wanted, set.get());
+  std::vector<unsigned> lookups;
+  hb_codepoint_t lookup = HB_SET_VALUE_INVALID;
+  while (hb_set_next(set.get(), &lookup)) lookups.push_back(lookup);
+  return lookups;
+}
+
 // Direction, script and language are said, never guessed: guessing reads the machine's locale.
-BufferPtr makeBuffer(hb_script_t script) {
+BufferPtr makeBuffer() {
   BufferPtr buffer(hb_buffer_create(), &hb_buffer_destroy);
   hb_buffer_set_direction(buffer.get(), HB_DIRECTION_LTR);
-  hb_buffer_set_script(buffer.get(), script);
+  hb_buffer_set_script(buffer.get(), HB_SCRIPT_MATH);  // the script under which the font keeps its features
   hb_buffer_set_language(buffer.get(), hb_language_from_string("en", -1));
   return buffer;
 }
@@ -135,26 +150,26 @@ GlyphMetrics Font::metrics(GlyphId id) const {
 }
 
 GlyphId Font::scriptForm(GlyphId id, int level) const {
-  return level == 0 ? id : alternate(id, "ssty", static_cast<unsigned>(level));
-}
-
-GlyphId Font::dotlessForm(GlyphId id) const { return alternate(id, "dtls", 1); }
-
-// A feature's lookups, asked for one glyph: simpler and quicker than shaping, and needs no character.
-GlyphId Font::alternate(GlyphId id, const char* feature, unsigned value) const {
+  if (level == 0) return id;
   hb_face_t* face = handles_->shapingFace;
-  const hb_tag_t wanted[] = {hb_tag_from_string(feature, -1), HB_TAG_NONE};
-  const std::unique_ptr<hb_set_t, decltype(&hb_set_destroy)> lookups(hb_set_create(), &hb_set_destroy);
-  hb_ot_layout_collect_lookups(face, HB_OT_TAG_GSUB, nullptr, nullptr, wanted, lookups.get());
-  hb_codepoint_t lookup = HB_SET_VALUE_INVALID;
-  while (hb_set_next(lookups.get(), &lookup)) {
-    hb_codepoint_t form = 0;
-    unsigned count = 1;
-    const unsigned offered = hb_ot_layout_lookup_get_glyph_alternates(face, lookup, id, value - 1, &count, &form);
-    if (count == 1) return form;
-    if (offered > 0) return alternate(id, feature, offered);  // fewer forms than levels: the last serves the rest
+  for (const unsigned lookup : lookupsOf(face, "ssty")) {
+    hb_codepoint_t forms[2];
+    unsigned count = 2;
+    hb_ot_layout_lookup_get_glyph_alternates(face, lookup, id, 0, &count, forms);
+    if (count > 0) return forms[std::min(static_cast<unsigned>(level), count) - 1];
   }
   return id;
+}
+
+GlyphId Font::dotlessForm(GlyphId id) const {
+  // HarfBuzz lists no one-to-one substitutions, but grows a set of glyphs by them: what is new is the form.
+  hb_face_t* face = handles_->shapingFace;
+  const SetPtr glyphs(hb_set_create(), &hb_set_destroy);
+  hb_set_add(glyphs.get(), id);
+  for (const unsigned lookup : lookupsOf(face, "dtls"))
+    hb_ot_layout_lookup_substitute_closure(face, lookup, glyphs.get());
+  hb_set_del(glyphs.get(), id);
+  return hb_set_is_empty(glyphs.get()) ? id : hb_set_get_min(glyphs.get());
 }
 
 std::vector<GlyphId> Font::tallerForms(GlyphId id) const {
@@ -167,7 +182,7 @@ std::vector<GlyphId> Font::tallerForms(GlyphId id) const {
 }
 
 std::vector<ShapedGlyph> Font::shape(std::u32string_view text, int level) const {
-  const BufferPtr buffer = makeBuffer(HB_SCRIPT_LATIN);
+  const BufferPtr buffer = makeBuffer();
   for (std::size_t i = 0; i < text.size(); ++i) hb_buffer_add(buffer.get(), text[i], static_cast<unsigned>(i));
   hb_buffer_set_content_type(buffer.get(), HB_BUFFER_CONTENT_TYPE_UNICODE);
   const hb_feature_t scriptForms = {HB_TAG('s', 's', 't', 'y'), static_cast<unsigned>(level),
@@ -189,7 +204,6 @@ std::vector<ShapedGlyph> Font::shape(std::u32string_view text, int level) const 
 }
 
 FT_FaceRec_* Font::face() const { return handles_->face; }
-FT_LibraryRec_* Font::library() const { return handles_->library; }
 double Font::unitsPerEm() const { return handles_->unitsPerEm; }
 
 }  // namespace poinsot::text

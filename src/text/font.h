@@ -8,7 +8,6 @@
 
 #include "text/glyph_run.h"
 
-struct FT_LibraryRec_;
 struct FT_FaceRec_;
 
 namespace poinsot::text {
@@ -87,15 +86,13 @@ class Font {
   /// own, so none is here (kerning.h).
   std::vector<ShapedGlyph> shape(std::u32string_view text, int level) const;
 
-  /// FreeType's face and library for the rasteriser; outlines are to be loaded unscaled.
+  /// FreeType's face, for outlines, to be loaded unscaled.
   FT_FaceRec_* face() const;
-  FT_LibraryRec_* library() const;
   double unitsPerEm() const;
 
  private:
   struct Handles;
   Font();
-  GlyphId alternate(GlyphId id, const char* feature, unsigned value) const;
 
   std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from whoever includes this header
   MathConstants constants_;

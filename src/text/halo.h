@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
+#include "text/outline_segments.h"
+
 namespace poinsot::text {
-
-struct Point {
-  double x = 0;
-  double y = 0;
-
-  friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-  friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-  friend Point operator*(Point a, double s) { return {a.x * s, a.y * s}; }
-};
-
-inline double distance(Point a, Point b) {
-  const Point d = b - a;
-  return std::sqrt(d.x * d.x + d.y * d.y);
-}
 
 /// Grows filled shapes by a radius, from the distance of each pixel to the nearest piece of outline.
 ///
@@ -31,11 +17,10 @@ class HaloBuilder {
   /// Sizes and radius in pixels.
   HaloBuilder(int width, int height, double radius_px);
 
-  /// A straight piece of outline, in pixels from the map's top left corner, y down.
-  void addSegment(Point from, Point to);
+  void addSegment(const Segment& segment);
 
-  /// Turns the coverage of the shapes into that of the grown shapes.
-  void growInto(std::vector<std::uint8_t>& values) const;
+  /// Turns the coverage of the shapes (0 to 1) into that of the grown shapes.
+  void growInto(std::vector<double>& coverage) const;
 
  private:
   int width_;

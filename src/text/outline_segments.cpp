@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/outline_segments.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include "core/expect.h"
+#include "text/font.h"
+
+namespace poinsot::text {
+namespace {
+
+// Takes an outline in FreeType's calls and lays it down as segments.
+class Tracer {
+ public:
+  Tracer(std::vector<Segment>& segments, double tolerance_px) : segments_(segments), tolerance_px_(tolerance_px) {}
+
+  void moveTo(Point to) { pen_ = to; }
+
+  void lineTo(Point to) {
+    segments_.push_back({pen_, to});
+    pen_ = to;
+  }
+
+  void cubicTo(Point c1, Point c2, Point end) {
+    const Point start = pen_;
+    // A quarter circle of radius r cut into n chords is missed by 0.31 r / n², and its control polygon is 1.66 r
+    // long.
+    const double length = distance(start, c1) + distance(c1, c2) + distance(c2, end);
+    const int pieces = 1 + static_cast<int>(std::sqrt(0.19 * length / tolerance_px_));
+    for (int i = 1; i < pieces; ++i) {
+      const double t = static_cast<double>(i) / pieces, s = 1 - t;
+      lineTo(start * (s * s * s) + c1 * (3 * s * s * t) + c2 * (3 * s * t * t) + end * (t * t * t));
+    }
+    lineTo(end);
+  }
+
+ private:
+  std::vector<Segment>& segments_;
+  double tolerance_px_;
+  Point pen_;
+};
+
+// One glyph's outline from the font's units into pixels.
+class GlyphTracer {
+ public:
+  GlyphTracer(Tracer& tracer, Point origin, double pixelsPerUnit)
+      : tracer_(tracer), origin_(origin), pixelsPerUnit_(pixelsPerUnit) {}
+
+  void trace(GlyphId id) {
+    FT_Face face = Font::mathematics().face();
+    POINSOT_EXPECT(FT_Load_Glyph(face, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) == 0);
+    FT_Outline_Funcs calls{};
+    calls.move_to = [](const FT_Vector* to, void* self) { return cast(self).moveTo(*to); };
+    calls.line_to = [](const FT_Vector* to, void* self) { return cast(self).lineTo(*to); };
+    // CFF outlines are cubic; a quadratic piece would mean that another font has been put in.
+    calls.conic_to = [](const FT_Vector*, const FT_Vector*, void*) { return 1; };
+    calls.cubic_to = [](const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to, void* self) {
+      return cast(self).cubicTo(*c1, *c2, *to);
+    };
+    POINSOT_EXPECT(FT_Outline_Decompose(&face->glyph->outline, &calls, this) == 0);
+  }
+
+ private:
+  static GlyphTracer& cast(void* self) { return *static_cast<GlyphTracer*>(self); }
+
+  Point pixel(const FT_Vector& v) const {
+    return {origin_.x + pixelsPerUnit_ * static_cast<double>(v.x),
+            origin_.y - pixelsPerUnit_ * static_cast<double>(v.y)};
+  }
+  int moveTo(const FT_Vector& to) {
+    tracer_.moveTo(pixel(to));
+    return 0;
+  }
+  int lineTo(const FT_Vector& to) {
+    tracer_.lineTo(pixel(to));
+    return 0;
+  }
+  int cubicTo(const FT_Vector& c1, const FT_Vector& c2, const FT_Vector& to) {
+    tracer_.cubicTo(pixel(c1), pixel(c2), pixel(to));
+    return 0;
+  }
+
+  Tracer& tracer_;
+  Point origin_;
+  double pixelsPerUnit_;
+};
+
+// Counter-clockwise to the eye, as the outer contours of PostScript glyphs are.
+void traceRule(Tracer& tracer, const Rule& rule, double size_px, Point origin) {
+  const double left = origin.x + size_px * rule.x_em;
+  const double right = origin.x + size_px * (rule.x_em + rule.width_em);
+  const double bottom = origin.y - size_px * rule.y_em;
+  const double top = origin.y - size_px * (rule.y_em + rule.height_em);
+  tracer.moveTo({left, bottom});
+  tracer.lineTo({right, bottom});
+  tracer.lineTo({right, top});
+  tracer.lineTo({left, top});
+  tracer.lineTo({left, bottom});
+}
+
+}  // namespace
+
+std::vector<Segment> outlineSegments(const GlyphRun& run, double size_px, Point origin, double tolerance_px) {
+  std::vector<Segment> segments;
+  Tracer tracer(segments, tolerance_px);
+  for (const PlacedGlyph& glyph : run.glyphs) {
+    const Point at = {origin.x + size_px * glyph.x_em, origin.y - size_px * glyph.y_em};
+    GlyphTracer(tracer, at, size_px * glyph.scale / Font::mathematics().unitsPerEm()).trace(glyph.id);
+  }
+  for (const Rule& rule : run.rules) traceRule(tracer, rule, size_px, origin);
+  return segments;
+}
+
+}  // namespace poinsot::text

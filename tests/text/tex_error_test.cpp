@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/error.h"
+#include "text/commands.h"
+#include "text/coverage.h"
+#include "text/math_setter.h"
+
+namespace poinsot::text {
+namespace {
+
+std::string failureOf(const std::string& tex) {
+  try {
+    setTex(tex);
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+    return error.message();
+  }
+  return "no error";
+}
+
+struct Mistake {
+  const char* tex;
+  int column;  // counted by hand, in characters
+  const char* says;
+};
+
+TEST(TexError, NamesTheColumnAndTheRepair) {
+  const Mistake kMistakes[] = {
+      {"$\\omgea$", 2, "unknown command \\omgea; did you mean \\omega?"},
+      {"a $\\mathbb{R}$", 4, "unknown command \\mathbb; did you mean \\mathbf?"},
+      {"$\\zzzzzzzz$", 2, "unknown command \\zzzzzzzz"},
+      {"ωω $x", 4, "'$' is never closed"},
+      {"cost 5$", 7, "'$' is never closed; a formula is $...$, the sign \\$"},
+      {"$\\mathbf{L$", 11, "'$' inside braces"},
+      {"$\\mathbf{L", 9, "'{' is never closed"},
+      {"\\textbf{a", 8, "'{' is never closed"},
+      {"ab}", 3, "'}' without its '{'"},
+      {"$a}$", 3, "'}' without its '{'"},
+      {"x_1", 2, "'_' outside a formula; write $..._...$"},
+      {"\\omega", 1, "\\omega outside a formula; write $\\omega...$"},
+      {"$x_$", 3, "'_' needs an argument"},
+      {"$x^{2}^3$", 7, "a second '^'; put both in braces"},
+      {"$x_1_2$", 5, "a second '_'"},
+      {"$\\hat$", 2, "\\hat needs an argument"},
+      {"$\\frac{1}$", 2, "\\frac needs an argument"},
+      {"\\textbf a", 1, "\\textbf needs braces: \\textbf{...}"},
+      {"$\\text{a $b$}$", 10, "a formula inside \\text{...}"},
+      {"L 漢", 3, "the font has no glyph for 漢 (U+6F22)"},
+      {"$漢$", 2, "the font has no glyph for 漢 (U+6F22)"},
+      {"ab\xff", 3, "not UTF-8"},
+      {"ab\\", 3, "a backslash at the end"},
+      {"$ab\\", 4, "a backslash at the end"},
+      {"$\\ω$", 2, "a backslash before a character that makes no command"},
+      {"a\x01", 2, "the font has no glyph for \\x01 (U+0001)"},
+  };
+  for (const Mistake& m : kMistakes) {
+    const std::string message = failureOf(m.tex);
+    EXPECT_THAT(message, ::testing::StartsWith("column " + std::to_string(m.column) + " of \"")) << m.tex;
+    EXPECT_THAT(message, ::testing::HasSubstr(m.says)) << m.tex;
+  }
+}
+
+TEST(TexError, LimitsHostileInput) {
+  EXPECT_THAT(failureOf(std::string(2001, 'x')), ::testing::HasSubstr("too long; at most 2000 characters"));
+  EXPECT_EQ(failureOf(std::string(2000, 'x')), "no error");
+  EXPECT_THAT(failureOf("$" + std::string(900, '{')), ::testing::HasSubstr("nested more than 40 deep"));
+  EXPECT_THAT(failureOf(std::string(900, '{')), ::testing::HasSubstr("nested more than 40 deep"));
+  std::string roots = "$";
+  for (int i = 0; i < 300; ++i) roots += "\\sqrt";
+  EXPECT_THAT(failureOf(roots + "x$"), ::testing::HasSubstr("nested more than 40 deep"));
+}
+
+// The list is the documentation's (math_setter.h), not the table's: a command dropped from the table fails here.
+TEST(Commands, EveryDocumentedOneSets) {
+  for (const char* name :
+       {"alpha",    "beta",     "gamma",   "delta",  "epsilon", "varepsilon", "zeta",    "eta",   "theta",
+        "vartheta", "iota",     "kappa",   "lambda", "mu",      "nu",         "xi",      "pi",    "rho",
+        "sigma",    "tau",      "upsilon", "phi",    "varphi",  "chi",        "psi",     "omega", "Gamma",
+        "Delta",    "Theta",    "Lambda",  "Xi",     "Pi",      "Sigma",      "Upsilon", "Phi",   "Psi",
+        "Omega",    "times",    "cdot",    "pm",     "approx",  "le",         "ge",      "to",    "infty",
+        "perp",     "parallel", "degree",  "sin",    "cos"})
+    EXPECT_FALSE(setTex(std::string("$\\") + name + "$").glyphs.empty()) << name;
+  for (const char* name :
+       {"mathbf", "boldsymbol", "mathrm", "text", "textbf", "hat", "dot", "ddot", "bar", "vec", "tilde", "sqrt"})
+    EXPECT_FALSE(setTex(std::string("$\\") + name + "{x}$").glyphs.empty()) << name;
+  for (const char* name : {",", ";", " ", "quad"}) EXPECT_GT(setTex(std::string("$\\") + name + "$").width_em, 0);
+}
+
+TEST(Commands, EveryOneInTheTableSetsAndHasItsGlyphAtEverySize) {
+  for (const Command& c : commands()) {
+    const std::string argument = c.kind == CommandKind::kFraction ? "{x}{y}"
+                                 : c.kind >= CommandKind::kAccent ? "{x}"
+                                                                  : " ";
+    const std::string use = "\\" + std::string(c.name) + argument;
+    for (const std::string& tex :
+         {"$" + use + "$", "$x_{" + use + "}$", "$\\mathbf{" + use + "}$", "$\\boldsymbol{" + use + "}$"})
+      EXPECT_EQ(failureOf(tex), "no error") << tex;
+    EXPECT_EQ(failureOf(use) == "no error", c.inText) << use;
+  }
+}
+
+// Only success or core::Error(kUsage), whatever the bytes; every number of a success is finite.
+TEST(TexFuzz, AnythingSetsOrIsRefused) {
+  std::mt19937 random(20240515);
+  const std::vector<std::string> kPieces = {"$",
+                                            "$",
+                                            "{",
+                                            "}",
+                                            "_",
+                                            "^",
+                                            "'",
+                                            "\\",
+                                            "\\frac",
+                                            "\\sqrt",
+                                            "\\hat",
+                                            "\\mathbf",
+                                            "\\boldsymbol",
+                                            "\\omega",
+                                            "\\text{",
+                                            "\\textbf{",
+                                            "\\,",
+                                            "\\quad",
+                                            "-",
+                                            "+",
+                                            "=",
+                                            "x",
+                                            "L",
+                                            "1",
+                                            " ",
+                                            "ω",
+                                            "é",
+                                            "漢",
+                                            "\xff",
+                                            "fi",
+                                            "AV",
+                                            "(",
+                                            ")",
+                                            ",",
+                                            "\\sin",
+                                            "\\{",
+                                            "\\degree",
+                                            std::string(1, '\0'),
+                                            "\n",
+                                            "i",
+                                            "\\nonsense"};
+  int set = 0;
+  for (int round = 0; round < 20000; ++round) {
+    std::string tex = random() % 2 == 0 ? "$" : "";
+    for (unsigned i = random() % 12; i > 0; --i) tex += kPieces[random() % kPieces.size()];
+    if (tex.starts_with("$")) tex += "$";
+    try {
+      const GlyphRun run = setTex(tex);
+      ++set;
+      ASSERT_TRUE(std::isfinite(run.width_em + run.ascent_em + run.descent_em)) << tex;
+      ASSERT_LE(run.inkLeft_em, run.inkRight_em) << tex;
+      if (round % 16 == 0) rasterize(run, 20, 3.3, 30.7, round % 32 == 0 ? 2 : 0);
+    } catch (const core::Error& error) {
+      ASSERT_EQ(error.kind(), core::ErrorKind::kUsage) << tex;
+    }
+  }
+  EXPECT_GT(set, 2000);  // enough of the rounds are not refused at once
+}
+
+}  // namespace
+}  // namespace poinsot::text
