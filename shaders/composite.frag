@@ -37,6 +37,8 @@ uniform vec4 shadow[PLANES];               // centre in the plane (u, v), radius
 
 out vec4 pixel;
 
+const float kNearShare = 0.5, kFarShare = 1.2;
+
 const int kFragments = kEdges + 2 * ELLIPSOIDS + PLANES;
 vec4 colors[kFragments];   // straight rgb, opacity
 float depths[kFragments];
@@ -52,27 +54,29 @@ vec4 layOver(vec4 over, vec4 under) {
 }
 
 #if ELLIPSOIDS > 0
-// Parallels every 15 degrees and meridians every 15 up to 60 degrees of latitude, every 45 beyond (they crowd at
-// the poles); the three principal sections are drawn twice as strong.
+// One family of lines at every `step` of an angle, fading where they come closer than `least_px`.
+float graticuleLines(float angle, float slope, float step, float width_px, float least_px) {
+  float spacing_px = step / max(slope, 1e-9);
+  float fade = clamp(2.0 * spacing_px / least_px - 1.0, 0.0, 1.0);
+  return fade * lineCover((angle - step * round(angle / step)) / max(slope, 1e-9), width_px);
+}
+
+// Parallels every 15 degrees; meridians every 30, and every 15 where there is room, so that they fade out towards the
+// poles and do not crowd there. The three principal sections are drawn stronger.
 float graticule(vec3 s, float width_px) {
   vec3 dx = dFdx(s), dy = dFdy(s);
   const float kStep = 0.2617993878;  // 15 degrees
   float r2 = max(dot(s.xy, s.xy), 1e-8);
-  float latitude = atan(s.z, sqrt(r2));
+  float latitude = atan(s.z, sqrt(r2)), longitude = atan(s.y, s.x);
   float latitudeSlope = length(vec2(dx.z, dy.z)) / sqrt(r2);
-  float i = round(latitude / kStep);
-  float onParallel = lineCover((latitude - i * kStep) / max(latitudeSlope, 1e-9), width_px) * float(abs(i) < 5.5);
-  onParallel *= i == 0.0 ? 1.0 : 0.55;
-
-  float longitude = atan(s.y, s.x);
   float longitudeSlope = length(vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x)) / r2;
-  bool polar = abs(latitude) > 1.0471975512;
-  float step = polar ? 6.0 * kStep : kStep;
-  float j = round(longitude / step);
-  bool principal = mod(j * step / kStep + 0.5, 6.0) < 1.0;
-  float onMeridian = lineCover((longitude - j * step) / max(longitudeSlope, 1e-9), width_px);
-  onMeridian *= principal ? 1.0 : 0.55;
-  return max(onParallel, onMeridian);
+  float room_px = 12.0 * width_px;
+  float minor = max(graticuleLines(latitude, latitudeSlope, kStep, width_px, 0.5 * room_px),
+                    max(graticuleLines(longitude, longitudeSlope, 2.0 * kStep, width_px, 0.5 * room_px),
+                        graticuleLines(longitude, longitudeSlope, kStep, width_px, 2.5 * room_px)));
+  float principal = max(lineCover(latitude / max(latitudeSlope, 1e-9), width_px),
+                        graticuleLines(longitude, longitudeSlope, 6.0 * kStep, width_px, 0.25 * room_px));
+  return max(principal, 0.55 * minor);
 }
 
 void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
@@ -88,8 +92,9 @@ void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
     vec3 s = o + t * d;
     vec3 n_C = normalize(s * toUnitSphere[k]);
     float grazing = 1.0 - abs(dot(n_C, towardEye_C));
-    float opacity = mix(glassColor[k].a, glassOptions[k].x, grazing * grazing * grazing);
-    vec4 color = vec4(glassColor[k].rgb, sheet == 0 ? opacity : 0.6 * opacity);
+    // Flat-on the near sheet is the thinner one, so that what is inside keeps its hue; at the rim the two meet.
+    float flatOn = glassColor[k].a * (sheet == 0 ? kNearShare : kFarShare);
+    vec4 color = vec4(glassColor[k].rgb, mix(flatOn, glassOptions[k].x, grazing * grazing * grazing));
     float lines = graticuleColor[k].a > 0.0 ? graticule(s, glassOptions[k].y) : 0.0;
     lines *= graticuleColor[k].a * (sheet == 0 ? 1.0 : glassOptions[k].z);
     color = layOver(vec4(graticuleColor[k].rgb, lines), color);

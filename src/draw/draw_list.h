@@ -67,7 +67,8 @@ struct Curve {
 
 // ---- sheets: translucent, composed per pixel in the right order ---------------------------------------------
 
-/// A hollow ellipsoid of tinted glass; seen flat-on it has `opacity`, towards its rim `rimOpacity`.
+/// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the near sheet has half of `opacity`, so that
+/// what is inside keeps its hue, and the far one 1.2 times it.
 struct GlassEllipsoid {
   glm::vec3 centre_W{0};
   glm::mat3 semiAxes_W{1};
@@ -103,6 +104,7 @@ struct Text {
   glm::vec2 baseline_px{0};
   float size_px = 32;
   Color color{0};
+  float opacity = 1;          ///< of glyphs and halo
   std::optional<Color> halo;  ///< a rim around the glyphs that keeps them legible over lines
   float halo_px = 0;
 };

@@ -20,13 +20,14 @@ void blend(std::uint8_t* pixel, int channels, const draw::Color& color, float sh
   if (channels == 4) pixel[3] = static_cast<std::uint8_t>(alpha * 255.0f + 0.5f);
 }
 
-void blendCoverage(const text::CoverageMap& map, const draw::Color& color, image::Image& picture) {
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture) {
   const int right = std::min(map.left + map.width, picture.size.width);
   const int bottom = std::min(map.top + map.height, picture.size.height);
   for (int y = std::max(map.top, 0); y < bottom; ++y) {
     for (int x = std::max(map.left, 0); x < right; ++x) {
       const std::uint8_t coverage = map.at(x, y);
-      if (coverage) blend(picture.at(x, y), picture.channels, color, static_cast<float>(coverage) / 255.0f);
+      if (coverage)
+        blend(picture.at(x, y), picture.channels, color, opacity * static_cast<float>(coverage) / 255.0f);
     }
   }
 }
@@ -42,7 +43,8 @@ void TextPainter::paint(const draw::Text& item, image::Image& picture) {
   const text::GlyphRun& glyphs = run(item.tex);
   const auto layer = [&](const draw::Color& color, double outline_px) {
     const auto x = static_cast<double>(item.baseline_px.x), y = static_cast<double>(item.baseline_px.y);
-    blendCoverage(text::rasterize(glyphs, static_cast<double>(item.size_px), x, y, outline_px), color, picture);
+    blendCoverage(text::rasterize(glyphs, static_cast<double>(item.size_px), x, y, outline_px), color,
+                  item.opacity, picture);
   };
   if (item.halo && item.halo_px > 0) layer(*item.halo, static_cast<double>(item.halo_px));
   layer(item.color, 0);

@@ -9,7 +9,7 @@ namespace poinsot::stage {
 namespace {
 
 // In shaft radii.
-constexpr double kHeadLength = 9.0, kHeadRadius = 3.1;
+constexpr double kHeadLength = 9.0, kHeadRadius = 3.0;
 constexpr double kLongestHead = 0.45;     // of the arrow
 constexpr double kSmallestLength = 1e-6;  // shorter arrows have no direction worth showing
 

@@ -14,6 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double kSunk = 0.9985;    // lines on a round body lie that deep, or they would stand out at its limb
 constexpr double kThinnest = 0.07;  // of the longest half edge: what is drawn of a lamina
 
 /// Puts points given in body axes, in metres, into the picture.
@@ -35,7 +36,7 @@ struct Pen {
     for (const Vector3d& p : points_B) curve.points_W.push_back(place(p));
     curve.closed = closed;
     curve.width_px = static_cast<float>(width * lineWidth_px);
-    curve.lift_W = 0.006f;
+    curve.lift_W = 0.02f;
     curve.material.color = colors.bodyEdge;
     list.curves.push_back(std::move(curve));
   }
@@ -87,7 +88,7 @@ void addEllipsoid(const Pen& pen, const Vector3d& h) {
     p[longest] = h[longest] * along;
     p[a] = h[a] * across * std::cos(angle);
     p[b] = h[b] * across * std::sin(angle);
-    return p;
+    return Vector3d(kSunk * p);
   };
   for (const double along : {-0.66, -0.34, 0.0, 0.34, 0.66})
     pen.line(loop(96, [&](double angle) { return point(along, angle); }), true, along == 0 ? 1.3 : 1);

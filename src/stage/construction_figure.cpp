@@ -35,8 +35,8 @@ std::pair<Vector3d, Vector3d> across(const Vector3d& normal) {
 ConstructionFigure::ConstructionFigure(const scene::Scene& scene, const PictureMotion& motion,
                                        const Scales& scales)
     : show_(scene.show), motion_(motion), scale_(scales.ellipsoid) {
-  const physics::PoinsotConstruction construction(motion.motion());
-  semiAxes_ = scale_ * construction.semiAxes();
+  const physics::PoinsotConstruction construction(motion.motion().moments(), motion.path().front().omega_B);
+  semiAxes_ = scale_ * construction.semiAxes_B();
   height_ = scale_ * construction.planeHeight();
   double radius = 0;
   for (const PathPoint& p : motion.path())
@@ -81,7 +81,13 @@ std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
 void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& state, const Palette& colors,
                                       double width_px) const {
   draw::GlassEllipsoid glass;
-  glass.semiAxes_W = toPicture(Matrix3d(state.R_VB * semiAxes_.asDiagonal()));
+  // The graticule's poles are the ends of the longest axis, where lines may crowd most naturally.
+  int longest = 0;
+  semiAxes_.maxCoeff(&longest);
+  const Matrix3d axes = state.R_VB * semiAxes_.asDiagonal();
+  Matrix3d polar;
+  polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
+  glass.semiAxes_W = toPicture(polar);
   glass.color = colors.ellipsoid;
   glass.opacity = static_cast<float>(show_.ellipsoid.opacity);
   glass.rimOpacity = static_cast<float>(std::min(1.0, 3.2 * show_.ellipsoid.opacity));

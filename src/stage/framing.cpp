@@ -12,58 +12,59 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How far along one side of the picture the points reach: sides are x <= k (d + z) seen from the target, k the
-// tangent of the side's angle; the camera at distance d shows what has x - k z at most k d.
-double reach(const std::vector<Vector3d>& points_C, int axis, double sign, double k) {
-  double farthest = -1e300;
-  for (const Vector3d& p : points_C) farthest = std::max(farthest, sign * p[axis] + k * p.z());
-  return farthest;
-}
+/// An extent in camera axes about the centre: x right, y up, z towards the eye.
+struct Seen {
+  std::vector<Vector3d> points_C;
+  double ballRadius;
 
-struct Fit {
-  double distance, shift;
+  /// How far it reaches towards one side of the picture. At distance d the camera shows x <= k (d - z) on a side
+  /// whose angle has tangent k: what counts is x + k z, which is at most r sqrt(1 + k²) on a ball.
+  double reach(int axis, double sign, double k) const {
+    double farthest = ballRadius > 0 ? ballRadius * std::sqrt(1 + k * k) : -1e300;
+    for (const Vector3d& p : points_C) farthest = std::max(farthest, sign * p[axis] + k * p.z());
+    return farthest;
+  }
 };
 
-// The smallest distance at which both sides hold, and the sideways shift of the target it needs.
-Fit fitBetween(const std::vector<Vector3d>& points_C, int axis, double kLow, double kHigh) {
-  const double low = reach(points_C, axis, -1, kLow), high = reach(points_C, axis, 1, kHigh);
-  const double distance = (low + high) / (kLow + kHigh);
-  return {distance, high - kHigh * distance};
-}
+/// One direction of the picture: its low side (left, bottom) and its high one.
+struct Sides {
+  int axis;
+  double kLow, kHigh;
 
-// The shift that leaves both sides equally free at a distance that is larger than needed.
-double centredShift(const std::vector<Vector3d>& points_C, int axis, double kLow, double kHigh, double distance) {
-  const double low = reach(points_C, axis, -1, kLow), high = reach(points_C, axis, 1, kHigh);
-  const double lowest = high - kHigh * distance, highest = kLow * distance - low;
-  return 0.5 * (lowest + highest);
-}
+  /// The smallest distance at which both hold, the target shifted as it pleases.
+  double distance(const Seen& seen) const {
+    return (seen.reach(axis, -1, kLow) + seen.reach(axis, 1, kHigh)) / (kLow + kHigh);
+  }
+  /// The shift of the target that leaves both equally free.
+  double shift(const Seen& seen, double d) const {
+    return 0.5 * (seen.reach(axis, 1, kHigh) - kHigh * d + kLow * d - seen.reach(axis, -1, kLow));
+  }
+};
 
 }  // namespace
 
-draw::Camera frameAll(const scene::Camera& camera, const std::vector<Vector3d>& points_V, const Margins& margins,
+draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins,
                       glm::vec2 size_px) {
-  POINSOT_EXPECT(!points_V.empty());
+  POINSOT_EXPECT(!extent.points_V.empty() || extent.ballRadius > 0);
   const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
   const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
   const Vector3d backward(ca * ce, sa * ce, se), right(-sa, ca, 0), up = backward.cross(right);
-  std::vector<Vector3d> points_C;
-  for (const Vector3d& p : points_V) points_C.emplace_back(right.dot(p), up.dot(p), backward.dot(p));
+  Seen seen{{}, extent.ballRadius};
+  for (const Vector3d& p : extent.points_V) seen.points_C.emplace_back(right.dot(p), up.dot(p), backward.dot(p));
 
   const double tanY = std::tan(0.5 * camera.fov_rad);
   const double tanX = tanY * static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
-  const double left = tanX * (1 - 2 * margins.left), toRight = tanX * (1 - 2 * margins.right);
-  const double bottom = tanY * (1 - 2 * margins.bottom), top = tanY * (1 - 2 * margins.top);
-  const double needed =
-      std::max(fitBetween(points_C, 0, left, toRight).distance, fitBetween(points_C, 1, bottom, top).distance);
-  const double shiftX = centredShift(points_C, 0, left, toRight, needed);
-  const double shiftY = centredShift(points_C, 1, bottom, top, needed);
+  const Sides across{0, tanX * (1 - 2 * margins.left), tanX * (1 - 2 * margins.right)};
+  const Sides upright{1, tanY * (1 - 2 * margins.bottom), tanY * (1 - 2 * margins.top)};
+  const double needed = std::max(across.distance(seen), upright.distance(seen));
+  const double shiftX = across.shift(seen, needed), shiftY = upright.shift(seen, needed);
   const double distance = needed / camera.zoom;
 
   const Vector3d target = shiftX * right + shiftY * up;
   draw::Camera result = draw::lookAt(toPicture(Vector3d(target + distance * backward)), toPicture(target),
                                      glm::vec3(0, 0, 1), static_cast<float>(camera.fov_rad), size_px);
-  double nearest = 1e300, farthest = -1e300;
-  for (const Vector3d& p : points_C) {
+  double nearest = distance - seen.ballRadius, farthest = distance + seen.ballRadius;
+  for (const Vector3d& p : seen.points_C) {
     nearest = std::min(nearest, distance - p.z());
     farthest = std::max(farthest, distance - p.z());
   }

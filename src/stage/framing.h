@@ -14,9 +14,15 @@ struct Margins {
   double left = 0.06, right = 0.06, top = 0.06, bottom = 0.06;
 };
 
-/// A camera in the scene's direction, as near as it can be with all `points_V` inside the margins. It is made once
-/// for the whole film, from points that hold the whole motion: nothing breathes.
-draw::Camera frameAll(const scene::Camera& camera, const std::vector<Eigen::Vector3d>& points_V,
-                      const Margins& margins, glm::vec2 size_px);
+/// What the frame must hold: points, and a ball about the centre (radius 0: none).
+struct Extent {
+  std::vector<Eigen::Vector3d> points_V;
+  double ballRadius = 0;
+};
+
+/// A camera in the scene's direction, as near as it can be with all of `extent` inside the margins. It depends on
+/// the whole motion and not on the time: nothing breathes.
+draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins,
+                      glm::vec2 size_px);
 
 }  // namespace poinsot::stage

@@ -68,7 +68,7 @@ void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const dra
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];
     list.texts.push_back({label.tex, placed[i].centre_px - placed[i].inkOffset_px, label.size_px, label.color,
-                          halo, kHalo * label.size_px});
+                          label.opacity, halo, kHalo * label.size_px});
   }
 }
 

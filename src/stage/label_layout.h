@@ -16,6 +16,7 @@ struct Label {
   float gap_px = 0;            ///< between the anchor and the ink
   float size_px = 32;
   draw::Color color{0};
+  float opacity = 1;
 };
 
 /// Places labels beside their anchors, apart from one another and inside the picture. A continuous function of the

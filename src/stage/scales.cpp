@@ -29,8 +29,8 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
   const bool construction = show.ellipsoid.visible || show.plane.visible;
   const double omega = longestOmega(motion);
   if (construction && omega > 0) {
-    const physics::PoinsotConstruction construct(motion.motion());
-    const Eigen::Vector3d semiAxes = construct.semiAxes();
+    const physics::PoinsotConstruction construct(motion.motion().moments(), motion.path().front().omega_B);
+    const Eigen::Vector3d semiAxes = construct.semiAxes_B();
     scales.ellipsoid = show.ellipsoid.scale / semiAxes.maxCoeff();
     const Eigen::Vector3d shown = scales.ellipsoid * semiAxes;
     scales.body = kBodyInEllipsoid * show.body.scale / body.reachIn(shown);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 
@@ -26,8 +27,9 @@ namespace {
 using Eigen::Vector3d;
 
 // In picture lengths.
-constexpr double kVectorRadius = 0.021, kAxisRadius = 0.0125;
+constexpr double kVectorRadius = 0.019, kAxisRadius = 0.0125;
 constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
+constexpr std::size_t kEveryFew = 16;  // points of the path are close: every sixteenth tells its extent
 // In shares of the picture's height.
 constexpr double kLine = 2.0 / 1080, kLabel = 0.044, kTitle = 0.042, kSubtitle = 0.027, kNote = 0.021,
                  kEdge = 0.055;
@@ -37,6 +39,23 @@ bool showsConstruction(const scene::Scene& scene) {
   return scene.motion.omega_B.norm() > 0 &&
          (show.ellipsoid.visible || show.plane.visible || show.polhode.visible || show.herpolhode.visible ||
           show.contact.visible);
+}
+
+// 200000 as "200 000"; a number with decimals stays as it is.
+std::string grouped(double x) {
+  std::string digits = fmt::format("{:.15g}", x);
+  if (digits.find_first_not_of("0123456789") != std::string::npos) return digits;
+  for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), "\u2009");
+  return digits;
+}
+
+// An axis that points away from the eye ends behind the body: its label would float, so it fades out.
+float axisLabelOpacity(const draw::Camera& camera, const Vector3d& axis_V) {
+  const glm::vec3 axis_C = toPicture(axis_V) * camera.R_WC;
+  if (axis_C.z >= 0) return 1;
+  const float sideways = glm::length(glm::vec2(axis_C));
+  return glm::smoothstep(0.25f, 0.5f, sideways);
 }
 
 }  // namespace
@@ -75,22 +94,24 @@ struct Stage::Plan {
 };
 
 draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
-  std::vector<Vector3d> points;
-  if (construction) points = construction->outermostPoints();
-  const Vector3d L_V = motion.at(0).L_V;
-  if (scene.show.L.visible && L_V.norm() > 0) points.push_back(scales.lengthOfL * L_V.normalized());
-  if (scene.show.omega.visible)
-    for (std::size_t i = 0; i < motion.path().size(); i += 16)
-      points.push_back(scales.omega * motion.path()[i].omega_W);
-  if (points.empty() || !scene.show.ellipsoid.visible) {
-    const double r = scales.reach;
-    for (const double s : {-r, r})
-      for (int axis = 0; axis < 3; ++axis) points.push_back(s * Vector3d::Unit(axis));
+  Extent extent;
+  if (construction) extent.points_V = construction->outermostPoints();
+  const PictureState start = motion.at(0);
+  if (scene.show.L.visible && start.L_V.norm() > 0)
+    extent.points_V.push_back(scales.lengthOfL * start.L_V.normalized());
+  if (!construction || !scene.show.ellipsoid.visible) {
+    extent.ballRadius = scales.reach;
+    if (scene.show.principalAxes.visible)
+      for (int axis = 0; axis < 3; ++axis) extent.ballRadius = std::max(extent.ballRadius, 0.9 * axisLength(axis));
   }
+  if (scene.show.omega.visible)
+    for (std::size_t i = 0; i < motion.path().size(); i += kEveryFew)
+      extent.points_V.push_back(scales.omega *
+                                (motion.R_VW(motion.path()[i].filmTime_s) * motion.path()[i].omega_W));
   Margins margins;
   // The title's lines stand over the picture, not in it.
   if (!scene.show.title.empty()) margins.top = 0.1;
-  return frameAll(scene.camera, points, margins, size_px);
+  return frameAll(scene.camera, extent, margins, size_px);
 }
 
 void Stage::Plan::addVectors(draw::DrawList& list, const PictureState& state) const {
@@ -141,6 +162,7 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
       // An axis that points at the eye has no direction in the picture: its label leans upwards.
       add(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), tip, out + glm::vec2(0, -0.3f * size_px),
           colors.axis, 0.85f * size_px);
+      labels.back().opacity = axisLabelOpacity(list.camera, state.R_VB.col(axis));
     }
   }
   return labels;
@@ -193,7 +215,7 @@ void Stage::Plan::addPlaneName(draw::DrawList& list, const PictureState& state) 
   const std::string tex = "invariable plane";
   const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
   const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + 2.2f * size_px);
-  list.texts.push_back({tex, place, size_px, colors.L, colors.paper, 0.1f * size_px});
+  list.texts.push_back({tex, place, size_px, colors.L, 1, colors.paper, 0.1f * size_px});
 }
 
 void Stage::Plan::addTitle(draw::DrawList& list) const {
@@ -203,7 +225,7 @@ void Stage::Plan::addTitle(draw::DrawList& list) const {
   const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
     const auto size_px = static_cast<float>(size * H);
     y += size_px;
-    list.texts.push_back({tex, {left, y}, size_px, color, std::nullopt, 0});
+    list.texts.push_back({tex, {left, y}, size_px, color, 1, std::nullopt, 0});
     y += 0.35f * size_px;
   };
   if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
@@ -211,7 +233,7 @@ void Stage::Plan::addTitle(draw::DrawList& list) const {
   // What is not to scale is said in the picture.
   y = list.camera.size_px.y - static_cast<float>((kEdge + 1.35 * kNote) * H);
   if (scene.show.exaggerateAngles > 1)
-    addLine(fmt::format("angles drawn {:g} times larger", scene.show.exaggerateAngles), kNote, colors.quietInk);
+    addLine("angles drawn " + grouped(scene.show.exaggerateAngles) + " times larger", kNote, colors.quietInk);
 }
 
 Stage::Stage(scene::Scene scene) : plan_(std::make_unique<Plan>(std::move(scene))) {}

@@ -22,7 +22,7 @@ draw::DrawList busyList(image::PixelSize size) {
   draw::GridPlane plane;
   plane.centre_W = {0, 0, -0.9f};
   list.planes.push_back(plane);
-  list.texts.push_back({"$\\boldsymbol{\\omega}$", {30, 40}, 30, draw::Color(0), draw::Color(1), 3});
+  list.texts.push_back({"$\\boldsymbol{\\omega}$", {30, 40}, 30, draw::Color(0), 1, draw::Color(1), 3});
   return list;
 }
 
