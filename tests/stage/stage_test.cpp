@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a picture shows, asserted on the draw list: no GL, no pixels.
+#include "stage/stage.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "scene_samples.h"
+
+namespace poinsot::stage {
+namespace {
+
+using draw::DrawList;
+using glm::vec2;
+using glm::vec3;
+
+constexpr glm::ivec2 kSize{960, 540};
+const double kTimes[] = {0, 0.7, 3.3, 5, 9.9};
+
+// The point of contact is the only solid ellipsoid of these scenes.
+vec3 contact(const DrawList& list) { return list.ellipsoids.at(0).centre_W; }
+
+TEST(Stage, ContactPointLiesOnThePlaneAndOnTheEllipsoid) {
+  const Stage stage(sample());
+  for (const double t : kTimes) {
+    const DrawList list = stage.compose(t, kSize);
+    const auto& plane = list.planes.at(0);
+    const vec3 normal = glm::normalize(glm::cross(plane.u_W, plane.v_W));
+    EXPECT_NEAR(glm::dot(contact(list) - plane.centre_W, normal), 0, 2e-7) << t;  // measured 6e-8: one float
+    const vec3 onSphere = glm::inverse(list.glassEllipsoids.at(0).semiAxes_W) * contact(list);
+    EXPECT_NEAR(glm::length(onSphere), 1, 1e-6) << t;  // measured 2e-7
+  }
+}
+
+// L is normal to the ellipsoid at the point of contact (eq 39): the plane touches there and nowhere else.
+TEST(Stage, ThePlaneIsTangentToTheEllipsoid) {
+  const Stage stage(sample());
+  for (const double t : kTimes) {
+    const DrawList list = stage.compose(t, kSize);
+    const glm::mat3 A = list.glassEllipsoids.at(0).semiAxes_W;
+    const glm::mat3 toSphere = glm::inverse(A);
+    const vec3 normal = glm::normalize(glm::transpose(toSphere) * (toSphere * contact(list)));
+    EXPECT_NEAR(normal.z, -1, 1e-6) << t;
+  }
+}
+
+TEST(Stage, LPointsStraightDownWhereThePlaneIsShownAndUpElsewhere) {
+  const auto direction = [](const DrawList& list) {
+    // The arrow of L is the only frustum of its colour.
+    for (const auto& f : list.frustums)
+      if (f.material.color == draw::fromSrgb(0x0072B2)) return glm::normalize(f.to_W - f.from_W);
+    return vec3(0);
+  };
+  EXPECT_NEAR(direction(Stage(sample()).compose(2, kSize)).z, -1, 1e-6);
+  EXPECT_NEAR(direction(Stage(sample("[show]\nplane = false\n")).compose(2, kSize)).z, 1, 1e-6);
+  EXPECT_NEAR(direction(Stage(sample("L_points = \"up\"\n")).compose(2, kSize)).z, 1, 1e-6);
+}
+
+TEST(Stage, TheArrowOfOmegaEndsAtThePointOfContact) {
+  const Stage stage(sample());
+  for (const double t : kTimes) {
+    const DrawList list = stage.compose(t, kSize);
+    float nearest = 1;
+    for (const auto& f : list.frustums) nearest = std::min(nearest, glm::distance(f.to_W, contact(list)));
+    EXPECT_LT(nearest, 1e-6);
+  }
+}
+
+TEST(Stage, APictureDependsOnItsTimeAlone) {
+  const Stage stage(sample());
+  const DrawList first = stage.compose(4, kSize);
+  stage.compose(9, kSize);
+  const DrawList again = stage.compose(4, kSize);
+  EXPECT_EQ(first.glassEllipsoids[0].semiAxes_W, again.glassEllipsoids[0].semiAxes_W);
+  ASSERT_EQ(first.curves.size(), again.curves.size());
+  for (std::size_t i = 0; i < first.curves.size(); ++i)
+    EXPECT_EQ(first.curves[i].points_W, again.curves[i].points_W);
+  ASSERT_EQ(first.texts.size(), again.texts.size());
+  for (std::size_t i = 0; i < first.texts.size(); ++i)
+    EXPECT_EQ(first.texts[i].baseline_px, again.texts[i].baseline_px);
+}
+
+TEST(Stage, TheCameraDoesNotBreathe) {
+  const Stage stage(sample());
+  const auto camera = stage.compose(0, kSize).camera;
+  for (const double t : kTimes) {
+    EXPECT_EQ(stage.compose(t, kSize).camera.eye_W, camera.eye_W);
+    EXPECT_EQ(stage.compose(t, kSize).camera.R_WC, camera.R_WC);
+  }
+}
+
+bool insideFrame(const DrawList& list, vec3 p) {
+  const vec2 q = project(list.camera, p);
+  return q.x >= 0 && q.y >= 0 && q.x <= kSize.x && q.y <= kSize.y;
+}
+
+TEST(Stage, EverythingIsInsideTheFrameAllTheTime) {
+  for (const char* extra : {"", "[show]\nplane = false\nellipsoid = false\n", "[camera]\nframe = \"body\"\n"}) {
+    const Stage stage(sample(extra));
+    for (double t = 0; t < 10; t += 0.5) {
+      const DrawList list = stage.compose(t, kSize);
+      for (const auto& f : list.frustums) EXPECT_TRUE(insideFrame(list, f.to_W)) << extra << " at " << t;
+      for (const auto& c : list.curves)
+        for (const vec3& p : c.points_W) ASSERT_TRUE(insideFrame(list, p)) << extra << " at " << t;
+      for (const auto& e : list.glassEllipsoids)
+        for (int i = 0; i < 3; ++i)
+          for (const float s : {-1.0f, 1.0f})
+            EXPECT_TRUE(insideFrame(list, s * e.semiAxes_W[i])) << extra << " at " << t;
+    }
+  }
+}
+
+// The same motion in other units is the same picture: moments a million times larger, time ten times slower.
+TEST(Stage, MagnitudesDoNotShow) {
+  const auto scaled = scene::parseScene(
+      "[body]\nprincipal_moments = [2e6, 3e6, 4e6]\n[motion]\nomega_body = [0.1, 0.05, 0.16]\n[time]\nspeed = "
+      "10\n",
+      "scaled.toml");
+  const DrawList a = Stage(sample("[time]\nspeed = 1\n")).compose(3, kSize), b = Stage(scaled).compose(3, kSize);
+  EXPECT_LT(glm::distance(contact(a), contact(b)), 1e-6f);
+  EXPECT_LT(glm::distance(a.camera.eye_W, b.camera.eye_W), 1e-5f);
+  ASSERT_EQ(a.boxes.size(), 1u);
+  for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(a.boxes[0].halfAxes_W[i], b.boxes[0].halfAxes_W[i]), 1e-6f);
+}
+
+TEST(Stage, AutomaticSpeedIsTheBodysOwnWhereTheEyeCanFollow) {
+  EXPECT_EQ(Stage(sample()).speed(), 1);
+  const auto earth = scene::parseScene(
+      "[body]\nprincipal_moments = [8.0e37, 8.0e37, 8.03e37]\n[motion]\nomega_body = [1e-10, 0, 7.3e-5]\n",
+      "e.toml");
+  EXPECT_NEAR(Stage(earth).speed() * 7.3e-5, 2.1, 1e-3);
+}
+
+TEST(Stage, TheBodyStandsStillInItsOwnFrame) {
+  const Stage stage(sample("[camera]\nframe = \"body\"\n"));
+  const glm::mat3 start = stage.compose(0, kSize).boxes.at(0).halfAxes_W;
+  for (const double t : kTimes) {
+    const glm::mat3 now = stage.compose(t, kSize).boxes.at(0).halfAxes_W;
+    for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(start[i], now[i]), 1e-6f) << t;
+  }
+}
+
+TEST(Stage, ExaggerationIsDrawnAndSaid) {
+  const std::string wobble =
+      "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.001, 0, 1]\n[show]\nexaggerate_angles = "
+      "100\n"
+      "plane = false\n";
+  const DrawList list = Stage(scene::parseScene(wobble, "w.toml")).compose(0, kSize);
+  bool said = false;
+  for (const auto& text : list.texts) said |= text.tex.find("100 times larger") != std::string::npos;
+  EXPECT_TRUE(said);
+  // omega = (0.1, 0, 1) is drawn: tan of its angle to e3, the third column of the body's axes.
+  const vec3 axis = glm::normalize(list.boxes.at(0).halfAxes_W[2]);
+  const float cosine = glm::dot(glm::normalize(contact(list)), axis);
+  EXPECT_NEAR(std::acos(cosine), std::atan(0.1), 1e-4);
+}
+
+TEST(Stage, WhatIsNotShownIsNotThere) {
+  const DrawList list = Stage(sample("[show]\nbody = false\nprincipal_axes = false\nL = false\nomega = false\n"
+                                     "ellipsoid = false\nplane = false\npolhode = false\nherpolhode = false\n"
+                                     "contact = false\nheight = false\nlabels = false\n"))
+                            .compose(1, kSize);
+  EXPECT_TRUE(list.boxes.empty() && list.frustums.empty() && list.curves.empty() && list.ellipsoids.empty());
+  EXPECT_TRUE(list.glassEllipsoids.empty() && list.planes.empty() && list.texts.empty());
+}
+
+// Half-way the travelled part of the herpolhode ends at the point of contact, and the faint part begins there.
+TEST(Stage, TheHerpolhodeIsCutAtThePointOfContact) {
+  const DrawList list = Stage(sample()).compose(5, kSize);
+  int ends = 0, starts = 0;
+  for (const auto& c : list.curves) {
+    if (c.radius_W > 0 || c.points_W.empty()) continue;
+    ends += glm::distance(c.points_W.back(), contact(list)) < 1e-6f;
+    starts += glm::distance(c.points_W.front(), contact(list)) < 1e-6f;
+  }
+  EXPECT_EQ(ends, 1);
+  EXPECT_EQ(starts, 1);
+}
+
+}  // namespace
+}  // namespace poinsot::stage
