@@ -40,18 +40,18 @@ struct Motion {
 
 struct Time {
   double start_s = 0;
-  double duration_s = 10;        ///< film time
+  double duration_s = 10;  ///< film time
   core::Rational fps{30, 1};
-  std::optional<double> speed;   ///< motion seconds per film second; none: chosen from |omega|
+  std::optional<double> speed;  ///< motion seconds per film second; none: chosen from |omega|
 };
 
 enum class CameraFrame { kSpace, kBody };
 
 struct Camera {
-  double azimuth_rad = 0;    ///< about the world's vertical (z), from its x axis
-  double elevation_rad = 0;  ///< above the horizontal
-  double fov_rad = 0;        ///< vertical field of view
-  double zoom = 1;           ///< 1 frames the whole motion; 2 shows it twice as large
+  double azimuth_rad = 0;                   ///< about the world's vertical (z), from its x axis
+  double elevation_rad = 0;                 ///< above the horizontal
+  double fov_rad = 0;                       ///< vertical field of view
+  double zoom = 1;                          ///< 1 frames the whole motion; 2 shows it twice as large
   CameraFrame frame = CameraFrame::kSpace;  ///< which axes stand still in the picture
 };
 
@@ -62,8 +62,8 @@ struct Drawn {
 };
 
 struct Show {
-  std::string title, subtitle;   ///< the TeX subset of text/
-  double exaggerateAngles = 1;   ///< > 1: transverse omega is drawn that many times larger, and the picture says so
+  std::string title, subtitle;  ///< the TeX subset of text/
+  double exaggerateAngles = 1;  ///< > 1: transverse omega is drawn that many times larger, and the picture says so
   bool labels = true;
   struct : Drawn {
     std::optional<Shape> shape;  ///< drawn in place of what sets the inertia; only its proportions count
@@ -72,14 +72,14 @@ struct Show {
   struct : Drawn {
     double opacity = 0;
     bool graticule = true;
-  } ellipsoid;                   ///< its scale is also the plane's: the two are in rad/s and touch
+  } ellipsoid;  ///< its scale is also the plane's: the two are in rad/s and touch
   struct : Drawn {
     double opacity = 0;
     bool grid = true;
   } plane;
   Drawn contact, polhode, height;
   struct : Drawn {
-    bool future = true;          ///< the part not yet travelled, faint
+    bool future = true;  ///< the part not yet travelled, faint
   } herpolhode;
 };
 
@@ -94,11 +94,11 @@ struct Style {
 struct Output {
   int width = 1920;
   int height = 1080;
-  int crf = 18;          ///< x264 constant rate factor, 0 (lossless) to 51
+  int crf = 18;  ///< x264 constant rate factor, 0 (lossless) to 51
 };
 
 struct Scene {
-  std::string name;      ///< the file's name without folder and extension
+  std::string name;  ///< the file's name without folder and extension
   Body body;
   Motion motion;
   Time time;

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "core/rational.h"
+#include "core/text.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+std::string wordsText(const Key& key) { return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \"")); }
+
+std::string unitSuffix(std::string_view unit) { return unit.empty() ? "" : fmt::format(" {}", unit); }
+
+std::string_view unitOfRange(const Key& key) {
+  return key.range.unit.empty() ? siUnit(key.dimension) : key.range.unit;
+}
+
+bool unlimited(const Range& range) { return range.most == Range{}.most; }
+
+std::string numbersText(const Key& key) {
+  const Range& range = key.range;
+  if (unlimited(range)) return "";
+  if (range.least == range.most) return fmt::format("{:g}", range.least);
+  const std::string text =
+      fmt::format("from {:g} to {:g}{}", range.least, range.most, unitSuffix(unitOfRange(key)));
+  return range.ofSize ? "zero or of size " + text : text;
+}
+
+/// One key and one value: what is said of them starts with the key's path.
+class Checker {
+ public:
+  Checker(const Key& key, Problems& problems) : key_(key), problems_(problems) {}
+
+  std::optional<Checked> operator()(const Node& node) {
+    switch (key_.type) {
+      case ValueType::kNumber:
+        return numberOrWord(node);
+      case ValueType::kInteger:
+        return integer(node);
+      case ValueType::kBool:
+        return flag(node);
+      case ValueType::kText:
+        return text(node);
+      case ValueType::kWord:
+        return word(node);
+      case ValueType::kVector:
+        return wrapped(numbers(node, 3));
+      case ValueType::kExtents:
+        return extents(node);
+      case ValueType::kQuaternion:
+        return quaternion(node);
+      case ValueType::kFrameRate:
+        return frameRate(node);
+      case ValueType::kPixels:
+        return pixels(node);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::nullopt_t refuse(const Node& node, std::string_view message) {
+    problems_.add(node.place, fmt::format("{}: {}", key_.path, message));
+    return std::nullopt;
+  }
+
+  std::nullopt_t refuseType(const Node& node) {
+    return refuse(node, fmt::format("expected {}, got {}", typeText(key_), describe(node)));
+  }
+
+  static std::optional<Checked> wrapped(std::optional<std::vector<double>> numbers) {
+    if (!numbers) return std::nullopt;
+    return Checked(std::move(*numbers));
+  }
+
+  std::string elementText() const {
+    if (key_.dimension == Dimension::kNone) return "a number";
+    return fmt::format("{} (a number in {}, or text with a unit: {})", quantityName(key_.dimension),
+                       siUnit(key_.dimension), usualUnits(key_.dimension));
+  }
+
+  std::optional<double> finite(const Node& node) {
+    if (const auto* integer = node.as<std::int64_t>()) return static_cast<double>(*integer);
+    if (const auto* text = node.as<std::string>()) return quantity(node, *text);
+    const auto* number = node.as<double>();
+    if (!number) return refuse(node, fmt::format("expected {}, got {}", elementText(), describe(node)));
+    if (!std::isfinite(*number)) return refuse(node, fmt::format("must be a finite number, got {}", *number));
+    return *number;
+  }
+
+  std::optional<double> quantity(const Node& node, const std::string& text) {
+    const Quantity read = parseQuantity(text, key_.dimension);
+    if (!read.ok()) return refuse(node, read.problem);
+    if (!std::isfinite(read.value)) return refuse(node, fmt::format("must be finite, got {}", describe(node)));
+    return read.value;
+  }
+
+  bool inRange(double value) const {
+    const Range& range = key_.range;
+    if (range.ofSize && value == 0) return true;
+    const double unit = unitFactor(range.unit, key_.dimension);
+    const double tested = range.ofSize ? std::abs(value) : value;
+    return tested >= range.least * unit && tested <= range.most * unit;
+  }
+
+  std::nullopt_t refuseRange(const Node& node, double value) {
+    const bool sign =
+        key_.range.least > 0 && key_.range.least < key_.range.most && value <= 0 && !key_.range.ofSize;
+    const bool bare = !node.as<std::string>();
+    return refuse(node, fmt::format("must be {}{}, got {}{}", sign ? "positive, " : "", numbersText(key_),
+                                    describe(node), bare ? unitSuffix(siUnit(key_.dimension)) : ""));
+  }
+
+  std::optional<double> number(const Node& node) {
+    const auto value = finite(node);
+    if (value && !inRange(*value)) return refuseRange(node, *value);
+    return value;
+  }
+
+  std::optional<Checked> numberOrWord(const Node& node) {
+    const auto* text = node.as<std::string>();
+    for (std::size_t i = 0; text && i < key_.words.size(); ++i)
+      if (key_.words[i] == *text) return Checked(Word{static_cast<int>(i)});
+    if (text && !key_.words.empty() && key_.dimension == Dimension::kNone) return refuseType(node);
+    const auto value = number(node);
+    return value ? std::optional<Checked>(*value) : std::nullopt;
+  }
+
+  std::optional<Checked> integer(const Node& node) {
+    const auto* value = node.as<std::int64_t>();
+    if (!value) return refuseType(node);
+    if (!inRange(static_cast<double>(*value))) return refuseRange(node, static_cast<double>(*value));
+    return Checked(*value);
+  }
+
+  std::optional<Checked> flag(const Node& node) {
+    const auto* value = node.as<bool>();
+    if (!value) return refuseType(node);
+    return Checked(*value);
+  }
+
+  std::optional<Checked> text(const Node& node) {
+    const auto* value = node.as<std::string>();
+    if (!value) return refuseType(node);
+    if (static_cast<double>(characterCount(*value)) > key_.range.most)
+      return refuse(
+          node, fmt::format("may have at most {} characters, got {}", key_.range.most, characterCount(*value)));
+    // printable() changes exactly what a terminal or a line of type cannot show; at most 200 characters it cuts
+    // nothing.
+    if (core::printable(*value) != *value)
+      return refuse(node,
+                    fmt::format("may hold no line ends or other control characters, got {}", describe(node)));
+    return Checked(*value);
+  }
+
+  std::optional<Checked> word(const Node& node) {
+    const auto* value = node.as<std::string>();
+    if (!value) return refuseType(node);
+    for (std::size_t i = 0; i < key_.words.size(); ++i)
+      if (key_.words[i] == *value) return Checked(Word{static_cast<int>(i)});
+    std::string message = fmt::format("expected {}, got {}", wordsText(key_), describe(node));
+    const std::vector<std::string> words(key_.words.begin(), key_.words.end());
+    if (value->size() <= 64)
+      if (const auto near = core::closest(*value, words)) message += fmt::format("; did you mean \"{}\"?", *near);
+    return refuse(node, message);
+  }
+
+  std::optional<std::vector<double>> numbers(const Node& node, std::size_t count) {
+    const auto* array = node.as<Node::Array>();
+    if (!array || array->size() != count) return refuseType(node);
+    std::vector<double> values;
+    for (const Node& element : *array)
+      if (const auto value = key_.type == ValueType::kQuaternion ? finite(element) : number(element))
+        values.push_back(*value);
+    if (values.size() != count) return std::nullopt;
+    return values;
+  }
+
+  std::optional<Checked> extents(const Node& node) {
+    if (node.as<Node::Array>()) return wrapped(numbers(node, 3));
+    if (node.as<bool>() || node.as<Node::Table>() || node.as<DateOrTime>()) return refuseType(node);
+    const auto value = number(node);
+    return value ? std::optional<Checked>(std::vector<double>(3, *value)) : std::nullopt;
+  }
+
+  std::optional<Checked> quaternion(const Node& node) {
+    const auto values = numbers(node, 4);
+    if (!values) return std::nullopt;
+    const auto& q = *values;
+    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    if (norm == 0) return refuse(node, "must not be zero: a zero quaternion is no orientation, got [0, 0, 0, 0]");
+    if (!inRange(norm)) return refuse(node, fmt::format("its norm must be {}, got {}", numbersText(key_), norm));
+    return wrapped(values);
+  }
+
+  // A decimal is read as it is written: 29.97 is 2997/100, not the nearest double.
+  std::optional<Checked> frameRate(const Node& node) {
+    std::string text;
+    if (const auto* integer = node.as<std::int64_t>()) text = fmt::format("{}", *integer);
+    if (const auto* number = node.as<double>()) text = fmt::format("{}", *number);
+    if (const auto* string = node.as<std::string>()) text = *string;
+    if (text.empty()) return refuseType(node);
+    const auto rate = core::parseRational(text);
+    const bool positiveNumber = node.as<std::string>() || (text[0] != '-' && text != "0" && text != "nan");
+    if (!rate && positiveNumber && node.as<std::string>()) return refuseType(node);
+    if (!rate || !inRange(rate->value()))
+      return refuse(node, fmt::format("must be {} frames per second, got {}", numbersText(key_), describe(node)));
+    return Checked(*rate);
+  }
+
+  std::optional<Checked> pixels(const Node& node) {
+    const auto* array = node.as<Node::Array>();
+    if (!array || array->size() != 2) return refuseType(node);
+    std::vector<double> sides;
+    for (const Node& element : *array)
+      if (const auto value = side(element)) sides.push_back(*value);
+    if (sides.size() != 2) return std::nullopt;
+    if (sides[0] * sides[1] > static_cast<double>(kMostPixels))
+      return refuse(node, fmt::format("may have at most {} pixels, got {} x {}", kMostPixels, sides[0], sides[1]));
+    return wrapped(sides);
+  }
+
+  std::optional<double> side(const Node& node) {
+    const auto* value = node.as<std::int64_t>();
+    if (!value) return refuse(node, fmt::format("expected a whole number of pixels, got {}", describe(node)));
+    if (!inRange(static_cast<double>(*value)))
+      return refuse(node, fmt::format("each side must be {} pixels, got {}", numbersText(key_), *value));
+    if (*value % 2 != 0)
+      return refuse(node,
+                    fmt::format("each side must be even (video stores colour for pairs of pixels), got {}; the "
+                                "nearest even size is {}",
+                                *value, *value + 1));
+    return static_cast<double>(*value);
+  }
+
+  const Key& key_;
+  Problems& problems_;
+};
+
+std::string several(const Key& key, std::string_view count) {
+  const Dimension d = key.dimension;
+  if (d == Dimension::kNone) return fmt::format("{} numbers", count);
+  const std::string_view name = quantityName(d).substr(quantityName(d).find(' ') + 1);
+  const std::string plural = d == Dimension::kMomentOfInertia   ? "moments of inertia"
+                             : d == Dimension::kAngularVelocity ? "angular velocities"
+                                                                : fmt::format("{}s", name);
+  return fmt::format("{} {}", count, plural);
+}
+
+}  // namespace
+
+std::optional<Checked> check(const Key& key, const Node& node, Problems& problems) {
+  return Checker(key, problems)(node);
+}
+
+std::string rangeText(const Key& key) {
+  switch (key.type) {
+    case ValueType::kBool:
+      return "";
+    case ValueType::kText:
+      return fmt::format("at most {} characters", key.range.most);
+    case ValueType::kWord:
+      return wordsText(key);
+    case ValueType::kQuaternion:
+      return "norm " + numbersText(key);
+    case ValueType::kPixels:
+      return numbersText(key) + ", even";
+    default:
+      break;
+  }
+  if (key.words.empty()) return numbersText(key);
+  return fmt::format("{}, or \"{}\"", numbersText(key), fmt::join(key.words, "\", \""));
+}
+
+std::string typeText(const Key& key) {
+  switch (key.type) {
+    case ValueType::kNumber:
+      break;
+    case ValueType::kInteger:
+      return "a whole number";
+    case ValueType::kBool:
+      return "true or false";
+    case ValueType::kText:
+      return "text";
+    case ValueType::kWord:
+      return wordsText(key);
+    case ValueType::kVector:
+      return "an array of " + several(key, "three");
+    case ValueType::kExtents:
+      return "an array of " + several(key, "three") + ", or one for all three";
+    case ValueType::kQuaternion:
+      return "an array of four numbers w, x, y, z";
+    case ValueType::kFrameRate:
+      return "a number or a fraction such as \"30000/1001\"";
+    case ValueType::kPixels:
+      return "an array of width and height";
+  }
+  const std::string number(quantityName(key.dimension));
+  return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, fmt::join(key.words, "\", \""));
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/document.h"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+
+#include "core/text.h"
+#include "scene/text_limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+class Converter {
+ public:
+  explicit Converter(const Source& source) : source_(source) {}
+
+  Node node(const toml::node& from) const {
+    Node to;
+    to.place = place(from.source());
+    if (const auto* table = from.as_table()) to.value = entries(*table);
+    if (const auto* array = from.as_array()) to.value = elements(*array);
+    if (const auto* flag = from.as_boolean()) to.value = flag->get();
+    if (const auto* integer = from.as_integer()) to.value = integer->get();
+    if (const auto* number = from.as_floating_point()) to.value = number->get();
+    if (const auto* text = from.as_string()) to.value = text->get();
+    if (from.is_date() || from.is_time() || from.is_date_time()) to.value = DateOrTime{};
+    return to;
+  }
+
+ private:
+  Node::Table entries(const toml::table& table) const {
+    Node::Table to;
+    for (auto&& [key, value] : table) to.push_back({std::string(key.str()), place(key.source()), node(value)});
+    return to;
+  }
+
+  Node::Array elements(const toml::array& array) const {
+    Node::Array to;
+    to.reserve(array.size());
+    for (const toml::node& element : array) to.push_back(node(element));
+    return to;
+  }
+
+  // What spans lines is marked to the end of its first one; the excerpt stops there.
+  Place place(const toml::source_region& region) const {
+    const bool oneLine = region.end.line == region.begin.line && region.end.column > region.begin.column;
+    const std::string_view line = source_.line(static_cast<int>(region.begin.line));
+    const auto end = oneLine ? region.end.column : static_cast<toml::source_index>(line.size()) + 1;
+    const auto length = end > region.begin.column ? end - region.begin.column : 1;
+    return {&source_, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column),
+            static_cast<int>(length)};
+  }
+
+  const Source& source_;
+};
+
+/// toml++ stops after the word it refuses and quotes it; this is where the word begins.
+Place placeOf(const toml::parse_error& error, const Source& source) {
+  const toml::source_position at = error.source().begin;
+  Place place{&source, static_cast<int>(at.line), static_cast<int>(at.column), 1};
+  const std::string_view text = error.description();
+  const bool quotesWhatItRead = text.find("saw '") == std::string_view::npos;
+  const std::size_t open = text.find('\''), close = text.rfind('\'');
+  if (!quotesWhatItRead || open == std::string_view::npos || close <= open + 1) return place;
+  const std::string_view word = text.substr(open + 1, close - open - 1);
+  const std::string_view line = source.line(place.line).substr(0, at.column);
+  const std::size_t found = line.rfind(word);
+  if (found == std::string_view::npos) return place;
+  place.column = static_cast<int>(characterCount(line.substr(0, found))) + 1;
+  place.length = static_cast<int>(characterCount(word));
+  return place;
+}
+
+std::string lowered(std::string text) {
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
+}
+
+/// In the words of someone who writes scenes, with the usual slip named.
+std::string messageOf(const toml::parse_error& error) {
+  const std::string text = lowered(core::printable(error.description()));
+  const auto says = [&](std::string_view part) { return text.find(part) != std::string::npos; };
+  if (says("cannot redefine")) return "this key or table is given twice: " + text;
+  if (says("could not determine value type")) return "not a TOML value; text stands in quotes: \"...\"";
+  if (says("could not be interpreted as a value") || says("is not representable"))
+    return "a number out of range: " + text;
+  if (says("expected a comment or whitespace, saw"))
+    return "not TOML: " + text + " (a number with a unit stands in quotes: \"3 rpm\")";
+  return "not TOML: " + text;
+}
+
+[[noreturn]] void refuse(const Place& place, std::string message) {
+  Problems problems;
+  problems.add(place, std::move(message));
+  problems.throwIfAny();
+  throw std::logic_error("unreachable");
+}
+
+}  // namespace
+
+Node parseDocument(const Source& source) {
+  if (const auto limit = exceededLimit(source)) refuse(limit->place, limit->message);
+  try {
+    return Converter(source).node(toml::parse(std::string_view(source.text())));
+  } catch (const toml::parse_error& error) {
+    refuse(placeOf(error, source), messageOf(error));
+  }
+}
+
+std::string describe(const Node& node) {
+  if (const auto* flag = node.as<bool>()) return *flag ? "true" : "false";
+  if (const auto* integer = node.as<std::int64_t>()) return fmt::format("{}", *integer);
+  if (const auto* number = node.as<double>()) return fmt::format("{}", *number);
+  if (const auto* text = node.as<std::string>()) return fmt::format("\"{}\"", core::printable(*text));
+  if (const auto* array = node.as<Node::Array>()) return fmt::format("an array of {}", array->size());
+  return node.as<Node::Table>() ? "a table" : "a date or time";
+}
+
+}  // namespace poinsot::scene

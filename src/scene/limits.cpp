@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/limits.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace poinsot::scene {
+namespace {
+
+// CRF 18 is where a film of flat colours and thin lines shows no loss; previews trade some of that for size.
+constexpr QualityPreset kPresets[] = {
+    {"preview", 640, 360, 23}, {"720p", 1280, 720, 20}, {"1080p", 1920, 1080, 18}, {"4k", 3840, 2160, 18}};
+
+}  // namespace
+
+std::span<const QualityPreset> qualityPresets() { return kPresets; }
+
+const QualityPreset* qualityPreset(std::string_view name) {
+  const auto found = std::find_if(std::begin(kPresets), std::end(kPresets),
+                                  [&](const QualityPreset& preset) { return preset.name == name; });
+  return found == std::end(kPresets) ? nullptr : found;
+}
+
+}  // namespace poinsot::scene

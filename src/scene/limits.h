@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+/// Limits and presets of the output, shared by the scene file and the command line.
+namespace poinsot::scene {
+
+constexpr int kLeastSide = 16;
+constexpr int kMostSide = 8192;  ///< llvmpipe can do 16 384
+constexpr std::int64_t kMostPixels = 64'000'000;
+constexpr std::int64_t kMostFrames = 36'000;  ///< twenty minutes at 30 frames a second
+constexpr double kMostFps = 1000;
+constexpr double kLongestFilm_s = 3600;
+
+/// What one word of `quality` sets; an explicit size or crf wins.
+struct QualityPreset {
+  std::string_view name;
+  int width, height, crf;
+};
+
+std::span<const QualityPreset> qualityPresets();
+
+/// The preset of that name, or null.
+const QualityPreset* qualityPreset(std::string_view name);
+
+}  // namespace poinsot::scene

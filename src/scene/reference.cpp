@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/reference.h"
+
+#include <fmt/format.h>
+
+#include "scene/check.h"
+#include "scene/document.h"
+#include "scene/keys.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr std::string_view kOpening = R"(# Scene files
+
+<!-- Made from the table in src/scene/key_table.cpp; a test compares the two. Do not edit by hand. -->
+
+A scene is a [TOML](https://toml.io/en/v1.0.0) file. A body and a start are required; every other key has a default.
+This is a whole scene:
+
+```toml
+schema = 1
+[body]
+principal_moments = [1.0, 2.0, 2.5]
+[motion]
+omega_body = [0.01, 3.0, 0.0]
+```
+
+`poinsot check scene.toml` reports every problem of a file, with its line and column. `-D key.path=value` after any
+command that takes a scene overrides a key, with the same checks: `-D time.duration=5 -D style.theme=dark`.
+`poinsot schema` prints a JSON Schema of the format for editors.
+
+)";
+
+constexpr std::string_view kUnitsOpening = R"(## Numbers and units
+
+A bare number is in SI units: metres, kilograms, seconds, radians, rad/s, kg·m². Text gives a number another unit:
+`"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`, `"2.5e4 g cm^2"`. Any product of powers of the units below is
+understood (`"3 deg/min"`, `"1 kg*cm^2"`); a `/` divides by the one unit after it. A plain number may be a
+percentage (`"13 %"`). One `Hz` is one turn a second.
+
+| quantity | SI | units |
+| --- | --- | --- |
+)";
+
+// In a table a bar would end the cell.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+std::string code(std::string_view text) { return text.empty() ? "" : fmt::format("`{}`", text); }
+
+std::string units() {
+  std::string text(kUnitsOpening);
+  for (const auto dimension : {Dimension::kLength, Dimension::kMass, Dimension::kTime, Dimension::kAngle,
+                               Dimension::kAngularVelocity, Dimension::kMomentOfInertia})
+    text += fmt::format("| {} | {} | {} |\n", quantityName(dimension), siUnit(dimension), usualUnits(dimension));
+  return text + "\n";
+}
+
+std::string defaultOf(const Key& key) {
+  if (!key.fallback.empty()) return code(key.fallback);
+  return key.required ? "required" : "none";
+}
+
+std::string row(const Key& key) {
+  const std::string type = key.type == ValueType::kWord ? "a word" : typeText(key);
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", nameOf(key.path), cell(type), cell(rangeText(key)),
+                     defaultOf(key), code(key.example), cell(key.help));
+}
+
+std::string heading(std::string_view table) {
+  std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `[{}]`\n\n", table);
+  if (hasVisible(table)) text += fmt::format("`{} = false` is short for `{}.visible = false`.\n\n", table, table);
+  return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
+}
+
+std::string tables() {
+  std::string text;
+  std::string_view current = "(none)";
+  for (const Key& key : keys()) {
+    if (tableOf(key.path) != current) {
+      current = tableOf(key.path);
+      text += (text.empty() ? "" : "\n") + heading(current);
+    }
+    text += row(key);
+  }
+  return text + "\n";
+}
+
+std::string presets() {
+  std::string text = "## Quality\n\n| `quality` | `size` | `crf` |\n| --- | --- | --- |\n";
+  for (const QualityPreset& preset : qualityPresets())
+    text += fmt::format("| `{}` | {} x {} | {} |\n", preset.name, preset.width, preset.height, preset.crf);
+  return text + "\n";
+}
+
+std::string limits() {
+  return fmt::format(
+      "## Limits\n\nA scene comes from anywhere, so it is bounded: at most {} MiB of text, {} KiB in one string, "
+      "{} "
+      "levels of nesting,\n{} values; {} frames, {} frames per second, {} s of film; sides of {} to {} pixels, {} "
+      "pixels in all.\nNumbers are finite; unknown and repeated keys are refused. A scene holds no paths, no code "
+      "and "
+      "no expressions.\n",
+      kMostBytes >> 20, kLongestString >> 10, kDeepestNesting, kMostNodes, kMostFrames, kMostFps, kLongestFilm_s,
+      kLeastSide, kMostSide, kMostPixels);
+}
+
+}  // namespace
+
+std::string referenceMarkdown() { return std::string(kOpening) + units() + tables() + presets() + limits(); }
+
+}  // namespace poinsot::scene

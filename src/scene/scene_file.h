@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/problem.h"
+#include "scene/scene.h"
+
+namespace poinsot::scene {
+
+/// Reads a scene file. `overrides` are the words after -D, "key.path=value", where value is a TOML value or, when
+/// it is none, text; the last of several for one key wins.
+/// @throws SceneErrors with every problem of the file and the overrides at once;
+/// core::Error(kScene) for a file that is missing, unreadable, or not a regular file.
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same for text in memory. `fileName` stands in messages, and gives the scene its name.
+/// @throws SceneErrors, and nothing else, whatever the text.
+Scene parseScene(std::string_view text, const std::string& fileName,
+                 const std::vector<std::string>& overrides = {});
+
+}  // namespace poinsot::scene

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "scene/check.h"
+#include "scene/document.h"
+#include "scene/keys.h"
+#include "scene/reference.h"
+
+namespace poinsot::scene {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order of the table
+
+Json toJson(const Node& node) {
+  if (const auto* flag = node.as<bool>()) return *flag;
+  if (const auto* integer = node.as<std::int64_t>()) return *integer;
+  if (const auto* number = node.as<double>()) return *number;
+  if (const auto* text = node.as<std::string>()) return *text;
+  Json array = Json::array();
+  if (const auto* elements = node.as<Node::Array>())
+    for (const Node& element : *elements) array.push_back(toJson(element));
+  return array;
+}
+
+Json tomlToJson(std::string_view toml) {
+  const Source source("table", fmt::format("v = {}", toml));
+  const Node document = parseDocument(source);
+  return toJson(std::get<Node::Table>(document.value).at(0).value);
+}
+
+// Rounded to nine digits: an editor's bound in radians should not read 2.0943951023931953. One unit in the ninth
+// place lets through what the program then refuses; the program's check is the one that counts.
+double readable(double value) {
+  const std::string text = fmt::format("{:.9g}", value);
+  double rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
+Json bound(double value, bool whole) {
+  if (whole) return static_cast<std::int64_t>(value);
+  return readable(value);
+}
+
+/// A bare number in SI. A range of size allows both signs, and zero.
+Json bareNumber(const Key& key, const char* type) {
+  const double unit = unitFactor(key.range.unit, key.dimension);
+  const bool whole = std::string_view(type) == "integer";
+  Json json = {{"type", type}};
+  const double least = key.range.ofSize ? -key.range.most : key.range.least;
+  json["minimum"] = bound(least * unit, whole);
+  json["maximum"] = bound(key.range.most * unit, whole);
+  return json;
+}
+
+/// Text with a unit: the pattern holds the number, the program checks the unit.
+Json quantity(const Key& key) {
+  const std::string units = fmt::format("number and unit: {}", usualUnits(key.dimension));
+  return {{"type", "string"},
+          {"description", units},
+          {"pattern", R"(^ *[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)? *[^ ].*$)"}};
+}
+
+Json words(const Key& key) { return {{"enum", std::vector<std::string>(key.words.begin(), key.words.end())}}; }
+
+Json number(const Key& key) {
+  Json any = Json::array({bareNumber(key, "number"), quantity(key)});
+  if (!key.words.empty()) any.push_back(words(key));
+  return {{"anyOf", any}};
+}
+
+Json arrayOf(Json items, int count) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json extents(const Key& key) {
+  Json any = number(key)["anyOf"];
+  any.push_back(arrayOf(number(key), 3));
+  return {{"anyOf", any}};
+}
+
+Json frameRate(const Key& key) {
+  const Json fraction = {{"type", "string"}, {"pattern", R"(^[0-9]+(/[0-9]+|\.[0-9]+)?$)"}};
+  return {{"anyOf", Json::array({bareNumber(key, "number"), fraction})}};
+}
+
+Json pixels(const Key& key) {
+  Json side = bareNumber(key, "integer");
+  side["multipleOf"] = 2;
+  return arrayOf(side, 2);
+}
+
+Json typeSchema(const Key& key) {
+  switch (key.type) {
+    case ValueType::kNumber:
+      return number(key);
+    case ValueType::kInteger:
+      return bareNumber(key, "integer");
+    case ValueType::kBool:
+      return {{"type", "boolean"}};
+    case ValueType::kText:
+      return {{"type", "string"}, {"maxLength", static_cast<int>(key.range.most)}};
+    case ValueType::kWord:
+      return words(key);
+    case ValueType::kVector:
+      return arrayOf(number(key), 3);
+    case ValueType::kExtents:
+      return extents(key);
+    case ValueType::kQuaternion:
+      return arrayOf({{"type", "number"}}, 4);
+    case ValueType::kFrameRate:
+      return frameRate(key);
+    case ValueType::kPixels:
+      return pixels(key);
+  }
+  return {};
+}
+
+Json keySchema(const Key& key) {
+  const std::string range = rangeText(key);
+  Json json = {{"description", std::string(key.help) + (range.empty() ? "" : " (" + range + ")")}};
+  json.update(typeSchema(key));
+  if (!key.fallback.empty()) json["default"] = tomlToJson(key.fallback);
+  return json;
+}
+
+/// What cannot be told from one key alone.
+void addRequired(Json& json, const std::string& table) {
+  Json required = Json::array();
+  if (table.empty()) required = {"body", "motion"};
+  for (const Key& key : keys())
+    if (key.required && tableOf(key.path) == table) required.push_back(std::string(nameOf(key.path)));
+  if (!required.empty()) json["required"] = required;
+  if (table == "body")
+    json["oneOf"] = {{{"required", {"principal_moments"}}}, {{"required", {"shape", "size", "mass"}}}};
+}
+
+Json tableSchema(const std::string& table) {
+  Json properties;
+  for (const std::string& name : namesBelow(table)) {
+    const std::string path = table.empty() ? name : table + "." + name;
+    const Key* key = findKey(path);
+    properties[name] = key ? keySchema(*key) : tableSchema(path);
+  }
+  Json json = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  addRequired(json, table);
+  if (!hasVisible(table)) return json;
+  const Json& visible = properties["visible"];
+  return {{"description", visible["description"]}, {"anyOf", Json::array({json, {{"type", "boolean"}}})}};
+}
+
+}  // namespace
+
+std::string schemaJson() {
+  Json json = {{"$schema", "http://json-schema.org/draft-04/schema#"}, {"title", "poinsot scene"}};
+  json.update(tableSchema(""));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace poinsot::scene

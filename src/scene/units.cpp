@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/units.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/expect.h"
+#include "core/text.h"
+
+namespace poinsot::scene {
+namespace {
+
+// Exponents of length, mass, time and angle. The angle is a dimension here, so that "3 Hz" is a rotation rate and
+// "1 rad" never passes for a plain number.
+using Exponents = std::array<int, 4>;
+
+struct Unit {
+  double factor = 1;
+  Exponents exponents{};
+};
+
+struct NamedUnit {
+  std::string_view name;
+  Unit unit;
+};
+
+constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, kT{0, 0, 1, 0}, kA{0, 0, 0, 1},
+    kRate{0, 0, -1, 1};
+constexpr double kTurn = 2 * std::numbers::pi;
+
+// Inch, foot, pound and ounce are exact by definition (1959); a day is 24 h and a year 365.25 days (IAU).
+constexpr NamedUnit kUnits[] = {
+    {"%", {0.01, kPlain}},
+    {"m", {1, kL}},
+    {"km", {1e3, kL}},
+    {"cm", {1e-2, kL}},
+    {"mm", {1e-3, kL}},
+    {"um", {1e-6, kL}},
+    {"µm", {1e-6, kL}},
+    {"in", {0.0254, kL}},
+    {"ft", {0.3048, kL}},
+    {"kg", {1, kM}},
+    {"g", {1e-3, kM}},
+    {"mg", {1e-6, kM}},
+    {"t", {1e3, kM}},
+    {"lb", {0.45359237, kM}},
+    {"oz", {0.028349523125, kM}},
+    {"s", {1, kT}},
+    {"ms", {1e-3, kT}},
+    {"us", {1e-6, kT}},
+    {"µs", {1e-6, kT}},
+    {"min", {60, kT}},
+    {"h", {3600, kT}},
+    {"d", {86400, kT}},
+    {"yr", {365.25 * 86400, kT}},
+    {"rad", {1, kA}},
+    {"mrad", {1e-3, kA}},
+    {"deg", {std::numbers::pi / 180, kA}},
+    {"°", {std::numbers::pi / 180, kA}},
+    {"arcmin", {std::numbers::pi / 10800, kA}},
+    {"arcsec", {std::numbers::pi / 648000, kA}},
+    {"rev", {kTurn, kA}},
+    {"Hz", {kTurn, kRate}},
+    {"rpm", {kTurn / 60, kRate}},
+};
+
+struct DimensionText {
+  Exponents exponents;
+  std::string_view name, si, usual;
+};
+
+// Indexed by Dimension.
+constexpr DimensionText kDimensions[] = {
+    {kPlain, "a number", "", "%"},
+    {kL, "a length", "m", "m, km, cm, mm, um, in, ft"},
+    {kM, "a mass", "kg", "kg, g, mg, t, lb, oz"},
+    {kT, "a time", "s", "s, ms, us, min, h, d, yr"},
+    {kA, "an angle", "rad", "rad, mrad, deg, arcmin, arcsec, rev"},
+    {kRate, "an angular velocity", "rad/s", "rad/s, deg/s, rpm, rev/s, rev/d, Hz"},
+    {{2, 1, 0, 0}, "a moment of inertia", "kg·m²", "kg m^2, g cm^2"},
+};
+
+const DimensionText& textOf(Dimension dimension) { return kDimensions[static_cast<std::size_t>(dimension)]; }
+
+bool skip(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+void skipBlanks(std::string_view& text) {
+  while (skip(text, " ")) continue;
+}
+
+bool partOfName(std::string_view text) {
+  if (text.starts_with("·") || text.starts_with("²") || text.starts_with("³")) return false;
+  const char c = text[0];
+  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return letter || c == '%' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string_view takeName(std::string_view& text) {
+  std::size_t length = 0;
+  while (length < text.size() && partOfName(text.substr(length))) ++length;
+  const std::string_view name = text.substr(0, length);
+  text.remove_prefix(length);
+  return name;
+}
+
+// Four is the largest power any sensible unit needs; the bound also keeps the sums of exponents small.
+constexpr int kLargestPower = 4;
+constexpr int kMostTerms = 8;
+
+std::optional<int> takePower(std::string_view& text) {
+  if (skip(text, "²")) return 2;
+  if (skip(text, "³")) return 3;
+  if (!skip(text, "^")) return 1;
+  int power = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), power);
+  if (status != std::errc() || std::abs(power) > kLargestPower) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return power;
+}
+
+std::optional<Unit> unitNamed(std::string_view name) {
+  for (const NamedUnit& known : kUnits)
+    if (known.name == name) return known.unit;
+  return std::nullopt;
+}
+
+void multiply(Unit& product, const Unit& unit, int power) {
+  // Repeated products and one division: std::pow gives different last bits with and without FMA.
+  double factor = 1;
+  for (int i = 0; i < std::abs(power); ++i) factor *= unit.factor;
+  product.factor = power < 0 ? product.factor / factor : product.factor * factor;
+  for (std::size_t i = 0; i < product.exponents.size(); ++i) product.exponents[i] += power * unit.exponents[i];
+}
+
+struct ParsedUnit {
+  Unit unit;
+  std::string problem;
+};
+
+// term { (blank | * | ·) term | / term }, term = name [^n | ² | ³]. A '/' divides by the one term after it.
+ParsedUnit parseUnit(std::string_view text) {
+  ParsedUnit parsed;
+  const std::string whole = core::printable(text);
+  bool divides = false;
+  for (int terms = 0; terms < kMostTerms; ++terms) {
+    const std::string_view name = takeName(text);
+    const auto unit = unitNamed(name);
+    if (!unit)
+      return {{}, fmt::format("\"{}\" is not a known unit", name.empty() ? whole : core::printable(name))};
+    const auto power = takePower(text);
+    if (!power) return {{}, fmt::format("the power in \"{}\" is not understood", whole)};
+    multiply(parsed.unit, *unit, divides ? -*power : *power);
+    skipBlanks(text);
+    if (text.empty()) return parsed;
+    divides = skip(text, "/");
+    if (!divides && !skip(text, "*")) skip(text, "·");
+    skipBlanks(text);
+  }
+  return {{}, fmt::format("the unit \"{}\" is too long", whole)};
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+std::string expected(Dimension dimension) {
+  if (dimension == Dimension::kNone) return "expected a plain number";
+  return fmt::format("expected {} in one of {}", textOf(dimension).name, textOf(dimension).usual);
+}
+
+Quantity refused(std::string problem) { return {std::numeric_limits<double>::quiet_NaN(), std::move(problem)}; }
+
+}  // namespace
+
+std::string_view quantityName(Dimension dimension) { return textOf(dimension).name; }
+std::string_view siUnit(Dimension dimension) { return textOf(dimension).si; }
+std::string_view usualUnits(Dimension dimension) { return textOf(dimension).usual; }
+
+Quantity parseQuantity(std::string_view text, Dimension dimension) {
+  const std::string shown = core::printable(text);
+  text = trimmed(text);
+  if (skip(text, "+") && text.starts_with('-')) return refused(expected(dimension) + ", got \"" + shown + "\"");
+  double number = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status == std::errc::invalid_argument) return refused(expected(dimension) + ", got \"" + shown + "\"");
+  if (status != std::errc()) return refused(fmt::format("the number in \"{}\" is out of range", shown));
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  skipBlanks(text);
+  if (text.empty())
+    return refused(fmt::format("\"{}\" has no unit; write a bare number for {}", shown,
+                               dimension == Dimension::kNone ? "a plain value" : siUnit(dimension)));
+  const ParsedUnit parsed = parseUnit(text);
+  if (!parsed.problem.empty()) return refused(parsed.problem + "; " + expected(dimension));
+  if (parsed.unit.exponents != textOf(dimension).exponents)
+    return refused(fmt::format("{}, got \"{}\"", expected(dimension), shown));
+  return {number * parsed.unit.factor, ""};
+}
+
+double unitFactor(std::string_view unit, Dimension dimension) {
+  if (unit.empty()) return 1;
+  const ParsedUnit parsed = parseUnit(unit);
+  POINSOT_EXPECT(parsed.problem.empty());
+  POINSOT_EXPECT(parsed.unit.exponents == textOf(dimension).exponents);
+  return parsed.unit.factor;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table, the parser, the schema and the reference say the same.
+#include "scene/keys.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "scene/check.h"
+#include "scene/reference.h"
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A scene in which the key may be given: body.shape needs size and mass, and no moments.
+std::string sceneFor(const Key& key) {
+  const bool shaped = key.path.starts_with("body.") && key.path != "body.principal_moments";
+  const std::string motion = "motion.omega_body = [0.01, 3.0, 0.0]\n";
+  if (shaped) return motion + "[body]\nshape = \"box\"\nsize = [3, 2, 1]\nmass = 1\n";
+  return motion + "[body]\nprincipal_moments = [1.0, 2.0, 2.5]\n[show.body]\nshape = \"box\"\n";
+}
+
+std::string messagesWith(const Key& key, std::string_view value) {
+  return messagesOf(sceneFor(key), {std::string(key.path) + "=" + std::string(value)});
+}
+
+TEST(EveryKey, HasAnExampleAndADefaultThatPassItsChecks) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    EXPECT_FALSE(key.example.empty());
+    EXPECT_EQ(messagesWith(key, key.example), "");
+    if (!key.fallback.empty()) {
+      EXPECT_EQ(messagesWith(key, key.fallback), "");
+    }
+  }
+}
+
+TEST(EveryKey, HasHelpOfOneLine) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    EXPECT_FALSE(key.help.empty());
+    EXPECT_EQ(key.help.find('\n'), std::string_view::npos);
+    EXPECT_TRUE(key.help.ends_with('.'));
+  }
+}
+
+TEST(EveryKey, RefusesWrongTypes) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    const bool flag = key.type == ValueType::kBool;
+    const std::string prefix = std::string(key.path) + ": expected";
+    for (const char* value : {"1979-05-27", "[[1]]", "{a = 1}", flag ? "3" : "true", "[true, true, true]"})
+      EXPECT_THAT(messagesWith(key, value), StartsWith(prefix)) << value;
+    EXPECT_NE(messagesWith(key, "[]"), "");
+    if (key.type != ValueType::kText) {
+      EXPECT_NE(messagesWith(key, "\"no such word\""), "");
+    }
+  }
+}
+
+/// `value` where the key takes it: alone, or in each place of an array.
+std::string shaped(const Key& key, const std::string& value) {
+  switch (key.type) {
+    case ValueType::kVector:
+      return "[" + value + "," + value + "," + value + "]";
+    case ValueType::kQuaternion:
+      return "[" + value + ", 0, 0, 0]";
+    case ValueType::kPixels:
+      return "[" + value + ", 16]";
+    default:
+      return value;
+  }
+}
+
+bool numeric(const Key& key) {
+  return key.type != ValueType::kBool && key.type != ValueType::kText && key.type != ValueType::kWord;
+}
+
+std::string number(const Key& key, double value) {
+  const bool whole = key.type == ValueType::kInteger || key.type == ValueType::kPixels;
+  std::string text = whole ? std::to_string(std::llround(value)) : nlohmann::json(value).dump();
+  return key.range.unit.empty() ? text : "\"" + text + " " + std::string(key.range.unit) + "\"";
+}
+
+// A tenth of a percent beyond an end (two, where numbers are whole and even), and well within it.
+TEST(EveryKey, RefusesWhatIsBeyondItsRange) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    if (!numeric(key)) continue;
+    const double step = key.type == ValueType::kPixels ? 2 : 1;
+    const bool whole = key.type == ValueType::kInteger || key.type == ValueType::kPixels;
+    const auto beyond = [&](double end, double sign) {
+      return whole ? end + sign * step : end + sign * (end == 0 ? 1e-3 : std::abs(end) * 1e-3);
+    };
+    const std::string prefix = std::string(key.path) + ": ";
+    for (const double value : {beyond(key.range.most, 1), beyond(key.range.least, -1)})
+      EXPECT_THAT(messagesWith(key, shaped(key, number(key, value))), StartsWith(prefix)) << value;
+  }
+}
+
+TEST(EveryKey, AcceptsTheEndsOfItsRange) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    if (!numeric(key)) continue;
+    // By the key's own check: at its ends a key may clash with others (an hour of film at 1000 frames a second).
+    for (const double value : {key.range.least, key.range.most}) {
+      const Source source("test", "v = " + shaped(key, number(key, value)));
+      const Node document = parseDocument(source);
+      Problems problems;
+      EXPECT_TRUE(check(key, std::get<Node::Table>(document.value)[0].value, problems)) << value;
+    }
+  }
+}
+
+TEST(EveryKey, RefusesWhatIsNotFinite) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    if (!numeric(key)) continue;
+    for (const char* value : {"nan", "inf", "-inf"})
+      EXPECT_THAT(messagesWith(key, shaped(key, value)), HasSubstr(std::string(key.path) + ": "));
+  }
+}
+
+/// The schema of a path: through properties, and through the object of a table that may be a flag.
+const nlohmann::json& schemaAt(const nlohmann::json& schema, std::string_view path) {
+  const nlohmann::json& object = schema.contains("anyOf") ? schema["anyOf"][0] : schema;
+  const std::size_t dot = path.find('.');
+  const nlohmann::json& next = object.at("properties").at(std::string(path.substr(0, dot)));
+  return dot == std::string_view::npos ? next : schemaAt(next, path.substr(dot + 1));
+}
+
+TEST(EveryKey, IsInTheSchemaWithItsHelpDefaultAndWords) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    const nlohmann::json schema = nlohmann::json::parse(schemaJson());
+    const nlohmann::json& entry = schemaAt(schema, key.path);
+    EXPECT_THAT(entry.at("description").get<std::string>(), StartsWith(std::string(key.help)));
+    EXPECT_EQ(entry.contains("default"), !key.fallback.empty());
+    for (const std::string_view word : key.words)
+      EXPECT_THAT(entry.dump(), HasSubstr("\"" + std::string(word) + "\""));
+  }
+}
+
+/// A bar would end the cell of a table.
+std::string inCell(std::string_view text) {
+  return std::regex_replace(std::string(text), std::regex("\\|"), "\\|");
+}
+
+TEST(EveryKey, IsInTheReference) {
+  for (const Key& key : keys()) {
+    SCOPED_TRACE(key.path);
+    const std::string reference = referenceMarkdown();
+    const std::string_view table = tableOf(key.path);
+    const std::string heading = table.empty() ? "## At the top\n" : "## `[" + std::string(table) + "]`\n";
+    const std::size_t section = reference.find(heading);
+    ASSERT_NE(section, std::string::npos);
+    const std::size_t row = reference.find("\n| `" + std::string(nameOf(key.path)) + "` |", section);
+    ASSERT_NE(row, std::string::npos);
+    EXPECT_LT(row, reference.find("\n## ", section + 1));
+    EXPECT_THAT(reference.substr(row + 1, reference.find('\n', row + 1) - row), HasSubstr(inCell(key.help)));
+  }
+}
+
+TEST(Keys, AreGivenOnce) {
+  std::set<std::string_view> paths;
+  for (const Key& key : keys()) EXPECT_TRUE(paths.insert(key.path).second) << key.path;
+}
+
+TEST(Keys, AreFound) {
+  EXPECT_EQ(findKey("camera.fov")->path, "camera.fov");
+  EXPECT_EQ(findKey("camera"), nullptr);
+  EXPECT_TRUE(isTable("show") && isTable("show.plane"));
+  EXPECT_FALSE(isTable("show.pla") || isTable("camera.fov"));
+  EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
+  EXPECT_THAT(namesBelow(""),
+              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "style", "output"));
+  EXPECT_EQ(tableOf("show.plane.grid"), "show.plane");
+  EXPECT_EQ(nameOf("show.plane.grid"), "grid");
+}
+
+TEST(Keys, OfATableTakeAFlagWhereTheyCanBeHidden) {
+  for (const Key& key : keys()) {
+    if (nameOf(key.path) != "visible") continue;
+    EXPECT_EQ(messagesOf(kMinimal, {std::string(tableOf(key.path)) + "=true"}), "") << key.path;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::scene

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each limit of docs/scene.md, at the limit and one beyond it.
+#include <gmock/gmock.h>
+
+#include "scene/document.h"
+#include "scene/limits.h"
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+void expectRefusal(const std::string& text, const std::string& message) {
+  EXPECT_THAT(messagesOf(text), HasSubstr(message));
+}
+
+TEST(Limits, OnTheFile) {
+  const std::string start = std::string(kMinimal) + "#";
+  EXPECT_EQ(messagesOf(start + std::string(kMostBytes - start.size(), 'x')), "");
+  expectRefusal(start + std::string(kMostBytes + 1 - start.size(), 'x'), "a scene file may have at most 4 MiB");
+}
+
+TEST(Limits, OnAString) {
+  const std::string message = "a string may have at most 65536 bytes";
+  for (const char* quote : {"\"", "'", "\"\"\"", "'''"}) {
+    const auto text = [&](std::size_t length) {
+      return "x = " + (quote + std::string(length, 'a')) + quote + "\n";
+    };
+    EXPECT_THAT(messagesOf(text(kLongestString)), Not(HasSubstr(message)));
+    expectRefusal(text(kLongestString + 1), message);
+  }
+}
+
+TEST(Limits, OnNesting) {
+  const std::string message = "nested at most 64 deep";
+  const auto arrays = [](int n) { return "x = " + repeated("[", n) + repeated("]", n) + "\n"; };
+  const auto tables = [](int n) { return "x = " + repeated("{ a = ", n) + "1" + repeated("}", n) + "\n"; };
+  const auto keys = [](int n) { return "x" + repeated(".a", n) + " = 1\n"; };
+  const auto headers = [](int n) { return "[x" + repeated(".a", n) + "]\n"; };
+  const auto mixed = [](int n) {
+    return "x = " + repeated("[", n - 62) + "{" + "a" + repeated(".a", 61) + " = 1}" + repeated("]", n - 62) +
+           "\n";
+  };
+  for (const auto& make : std::vector<std::function<std::string(int)>>{arrays, tables, keys, headers, mixed}) {
+    EXPECT_THAT(messagesOf(make(64)), Not(HasSubstr(message))) << make(64);
+    EXPECT_THAT(messagesOf(make(64)), HasSubstr("unknown key"));
+    expectRefusal(make(65), message);
+  }
+}
+
+// What would overflow the stack of a recursive parser, or of a recursive destructor.
+TEST(Limits, OnNestingHoldForMillions) {
+  const int n = 1'000'000;
+  expectRefusal("x = " + repeated("[", n), "nested at most 64 deep");
+  expectRefusal("x = " + repeated("{a=", n), "nested at most 64 deep");
+  expectRefusal("a" + repeated(".a", n) + " = 1", "nested at most 64 deep");
+  expectRefusal("[a" + repeated(".a", n) + "]", "nested at most 64 deep");
+  // A string that ends in a quote of its own must not hide what follows it.
+  expectRefusal("x = {a = \"\"\"b\"\"\"\", c" + repeated(".c", n) + " = 1}", "nested at most 64 deep");
+  expectRefusal("x = {a = '''b''''', c" + repeated(".c", n) + " = 1}", "nested at most 64 deep");
+}
+
+TEST(Limits, OnNestingNameTheLine) {
+  const auto problems = problemsOf("# ω\nx = \"\"\"\n\\\n\"\"\" \ny = \"ω\" \nz = " + repeated("[", 65));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].where.line, 6);
+  EXPECT_EQ(problems[0].where.column, 4 + 65);  // the 65th bracket
+}
+
+TEST(Limits, OnValues) {
+  const auto array = [](int n) { return "x = [0" + repeated(",0", n - 1) + "]\n"; };  // the array is a value too
+  const std::string message = "a scene may hold at most 100000 values";
+  EXPECT_THAT(messagesOf(array(kMostNodes - 1)), Not(HasSubstr(message)));
+  expectRefusal(array(kMostNodes), message);
+  expectRefusal(repeated("a=1\n", kMostNodes + 1), message);
+  expectRefusal(repeated("[[a]]\n", kMostNodes + 1), message);
+}
+
+TEST(Limits, OnOutput) {
+  const auto refused = [](const std::string& override_) { return messagesOf(kMinimal, {override_}); };
+  EXPECT_EQ(refused("output.size=[16, 16]"), "");
+  EXPECT_THAT(refused("output.size=[14, 16]"), HasSubstr("each side must be from 16 to 8192 pixels, got 14"));
+  EXPECT_EQ(refused("output.size=[8192, 16]"), "");
+  EXPECT_THAT(refused("output.size=[16, 8194]"), HasSubstr("each side must be from 16 to 8192 pixels, got 8194"));
+  EXPECT_EQ(refused("output.size=[8000, 8000]"), "");
+  EXPECT_THAT(refused("output.size=[8000, 8002]"), HasSubstr("at most 64000000 pixels, got 8000 x 8002"));
+  EXPECT_THAT(refused("output.size=[9223372036854775807, 16]"), HasSubstr("each side must be"));
+  EXPECT_EQ(refused("output.crf=0") + refused("output.crf=51"), "");
+  EXPECT_THAT(refused("output.crf=52"), HasSubstr("output.crf: must be from 0 to 51, got 52"));
+}
+
+TEST(Limits, OnFrames) {
+  const auto refused = [](const std::string& duration, const std::string& fps) {
+    return messagesOf(kMinimal, {"time.duration=" + duration, "time.fps=" + fps});
+  };
+  EXPECT_EQ(refused("1200", "30"), "");
+  EXPECT_EQ(refused("3600", "10"), "");
+  EXPECT_EQ(refused("36", "1000"), "");
+  EXPECT_THAT(refused("1200.01", "30"), HasSubstr("36001 frames"));
+  EXPECT_THAT(refused("3600.1", "1"), HasSubstr("time.duration: must be"));
+  EXPECT_THAT(refused("1", "1000.1"),
+              HasSubstr("time.fps: must be from 0.001 to 1000 frames per second, got 1000.1"));
+  EXPECT_THAT(refused("1", "0"), HasSubstr("time.fps: must be"));
+  EXPECT_THAT(refused("1", "-30"), HasSubstr("time.fps: must be"));
+  EXPECT_THAT(refused("1", "nan"), HasSubstr("time.fps: must be"));
+  EXPECT_THAT(refused("1", "\"30/0\""), HasSubstr("time.fps: expected a number or a fraction"));
+}
+
+TEST(Limits, OnNumbers) {
+  const auto refused = [](const std::string& override_) { return messagesOf(kMinimal, {override_}); };
+  EXPECT_EQ(refused("motion.omega_body=[1e300, -1e-300, 0]"), "");
+  EXPECT_THAT(refused("motion.omega_body=[1.1e300, 0, 0]"),
+              HasSubstr("zero or of size from 1e-300 to 1e+300 rad/s"));
+  EXPECT_THAT(refused("motion.omega_body=[1e-301, 1, 0]"),
+              HasSubstr("zero or of size from 1e-300 to 1e+300 rad/s"));
+  EXPECT_EQ(refused("body.principal_moments=[1e300, 1e300, 1e300]"), "");
+  EXPECT_EQ(refused("body.principal_moments=[1e-300, 1e-300, 1e-300]"), "");
+  EXPECT_THAT(refused("body.principal_moments=[1e301, 1e301, 1e301]"), HasSubstr("1e+300 kg·m²"));
+  EXPECT_EQ(refused("motion.orientation=[1e-6, 0, 0, 0]") + refused("motion.orientation=[0, 1e6, 0, 0]"), "");
+  EXPECT_THAT(refused("motion.orientation=[9e-7, 0, 0, 0]"), HasSubstr("its norm must be from 1e-06 to 1e+06"));
+  EXPECT_THAT(refused("motion.orientation=[2e6, 0, 0, 0]"), HasSubstr("its norm must be"));
+  EXPECT_THAT(refused("motion.orientation=[1e308, 1e308, 0, 0]"), HasSubstr("its norm must be"));
+  EXPECT_NE(messagesOf(std::string(kMinimal) + "[time]\nstart = 1e400\n"), "");
+  EXPECT_NE(messagesOf(std::string(kMinimal) + "[time]\nstart = 99999999999999999999\n"), "");
+}
+
+TEST(Limits, OnWhatIsText) {
+  EXPECT_EQ(messagesOf(kMinimal, {"show.title=" + std::string(200, 'x')}), "");
+  EXPECT_THAT(messagesOf(kMinimal, {"show.title=" + std::string(201, 'x')}),
+              HasSubstr("at most 200 characters, got 201"));
+  EXPECT_THAT(messagesOf(kMinimal, {"show.title=\"a\\nb\""}),
+              HasSubstr("no line ends or other control characters"));
+}
+
+TEST(Text, ThatIsNotTomlIsRefusedAtItsPlace) {
+  const auto nul = problemsOf(kMinimal + std::string("x = 1\0", 6));
+  ASSERT_EQ(nul.size(), 1u);
+  EXPECT_EQ(nul[0].where.line, 5);
+  const auto notUtf8 = problemsOf(kMinimal + std::string("[show]\ntitle = \"\xff\xfe\"\n"));
+  ASSERT_EQ(notUtf8.size(), 1u);
+  EXPECT_EQ(notUtf8[0].where.line, 6);
+  EXPECT_EQ(problemsOf("\xff\xfe[\0b\0o\0d\0y\0]\0").size(), 1u);  // UTF-16
+}
+
+}  // namespace
+}  // namespace poinsot::scene

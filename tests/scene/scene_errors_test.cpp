@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// One file of tests/scene/data for each way a scene can be wrong; lines and columns were counted by hand.
+#include <gmock/gmock.h>
+
+#include "scene/problem.h"
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Place {
+  int line, column, caretLength;
+};
+
+class BadScene : public testing::Test {
+ protected:
+  void load(const std::string& name) {
+    try {
+      loadScene(dataPath(name));
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const SceneErrors& errors) {
+      EXPECT_EQ(errors.kind(), core::ErrorKind::kScene);
+      problems_ = errors.problems();
+      report_ = errors.what();
+    }
+  }
+
+  /// The next problem stands at `place` and says exactly `message`.
+  void expectNext(const Place& place, const std::string& message) {
+    ASSERT_LT(next_, problems_.size());
+    const Problem& problem = problems_[next_++];
+    EXPECT_EQ(problem.where.line, place.line);
+    EXPECT_EQ(problem.where.column, place.column);
+    EXPECT_EQ(problem.caretLength, place.caretLength);
+    EXPECT_EQ(problem.message, message);
+  }
+
+  void expectNoMore() { EXPECT_EQ(next_, problems_.size()) << report_; }
+
+  void expectOnly(const std::string& name, const Place& place, const std::string& message) {
+    load(name);
+    expectNext(place, message);
+    expectNoMore();
+  }
+
+  std::vector<Problem> problems_;
+  std::size_t next_ = 0;
+  std::string report_;
+};
+
+TEST_F(BadScene, WithAnUnknownKey) {
+  expectOnly("unknown_key.toml", {5, 1, 10}, "motion.omega_bdoy: unknown key; did you mean motion.omega_body?");
+}
+
+TEST_F(BadScene, WithAnUnknownTable) {
+  expectOnly("unknown_table.toml", {5, 2, 5}, "camra: unknown key; did you mean camera?");
+}
+
+TEST_F(BadScene, WithAKeyInTheWrongTable) {
+  expectOnly("misplaced_key.toml", {5, 1, 3}, "motion.fps: unknown key; did you mean time.fps?");
+}
+
+TEST_F(BadScene, WithAWrongType) {
+  expectOnly(
+      "wrong_type.toml", {6, 12, 4},
+      "time.duration: expected a time (a number in s, or text with a unit: s, ms, us, min, h, d, yr), got true");
+}
+
+TEST_F(BadScene, OutOfRange) {
+  expectOnly("out_of_range.toml", {6, 7, 9}, "camera.fov: must be from 1 to 120 deg, got \"200 deg\"");
+}
+
+TEST_F(BadScene, WithImpossibleInertia) {
+  expectOnly(
+      "impossible_inertia.toml", {2, 21, 15},
+      "body.principal_moments: I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; a solid body cannot have "
+      "these values");
+}
+
+TEST_F(BadScene, WithNumbersThatAreNotFinite) {
+  load("not_finite.toml");
+  expectNext({2, 27, 3}, "body.principal_moments: must be a finite number, got nan");
+  expectNext({4, 21, 3}, "motion.omega_body: must be a finite number, got inf");
+  expectNoMore();
+}
+
+TEST_F(BadScene, AtRestWhereADirectionIsNeeded) {
+  expectOnly(
+      "zero_omega.toml", {4, 14, 11},
+      "motion.omega_body: must not be zero, got (0, 0, 0) rad/s: without rotation L has no direction to turn "
+      "onto the vertical; give a rotation, or motion.orientation");
+}
+
+TEST_F(BadScene, AtRestWithArrowsShown) {
+  expectOnly(
+      "zero_omega_oriented.toml", {4, 14, 9},
+      "motion.omega_body: must not be zero, got (0, 0, 0) rad/s: without rotation there is nothing to draw for "
+      "show.L, show.omega; give a rotation, or set these to false");
+}
+
+TEST_F(BadScene, WithAZeroQuaternion) {
+  expectOnly("zero_quaternion.toml", {5, 15, 12},
+             "motion.orientation: must not be zero: a zero quaternion is no orientation, got [0, 0, 0, 0]");
+}
+
+TEST_F(BadScene, WithAnOddSize) {
+  expectOnly(
+      "odd_size.toml", {6, 9, 3},
+      "output.size: each side must be even (video stores colour for pairs of pixels), got 641; the nearest even "
+      "size is 642");
+}
+
+TEST_F(BadScene, WithBadUnits) {
+  load("bad_unit.toml");
+  expectNext({6, 12, 6}, "time.duration: expected a time in one of s, ms, us, min, h, d, yr, got \"3 kg\"");
+  expectNext({7, 9, 11},
+             "time.start: \"parsecs\" is not a known unit; expected a time in one of s, ms, us, min, h, d, yr");
+  expectNoMore();
+}
+
+TEST_F(BadScene, WithABadWord) {
+  expectOnly("bad_word.toml", {6, 9, 6},
+             "style.theme: expected one of \"light\", \"dark\", got \"drak\"; did you mean \"dark\"?");
+}
+
+TEST_F(BadScene, WithTwoProblemsReportsBoth) {
+  load("two_problems.toml");
+  expectNext({2, 27, 4}, "body.principal_moments: must be positive, from 1e-300 to 1e+300 kg·m², got -2 kg·m²");
+  expectNext({4, 14, 6}, "motion.omega_body: expected an array of three angular velocities, got \"fast\"");
+  expectNoMore();
+}
+
+TEST_F(BadScene, WithAKeyGivenTwice) {
+  load("duplicate_key.toml");
+  ASSERT_EQ(problems_.size(), 1u);
+  EXPECT_EQ(problems_[0].where.line, 3);
+  EXPECT_EQ(problems_[0].where.column, 1);
+  EXPECT_EQ(problems_[0].caretLength, 17);
+  EXPECT_THAT(problems_[0].message, StartsWith("this key or table is given twice"));
+}
+
+TEST_F(BadScene, WithASyntaxError) {
+  load("syntax_error.toml");
+  ASSERT_EQ(problems_.size(), 1u);
+  EXPECT_EQ(problems_[0].where.line, 3);
+  EXPECT_EQ(problems_[0].where.column, 1);
+  EXPECT_THAT(problems_[0].message, StartsWith("not TOML: "));
+}
+
+TEST_F(BadScene, WithAUnitOutsideQuotes) {
+  load("unquoted_unit.toml");
+  ASSERT_EQ(problems_.size(), 1u);
+  EXPECT_EQ(problems_[0].where.line, 6);
+  EXPECT_EQ(problems_[0].where.column, 14);
+  EXPECT_THAT(problems_[0].message, HasSubstr("a number with a unit stands in quotes: \"3 rpm\""));
+}
+
+TEST_F(BadScene, OfAnotherSchema) { expectOnly("wrong_schema.toml", {1, 10, 1}, "schema: must be 1, got 2"); }
+
+TEST_F(BadScene, ThatIsEmptyIsToldWhatASceneNeeds) {
+  load("empty.toml");
+  ASSERT_EQ(problems_.size(), 1u);
+  EXPECT_EQ(problems_[0].where.line, 1);
+  EXPECT_EQ(problems_[0].where.column, 1);
+  const std::string& message = problems_[0].message;
+  EXPECT_THAT(message, StartsWith("a body and a start are required, for example:\n"));
+  EXPECT_NO_THROW(parseScene(message.substr(message.find('\n')), "example.toml"));  // the example is a scene
+}
+
+TEST_F(BadScene, WithMomentsAndAShape) {
+  expectOnly(
+      "both.toml", {3, 9, 5},
+      "body.shape: body.principal_moments is given too; the moments come from it, or from shape, size and mass, "
+      "not from both (to draw a shape that does not set the moments, use show.body.shape)");
+}
+
+TEST_F(BadScene, WithHalfAShape) {
+  expectOnly("half_a_shape.toml", {3, 8, 9},
+             "body.size: body.mass is missing: shape, size and mass set the moments together");
+}
+
+TEST_F(BadScene, WithoutAStart) {
+  expectOnly("no_start.toml", {1, 1, 0},
+             "motion.omega_body: required: the angular velocity at the start, such as [0.01, 3.0, 0.0]");
+}
+
+TEST_F(BadScene, WithANegativeMass) {
+  expectOnly("negative_mass.toml", {4, 8, 2}, "body.mass: must be positive, from 1e-300 to 1e+300 kg, got -2 kg");
+}
+
+TEST_F(BadScene, WithTooManyFrames) {
+  expectOnly("too_many_frames.toml", {6, 12, 5},
+             "time.duration: 3600 s at 60/1 frames per second are 216000 frames; a film may have at most 36000");
+}
+
+TEST(Report, ShowsTheLineAndPointsAtTheValue) {
+  const auto problems =
+      problemsOf("[body]\nprincipal_moments = [0.1, 0.2, 0.9]\n[motion]\nomega_body = [1, 0, 0]\n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(
+      toString(problems[0]),
+      "test.toml:2:21: error: body.principal_moments: I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; a "
+      "solid body cannot have these values\n"
+      "   2 | principal_moments = [0.1, 0.2, 0.9]\n"
+      "     |                     ^^^^^^^^^^^^^^^");
+}
+
+TEST(Report, NamesTheOverride) {
+  const auto problems = problemsOf(kMinimal, {"body.mass=abc", "time.fps", "camera.zom=2", "output.size=[1, 2"});
+  std::string text;
+  for (const Problem& problem : problems) text += toString(problem) + "\n";
+  EXPECT_THAT(text,
+              HasSubstr("-D body.mass=abc: error: body.mass: expected a mass in one of kg, g, mg, t, lb, oz, got "
+                        "\"abc\"\n"));
+  EXPECT_THAT(text, HasSubstr("-D time.fps: error: expected -D key.path=value\n"));
+  EXPECT_THAT(text, HasSubstr("-D camera.zom=2: error: camera.zom: unknown key; did you mean camera.zoom?\n"));
+  EXPECT_THAT(text, HasSubstr("-D output.size=[1, 2: error: not TOML: "));
+}
+
+TEST(Report, ComesInTheOrderOfTheFileThenTheOverrides) {
+  const auto problems = problemsOf("z = 1\na = 1\n" + std::string(kMinimal), {"b=1"});
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems[0].where.line, 1);
+  EXPECT_EQ(problems[1].where.line, 2);
+  EXPECT_EQ(problems[2].where.file, "-D b=1");
+}
+
+TEST(Report, CountsCharactersNotBytes) {
+  const auto problems = problemsOf(std::string(kMinimal) + "[show]\ntitle = { \"ωω\" = 1 }\n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(toString(problems[0]), EndsWith("\n   6 | title = { \"ωω\" = 1 }\n     |         ^^^^^^^^^^^^"));
+}
+
+TEST(Report, ShowsAPieceOfALongLine) {
+  const std::string padding(1000, ' ');
+  const auto problems =
+      problemsOf(std::string(kMinimal) + "[time]\nduration =" + padding + "true" + padding + "# end\n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].where.column, 1011);
+  EXPECT_LE(problems[0].sourceLine.size(), 120u);
+  EXPECT_EQ(problems[0].sourceLine.substr(static_cast<std::size_t>(problems[0].caret), 4), "true");
+}
+
+TEST(Report, PrintsNothingThatATerminalObeys) {
+  const std::string text =
+      std::string(kMinimal) +
+      "[show]\ntitle = \"\\u001b[31m\"\n\"\\u202e\" = 1\nlabels = \"\xc2\x9b\"\n[\"\\n\\u0007\"]\n";
+  try {
+    parseScene(text, "a\x1b.toml", {"\x1b=\x07", "style.theme=\r"});
+    FAIL();
+  } catch (const SceneErrors& errors) {
+    const std::string report = errors.what();
+    EXPECT_EQ(errors.problems().size(), 6u) << report;
+    for (const char c : report) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << report;
+    EXPECT_EQ(report.find("\xc2\x9b"), std::string::npos);
+    EXPECT_EQ(report.find("\xe2\x80\xae"), std::string::npos);
+    EXPECT_EQ(report.find('\x7f'), std::string::npos);
+  }
+}
+
+TEST(Report, StopsAfterAScreenful) {
+  std::string text = kMinimal;
+  for (int i = 0; i < 1000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  try {
+    parseScene(text, "test.toml");
+    FAIL();
+  } catch (const SceneErrors& errors) {
+    EXPECT_EQ(errors.problems().size(), 50u);
+    EXPECT_EQ(errors.omitted(), 950);
+    EXPECT_THAT(errors.what(), EndsWith("\nand 950 more"));
+  }
+}
+
+TEST(Overrides, CannotSmuggleASecondKey) {
+  EXPECT_THAT(messagesOf(kMinimal, {"time.duration=1\nv2 = 3"}), HasSubstr("time.duration"));
+  EXPECT_THAT(messagesOf(kMinimal, {"\"time.duration\"=1"}), HasSubstr("unknown key"));
+  EXPECT_THAT(messagesOf("\"time.duration\" = 3\n" + std::string(kMinimal)),
+              HasSubstr("\"time.duration\": unknown key"));
+}
+
+TEST(Tables, TakeATableOnly) {
+  EXPECT_THAT(messagesOf("body = 3\n"), HasSubstr("body: expected a table [body], got 3"));
+  EXPECT_THAT(messagesOf("[[body]]\n"), HasSubstr("body: expected a table [body], got an array of 1"));
+  EXPECT_THAT(messagesOf(std::string(kMinimal) + "[show]\nplane = 3\n"),
+              HasSubstr("show.plane: expected a table [show.plane], true or false, got 3"));
+}
+
+TEST(Shapes, MustBeSuchShapes) {
+  const std::string body = "motion.omega_body = [1, 0, 0]\n[body]\nmass = 1\n";
+  EXPECT_THAT(messagesOf(body + "shape = \"cylinder\"\nsize = [1, 2, 3]\n"),
+              HasSubstr("body.size: the x and y extents of a cylinder must be equal, got (1, 2, 3) m"));
+  EXPECT_THAT(messagesOf(body + "shape = \"racket\"\nsize = [1, 2, 3]\n"),
+              HasSubstr("body.size: a racket must be longer (x) than wide (y), got (1, 2, 3) m"));
+  EXPECT_THAT(messagesOf(kMinimal, {"show.body.size=[1, 2, 3]"}),
+              HasSubstr("show.body.size: needs show.body.shape"));
+}
+
+TEST(Inertia, NamesTheMomentThatIsTooLarge) {
+  EXPECT_THAT(messagesOf(kMinimal, {"body.principal_moments=[9, 1, 1]"}), HasSubstr("I1 must not exceed I2 + I3"));
+  EXPECT_THAT(messagesOf(kMinimal, {"body.principal_moments=[1, 9, 1]"}), HasSubstr("I2 must not exceed I1 + I3"));
+  EXPECT_EQ(messagesOf(kMinimal, {"body.principal_moments=[1, 3, 2]"}), "");  // a lamina is a body
+}
+
+}  // namespace
+}  // namespace poinsot::scene

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "scene/limits.h"
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDegree = kPi / 180;
+
+// The defaults of the brief: a file with a body and a start only.
+TEST(SceneFile, NeedsABodyAndAStartOnly) {
+  const Scene scene = loadScene(dataPath("minimal.toml"));
+  EXPECT_EQ(scene.name, "minimal");
+  EXPECT_EQ(scene.body.moments.values(), Eigen::Vector3d(1, 2, 2.5));
+  EXPECT_FALSE(scene.body.shape);
+  EXPECT_EQ(scene.motion.omega_B, Eigen::Vector3d(0.01, 3, 0));
+  EXPECT_FALSE(scene.motion.orientation_WB);
+  EXPECT_EQ(scene.motion.lPoints, LPoints::kAuto);
+  EXPECT_EQ(scene.time.start_s, 0);
+  EXPECT_EQ(scene.time.duration_s, 10);
+  EXPECT_EQ(scene.time.fps, (core::Rational{30, 1}));
+  EXPECT_FALSE(scene.time.speed);
+  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, 35 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.elevation_rad, 14 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 24 * kDegree);
+  EXPECT_EQ(scene.camera.zoom, 1);
+  EXPECT_EQ(scene.camera.frame, CameraFrame::kSpace);
+  EXPECT_EQ(scene.show.title + scene.show.subtitle, "");
+  EXPECT_EQ(scene.show.exaggerateAngles, 1);
+  EXPECT_TRUE(scene.show.labels && scene.show.body.visible && scene.show.plane.visible && scene.show.L.visible);
+  EXPECT_EQ(scene.show.ellipsoid.opacity, 0.13);
+  EXPECT_EQ(scene.show.plane.opacity, 0.16);
+  EXPECT_EQ(scene.style.theme, Theme::kLight);
+  EXPECT_EQ(scene.output.width, 1920);
+  EXPECT_EQ(scene.output.height, 1080);
+  EXPECT_EQ(scene.output.crf, 18);
+}
+
+// Every key away from its default, so that a key put into the wrong member shows.
+class FullScene : public testing::Test {
+ protected:
+  const Scene scene = loadScene(dataPath("full.toml"));
+};
+
+TEST_F(FullScene, HasItsBodyAndStart) {
+  ASSERT_TRUE(scene.body.shape);
+  EXPECT_EQ(scene.body.shape->kind, ShapeKind::kRacket);
+  EXPECT_TRUE(scene.body.shape->size_m.isApprox(Eigen::Vector3d(0.685, 0.26, 0.024)));
+  // Hoop of radius 0.13 m and handle of 0.425 m, masses 17 : 16 of 0.33 kg: I_x = 0.17·0.13²/2, by hand.
+  EXPECT_NEAR(scene.body.moments[0], 1.4365e-3, 1e-12);
+  EXPECT_TRUE(scene.motion.omega_B.isApprox(Eigen::Vector3d(kPi / 300, 2 * kPi, -kPi / 2)));
+  ASSERT_TRUE(scene.motion.orientation_WB);  // a quarter turn about z, normalised
+  EXPECT_TRUE(
+      scene.motion.orientation_WB->coeffs().isApprox(Eigen::Vector4d(0, 0, std::sqrt(0.5), std::sqrt(0.5))));
+  EXPECT_EQ(scene.motion.lPoints, LPoints::kUp);
+}
+
+TEST_F(FullScene, HasItsTimeAndCamera) {
+  EXPECT_EQ(scene.time.start_s, 7200);
+  EXPECT_EQ(scene.time.duration_s, 12.5);
+  EXPECT_EQ(scene.time.fps, (core::Rational{30000, 1001}));
+  EXPECT_EQ(scene.time.speed, -0.5);
+  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, -120 * kDegree);
+  EXPECT_EQ(scene.camera.elevation_rad, 0.5);
+  EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 40 * kDegree);
+  EXPECT_EQ(scene.camera.zoom, 1.25);
+  EXPECT_EQ(scene.camera.frame, CameraFrame::kBody);
+}
+
+TEST_F(FullScene, HasItsThingsShown) {
+  const Show& show = scene.show;
+  EXPECT_EQ(show.title, "Tennis racket");
+  EXPECT_EQ(show.subtitle, "about its middle axis");
+  EXPECT_EQ(show.exaggerateAngles, 100);
+  EXPECT_FALSE(show.labels || show.body.visible || show.principalAxes.visible || show.L.visible ||
+               show.omega.visible || show.ellipsoid.visible || show.plane.visible || show.contact.visible ||
+               show.polhode.visible || show.herpolhode.visible || show.height.visible);
+  EXPECT_EQ(show.body.scale, 1.5);
+  ASSERT_TRUE(show.body.shape);
+  EXPECT_EQ(show.body.shape->kind, ShapeKind::kCylinder);
+  EXPECT_EQ(show.body.shape->size_m, Eigen::Vector3d(1, 1, 3));
+  EXPECT_EQ(show.principalAxes.scale, 2);
+  EXPECT_EQ(show.L.scale, 0.5);
+  EXPECT_EQ(show.omega.scale, 0.75);
+  EXPECT_EQ(show.contact.scale, 3);
+  EXPECT_EQ(show.ellipsoid.scale, 1.1);
+  EXPECT_EQ(show.ellipsoid.opacity, 0.3);
+  EXPECT_EQ(show.plane.opacity, 0.4);
+  EXPECT_FALSE(show.ellipsoid.graticule || show.plane.grid || show.herpolhode.future);
+}
+
+TEST_F(FullScene, HasItsStyleAndOutput) {
+  EXPECT_EQ(scene.style.theme, Theme::kDark);
+  EXPECT_EQ(scene.style.lineWidth, 1.5);
+  EXPECT_EQ(scene.style.textSize, 1.25);
+  EXPECT_EQ(scene.output.width, 1280);  // size and crf win over quality
+  EXPECT_EQ(scene.output.height, 720);
+  EXPECT_EQ(scene.output.crf, 20);
+}
+
+Scene minimalWith(const std::vector<std::string>& overrides) {
+  return parseScene(kMinimal, "test.toml", overrides);
+}
+
+TEST(Quality, SetsSizeAndRateFactor) {
+  const Scene scene = minimalWith({"output.quality=preview"});
+  EXPECT_EQ(scene.output.width, 640);
+  EXPECT_EQ(scene.output.height, 360);
+  EXPECT_EQ(scene.output.crf, 23);
+  EXPECT_EQ(minimalWith({"output.quality=4k", "output.crf=0"}).output.crf, 0);
+  EXPECT_EQ(minimalWith({"output.quality=4k", "output.crf=0"}).output.width, 3840);
+  EXPECT_EQ(qualityPreset("720p")->height, 720);
+  EXPECT_EQ(qualityPreset("720"), nullptr);
+}
+
+// Uniform solids, by the textbook formulas with M = 12 kg: box I_x = M(b² + c²)/12, ellipsoid M(b² + c²)/5 with
+// semi-axes, cylinder I_z = M r²/2.
+TEST(Shapes, SetTheMoments) {
+  const auto moments = [](const std::string& shape, const std::string& size) {
+    return parseScene("[body]\nshape = \"" + shape + "\"\nmass = 12\nsize = " + size +
+                          "\n[motion]\nomega_body = [1, 0, 0]",
+                      "test.toml")
+        .body.moments.values();
+  };
+  EXPECT_TRUE(moments("box", "[1, 2, 3]").isApprox(Eigen::Vector3d(13, 10, 5)));
+  EXPECT_TRUE(moments("box", "2").isApprox(Eigen::Vector3d(8, 8, 8)));
+  EXPECT_TRUE(moments("ellipsoid", "[2, 4, 6]").isApprox(Eigen::Vector3d(31.2, 24, 12)));
+  EXPECT_TRUE(moments("cylinder", "[2, 2, 1]").isApprox(Eigen::Vector3d(4, 4, 6)));
+}
+
+TEST(DrawnShape, TakesItsSizeFromTheBodyOrTheKind) {
+  EXPECT_FALSE(minimalWith({}).show.body.shape);
+  const auto racket = minimalWith({"show.body.shape=racket"}).show.body.shape;
+  ASSERT_TRUE(racket);
+  EXPECT_GT(racket->size_m[0], racket->size_m[1]);
+  const std::vector<std::string> box = {"body={shape=\"box\", size=[3, 2, 1], mass=1}",
+                                        "show.body.shape=ellipsoid"};
+  const auto asBody = parseScene("motion.omega_body = [1, 1, 1]", "test.toml", box).show.body.shape;
+  ASSERT_TRUE(asBody);
+  EXPECT_EQ(asBody->kind, ShapeKind::kEllipsoid);
+  EXPECT_EQ(asBody->size_m, Eigen::Vector3d(3, 2, 1));
+}
+
+TEST(Overrides, AreTomlOrBareWords) {
+  EXPECT_EQ(minimalWith({"time.duration=5"}).time.duration_s, 5);
+  EXPECT_EQ(minimalWith({"time.duration=2 min"}).time.duration_s, 120);
+  EXPECT_EQ(minimalWith({"time.duration=\"2 min\""}).time.duration_s, 120);
+  EXPECT_EQ(minimalWith({"motion.L_points=down"}).motion.lPoints, LPoints::kDown);
+  EXPECT_EQ(minimalWith({"time.fps=30000/1001"}).time.fps, (core::Rational{30000, 1001}));
+  EXPECT_EQ(minimalWith({"output.size=[320, 240]"}).output.width, 320);
+  EXPECT_EQ(minimalWith({"show.title=a = b"}).show.title, "a = b");
+  EXPECT_EQ(minimalWith({"time.speed=auto"}).time.speed, std::nullopt);
+  EXPECT_EQ(minimalWith({"camera.zoom=2", "camera.zoom=3"}).camera.zoom, 3);  // the last wins
+  EXPECT_FALSE(minimalWith({"show.plane=false"}).show.plane.visible);
+  EXPECT_EQ(minimalWith({"camera={zoom=2, frame=\"body\"}"}).camera.zoom, 2);
+}
+
+TEST(Overrides, ReplaceWhatTheFileSays) {
+  const std::string text =
+      std::string(kMinimal) + "[show.plane]\nvisible = true\nopacity = 0.5\n[time]\nfps = 0\n";
+  const Scene scene = parseScene(text, "test.toml", {"show.plane=false", "time.fps=25"});
+  EXPECT_FALSE(scene.show.plane.visible);
+  EXPECT_EQ(scene.show.plane.opacity, 0.5);
+  EXPECT_EQ(scene.time.fps.num, 25);  // a value that is replaced is not judged
+}
+
+TEST(FrameRate, IsExact) {
+  EXPECT_EQ(minimalWith({"time.fps=29.97"}).time.fps, (core::Rational{2997, 100}));
+  EXPECT_EQ(minimalWith({"time.fps=\"60000/1001\""}).time.fps, (core::Rational{60000, 1001}));
+  EXPECT_EQ(minimalWith({"time.fps=1000"}).time.fps, (core::Rational{1000, 1}));
+}
+
+TEST(SceneFile, MayComeFromWindows) {
+  std::string text = kMinimal;
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
+  EXPECT_NO_THROW(parseScene("\xef\xbb\xbf" + text, "test.toml"));
+}
+
+TEST(SceneFile, AtRestNeedsNothingThatRests) {
+  std::vector<std::string> hidden = {"motion.omega_body=[0, 0, 0]", "motion.orientation=[1, 0, 0, 0]"};
+  for (const char* thing : {"L", "omega", "ellipsoid", "plane", "contact", "polhode", "herpolhode", "height"})
+    hidden.push_back("show." + std::string(thing) + "=false");
+  EXPECT_EQ(messagesOf(kMinimal, hidden), "");
+}
+
+class NoScene : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "poinsot_scene_test";
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string messageOf(const std::string& name) const {
+    try {
+      loadScene(folder_ + "/" + name);
+    } catch (const core::Error& error) {
+      EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
+      return error.message();
+    }
+    return "";
+  }
+
+  std::string folder_;
+};
+
+TEST_F(NoScene, SaysWhyAFileCannotBeRead) {
+  EXPECT_EQ(messageOf("none.toml"), "cannot read the scene " + folder_ + "/none.toml: No such file or directory");
+  EXPECT_EQ(messageOf(""), "cannot read the scene " + folder_ + "/: it is a directory");
+  ASSERT_EQ(::mkfifo((folder_ + "/fifo.toml").c_str(), 0600), 0);
+  EXPECT_EQ(messageOf("fifo.toml"), "cannot read the scene " + folder_ + "/fifo.toml: it is not a regular file");
+}
+
+TEST_F(NoScene, DoesNotPrintWhatATerminalObeys) {
+  EXPECT_EQ(messageOf("a\x1b[31m.toml").find('\x1b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace poinsot::scene
