@@ -12,7 +12,6 @@ const int kEdges = 2;
 const int kEdges = 0;
 #endif
 uniform vec3 background;
-uniform int transparentBackground;
 
 #if ELLIPSOIDS > 0
 uniform vec3 centre_C[ELLIPSOIDS];
@@ -174,12 +173,12 @@ void main() {
     sum += through * colors[i].rgb;
     left *= 1.0 - colors[i].a;
   }
-  if (transparentBackground == 1) {
-    float alpha = 1.0 - left * (1.0 - solid.a);
-    sum += left * solid.a * solid.rgb;
-    pixel = vec4(toSrgb(sum / max(alpha, 1e-6)), alpha);
-  } else {
-    sum += left * mix(background, solid.rgb, solid.a);
-    pixel = vec4(toSrgb(sum), 1.0);
-  }
+#if TRANSPARENT
+  float alpha = 1.0 - left * (1.0 - solid.a);
+  sum += left * solid.a * solid.rgb;
+  pixel = vec4(toSrgb(sum / max(alpha, 1e-6)), alpha);
+#else
+  sum += left * mix(background, solid.rgb, solid.a);
+  pixel = vec4(toSrgb(sum), 1.0);
+#endif
 }

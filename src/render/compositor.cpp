@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/compositor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -140,13 +142,14 @@ void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
 
 }  // namespace
 
-const gl::ShaderProgram& Compositor::program(bool solids, std::size_t ellipsoids, std::size_t planes) {
-  const auto key = std::make_tuple(solids, ellipsoids, planes);
-  if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-  const std::string defines = "#define SOLIDS " + std::to_string(solids) + "\n#define ELLIPSOIDS " +
-                              std::to_string(ellipsoids) + "\n#define PLANES " + std::to_string(planes) + "\n";
+const gl::ShaderProgram& Compositor::program(const Variant& variant) {
+  if (const auto known = programs_.find(variant); known != programs_.end()) return known->second;
+  const auto [transparent, solids, ellipsoids, planes] = variant;
+  const std::string defines =
+      fmt::format("#define TRANSPARENT {:d}\n#define SOLIDS {:d}\n#define ELLIPSOIDS {}\n#define PLANES {}\n",
+                  transparent, solids, ellipsoids, planes);
   gl::ShaderProgram made("composite.frag", shaderSource("tiles.vert"), shaderSource("composite.frag", defines));
-  return programs_.emplace(key, std::move(made)).first->second;
+  return programs_.emplace(variant, std::move(made)).first->second;
 }
 
 void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, const TileMask& solidTiles,
@@ -176,10 +179,9 @@ void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, con
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
   for (const auto& [content, triangles] : tiles) {
     const auto& [hasSolids, ellipsoidsHere, planesHere] = content;
-    const auto& shader = program(hasSolids, ellipsoidsHere.size(), planesHere.size());
+    const auto& shader = program({transparent, hasSolids, ellipsoidsHere.size(), planesHere.size()});
     setPicture(shader, list, sharpness);
     shader.set("background", list.background);
-    shader.set("transparentBackground", transparent ? 1 : 0);
     bindLayers(shader, solids);
     setGlass(shader, list, glass, ellipsoidsHere);
     setPlanes(shader, list, planes, planesHere);

@@ -31,9 +31,12 @@ class Compositor {
   /// What reaches a tile: whether solids do, and the indices of ellipsoids and planes.
   using Content = std::tuple<bool, std::vector<std::size_t>, std::vector<std::size_t>>;
 
-  const gl::ShaderProgram& program(bool solids, std::size_t ellipsoids, std::size_t planes);
+  /// A program for one kind of tile: its features are known when it is compiled, as llvmpipe runs both sides of an
+  /// if.
+  using Variant = std::tuple<bool, bool, std::size_t, std::size_t>;  // transparent, solids, ellipsoids, planes
+  const gl::ShaderProgram& program(const Variant& variant);
 
-  std::map<std::tuple<bool, std::size_t, std::size_t>, gl::ShaderProgram> programs_;
+  std::map<Variant, gl::ShaderProgram> programs_;
   gl::VertexArrayName vertices_ = gl::VertexArrayName::make();
   gl::BufferName buffer_ = gl::BufferName::make();
 };
