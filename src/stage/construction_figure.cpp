@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kPlaneBeyondEllipsoid = 1.18;  // half width of the plane, in the ellipsoid's longest semi-axis
 constexpr double kCellsToEdge = 7;              // about that many grid cells from the centre to the edge
+constexpr double kRim = 3.2;                    // opacity at the rim of the glass, in its opacity
 constexpr double kRecent_s = 0.9;               // film time of the bright end of the herpolhode
 
 double niceNumber(double x) {
@@ -59,17 +60,17 @@ std::array<Vector3d, 4> ConstructionFigure::planeCorners(const Matrix3d& R_VW) c
 
 std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
   std::vector<Vector3d> points;
-  if (show_.plane.visible)
-    for (const Vector3d& corner : planeCorners(motion_.R_VW(0))) points.push_back(corner);
   if (show_.polhode.visible || show_.herpolhode.visible)
     for (std::size_t i = 0; i < motion_.path().size(); i += 16)
       points.push_back(scale_ * motion_.path()[i].omega_W);
-  // The ellipsoid as it rolls: its extremes along a few directions, over the whole film.
-  if (!show_.ellipsoid.visible) return points;
+  // Plane and ellipsoid as they move: corners and extremes, over the whole film.
   constexpr int kInstants = 48;
   for (int i = 0; i <= kInstants; ++i) {
-    const Matrix3d A = motion_.at(motion_.duration_s() * i / kInstants).R_VB * semiAxes_.asDiagonal();
-    for (int axis = 0; axis < 3; ++axis) {
+    const PictureState state = motion_.at(motion_.duration_s() * i / kInstants);
+    if (show_.plane.visible)
+      for (const Vector3d& corner : planeCorners(state.R_VW)) points.push_back(corner);
+    const Matrix3d A = state.R_VB * semiAxes_.asDiagonal();
+    for (int axis = 0; axis < 3 && show_.ellipsoid.visible; ++axis) {
       const Vector3d extreme = A * (A.transpose() * Vector3d::Unit(axis)).normalized();
       points.push_back(extreme);
       points.push_back(-extreme);
@@ -89,8 +90,9 @@ void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& 
   polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
   glass.semiAxes_W = toPicture(polar);
   glass.color = colors.ellipsoid;
-  glass.opacity = static_cast<float>(show_.ellipsoid.opacity);
-  glass.rimOpacity = static_cast<float>(std::min(1.0, 3.2 * show_.ellipsoid.opacity));
+  const double opacity = colors.sheetOpacity * show_.ellipsoid.opacity;
+  glass.opacity = static_cast<float>(opacity);
+  glass.rimOpacity = static_cast<float>(std::min(1.0, kRim * opacity));
   if (show_.ellipsoid.graticule)
     glass.graticule = draw::Graticule{colors.graticule, static_cast<float>(0.8 * width_px), 0.75f, 0.3f};
   list.glassEllipsoids.push_back(glass);
@@ -108,7 +110,7 @@ void ConstructionFigure::addPlane(draw::DrawList& list, const PictureState& stat
   plane.v_W = toPicture(Vector3d(halfWidth_ * (R_VW * v_W)));
   plane.spacing_W = static_cast<float>(spacing_ * scale_);
   plane.color = colors.plane;
-  plane.opacity = static_cast<float>(show_.plane.opacity);
+  plane.opacity = static_cast<float>(colors.sheetOpacity * show_.plane.opacity);
   plane.lineColor = colors.planeLine;
   plane.lineOpacity = show_.plane.grid ? 0.5f : 0.0f;
   plane.lineWidth_px = static_cast<float>(0.8 * width_px);

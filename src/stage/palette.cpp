@@ -21,7 +21,8 @@ Palette light() {
           .graticule = fromSrgb(0xC8780A),
           .body = fromSrgb(0x2FB58C),
           .bodyEdge = fromSrgb(0x00543D),
-          .axis = fromSrgb(0x009E73)};
+          .axis = fromSrgb(0x009E73),
+          .sheetOpacity = 1};
 }
 
 Palette dark() {
@@ -38,7 +39,8 @@ Palette dark() {
           .graticule = fromSrgb(0xF0A830),
           .body = fromSrgb(0x2FB58C),
           .bodyEdge = fromSrgb(0x00382A),
-          .axis = fromSrgb(0x2FCB9B)};
+          .axis = fromSrgb(0x2FCB9B),
+          .sheetOpacity = 0.3};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct Palette {
   draw::Color L, plane, planeLine;
   draw::Color omega, trail, futureTrail, ellipsoid, graticule;
   draw::Color body, bodyEdge, axis;
+  double sheetOpacity;  ///< factor: in linear light a tint shows far more on dark paper than on white
 };
 
 Palette palette(scene::Theme theme);

@@ -27,7 +27,7 @@ struct Golden {
   const char* name;
   const char* scene;  // a file of scenes/, or the text of one
   double filmTime_s;
-  image::PixelSize size{320, 180};
+  image::PixelSize size{256, 144};
 };
 
 const Golden kGoldens[] = {
@@ -59,7 +59,7 @@ const Golden kGoldens[] = {
      "rod\"\n[style]\n"
      "text_size = 0.7\nline_width = 1.5\n",
      2.0,
-     {180, 240}},
+     {160, 200}},
 };
 
 scene::Scene sceneOf(const Golden& golden) {

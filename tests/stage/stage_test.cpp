@@ -106,6 +106,10 @@ TEST(Stage, EverythingIsInsideTheFrameAllTheTime) {
       for (const auto& f : list.frustums) EXPECT_TRUE(insideFrame(list, f.to_W)) << extra << " at " << t;
       for (const auto& c : list.curves)
         for (const vec3& p : c.points_W) ASSERT_TRUE(insideFrame(list, p)) << extra << " at " << t;
+      for (const auto& p : list.planes)
+        for (const float a : {-1.0f, 1.0f})
+          for (const float b : {-1.0f, 1.0f})
+            EXPECT_TRUE(insideFrame(list, p.centre_W + a * p.u_W + b * p.v_W)) << extra << " at " << t;
       for (const auto& e : list.glassEllipsoids)
         for (int i = 0; i < 3; ++i)
           for (const float s : {-1.0f, 1.0f})
