@@ -29,8 +29,7 @@ image::Image renderReference(Renderer& renderer, const draw::DrawList& list, ima
   image::Image picture(size, 3);
   for (std::size_t k = 0; k < sum.size(); ++k)
     picture.pixels[k] = draw::srgb8FromLinear(static_cast<float>(sum[k] / (n * n)));
-  TextPainter text;
-  for (const draw::Text& item : list.texts) text.paint(item, picture);
+  TextPainter().paint(list.texts, picture);
   return picture;
 }
 

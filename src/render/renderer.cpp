@@ -130,7 +130,7 @@ image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size,
     }
   }
   const Stopwatch watch(passes_->times.text_s);
-  for (const draw::Text& text : list.texts) passes_->text.paint(text, picture);
+  passes_->text.paint(list.texts, picture);
   return picture;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "text/coverage.h"
 #include "text/math_setter.h"
 
 namespace poinsot::render {
@@ -39,15 +38,25 @@ const text::GlyphRun& TextPainter::run(const std::string& tex) {
   return known != runs_.end() ? known->second : runs_.emplace(tex, text::setTex(tex)).first->second;
 }
 
+const text::CoverageMap& TextPainter::coverage(const draw::Text& item, float outline_px) {
+  const Key key{item.tex, item.size_px, item.baseline_px.x, item.baseline_px.y, outline_px};
+  if (const auto known = current_.find(key); known != current_.end()) return known->second;
+  if (auto kept = last_.extract(key)) return current_.insert(std::move(kept)).position->second;
+  const auto size = static_cast<double>(item.size_px), outline = static_cast<double>(outline_px);
+  const auto x = static_cast<double>(item.baseline_px.x), y = static_cast<double>(item.baseline_px.y);
+  return current_.emplace(key, text::rasterize(run(item.tex), size, x, y, outline)).first->second;
+}
+
 void TextPainter::paint(const draw::Text& item, image::Image& picture) {
-  const text::GlyphRun& glyphs = run(item.tex);
-  const auto layer = [&](const draw::Color& color, double outline_px) {
-    const auto x = static_cast<double>(item.baseline_px.x), y = static_cast<double>(item.baseline_px.y);
-    blendCoverage(text::rasterize(glyphs, static_cast<double>(item.size_px), x, y, outline_px), color,
-                  item.opacity, picture);
-  };
-  if (item.halo && item.halo_px > 0) layer(*item.halo, static_cast<double>(item.halo_px));
-  layer(item.color, 0);
+  if (item.halo && item.halo_px > 0)
+    blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);
+  blendCoverage(coverage(item, 0), item.color, item.opacity, picture);
+}
+
+void TextPainter::paint(const std::vector<draw::Text>& texts, image::Image& picture) {
+  std::swap(last_, current_);
+  current_.clear();
+  for (const draw::Text& item : texts) paint(item, picture);
 }
 
 }  // namespace poinsot::render

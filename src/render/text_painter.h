@@ -3,9 +3,12 @@
 
 #include <map>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "draw/draw_list.h"
 #include "image/image.h"
+#include "text/coverage.h"
 #include "text/glyph_run.h"
 
 namespace poinsot::render {
@@ -14,12 +17,19 @@ namespace poinsot::render {
 class TextPainter {
  public:
   /// @throws core::Error(kUsage) for TeX that cannot be set.
-  void paint(const draw::Text& text, image::Image& picture);
+  void paint(const std::vector<draw::Text>& texts, image::Image& picture);
 
  private:
+  /// What a coverage map depends on: the text, its size, the left end of its baseline, the width of its halo.
+  using Key = std::tuple<std::string, float, float, float, float>;
+
+  void paint(const draw::Text& text, image::Image& picture);
   const text::GlyphRun& run(const std::string& tex);
+  const text::CoverageMap& coverage(const draw::Text& text, float outline_px);
 
   std::map<std::string, text::GlyphRun> runs_;  // a film shows the same few labels in every frame
+  // Titles stand still: what the last picture needed is kept for this one.
+  std::map<Key, text::CoverageMap> last_, current_;
 };
 
 }  // namespace poinsot::render

@@ -90,8 +90,9 @@ TEST_F(CompositeTest, IntersectingGlassAlternates) {
                             glass({-0.4f * side, 0, 0}, 0.8f, kBlue, 0.5f)};
     const Color first = side > 0 ? kRed : kBlue, second = side > 0 ? kBlue : kRed;
     const float a = side > 0 ? 0.3f : 0.5f, b = side > 0 ? 0.5f : 0.3f;
-    expectPixel(list, 100, 80,
-                over(first, kNear * a, over(second, kNear * b, over(first, kFar * a, over(second, kFar * b, Color(1))))));
+    expectPixel(
+        list, 100, 80,
+        over(first, kNear * a, over(second, kNear * b, over(first, kFar * a, over(second, kFar * b, Color(1))))));
   }
 }
 

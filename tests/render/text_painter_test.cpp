@@ -24,7 +24,7 @@ int darkPixels(const image::Image& picture) {
 TEST(TextPainter, PaintsInTheColourAsked) {
   image::Image picture = paper(3);
   TextPainter painter;
-  painter.paint({"$\\mathbf{L}$", {20, 50}, 50, draw::fromSrgb(0x0072B2), 1, std::nullopt, 0}, picture);
+  painter.paint({{"$\\mathbf{L}$", {20, 50}, 50, draw::fromSrgb(0x0072B2), 1, std::nullopt, 0}}, picture);
   int exact = 0;
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 120; ++x)
@@ -36,14 +36,14 @@ TEST(TextPainter, PaintsInTheColourAsked) {
 TEST(TextPainter, AHaloKeepsWhatIsAroundTheGlyphsClear) {
   image::Image busy({120, 60}, 3);  // black all over
   TextPainter painter;
-  painter.paint({"L", {20, 50}, 50, draw::Color(0), 1, draw::Color(1), 4}, busy);
+  painter.paint({{"L", {20, 50}, 50, draw::Color(0), 1, draw::Color(1), 4}}, busy);
   EXPECT_LT(darkPixels(busy), 120 * 60 - 300);
 }
 
 TEST(TextPainter, TransparentPictureGainsAlpha) {
   image::Image picture = paper(4);
   TextPainter painter;
-  painter.paint({"L", {20, 50}, 50, draw::Color(0), 1, std::nullopt, 0}, picture);
+  painter.paint({{"L", {20, 50}, 50, draw::Color(0), 1, std::nullopt, 0}}, picture);
   int opaque = 0;
   for (std::size_t i = 3; i < picture.pixels.size(); i += 4) opaque += picture.pixels[i] == 255;
   EXPECT_GT(opaque, 50);
@@ -52,14 +52,15 @@ TEST(TextPainter, TransparentPictureGainsAlpha) {
 TEST(TextPainter, TextThatLeavesThePictureIsCut) {
   image::Image picture = paper(3);
   TextPainter painter;
-  EXPECT_NO_THROW(painter.paint({"Long title", {-30, 20}, 50, draw::Color(0), 1, draw::Color(1), 3}, picture));
-  EXPECT_NO_THROW(painter.paint({"Long title", {90, 70}, 50, draw::Color(0), 1, draw::Color(1), 3}, picture));
+  EXPECT_NO_THROW(painter.paint({{"Long title", {-30, 20}, 50, draw::Color(0), 1, draw::Color(1), 3}}, picture));
+  EXPECT_NO_THROW(painter.paint({{"Long title", {90, 70}, 50, draw::Color(0), 1, draw::Color(1), 3}}, picture));
 }
 
 TEST(TextPainter, BadTexIsAnError) {
   image::Image picture = paper(3);
   TextPainter painter;
-  EXPECT_THROW(painter.paint({"$\\omgea$", {0, 20}, 20, draw::Color(0), 1, std::nullopt, 0}, picture), core::Error);
+  EXPECT_THROW(painter.paint({{"$\\omgea$", {0, 20}, 20, draw::Color(0), 1, std::nullopt, 0}}, picture),
+               core::Error);
 }
 
 }  // namespace
