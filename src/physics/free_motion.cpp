@@ -54,6 +54,8 @@ std::array<T, 3> fromNodeAxes(const std::array<T, 3>& v, std::size_t c) {
   return sorted;
 }
 
+bool isOdd(double integer) { return std::fmod(integer, 2) != 0; }
+
 Rotor<double> aboutZ(const SineCosine& half) { return {half.cosine, 0, 0, half.sine}; }
 
 /// q0 to 106 bits: any nonzero quaternion of the user, the one place where length is not trusted.
@@ -143,9 +145,11 @@ void FreeMotion::Solution::setStart() {
   const auto m0 =
       toNodeAxes(std::array<DD, 3>{twoProduct(I[0], w[0]), twoProduct(I[1], w[1]), twoProduct(I[2], w[2])}, k.c);
   frame0_ = toDouble(nodeFrame(m0[0], m0[1], m0[2]));
-  const Reduced start = k.periodic() ? reduced(k.u0, twoK_) : Reduced{k.u0, 0};
-  N0_ = start.multiple;
-  H0_ = H(jacobi.at(start.rest.hi));
+  N0_ = k.periodic() ? reduced(k.u0, twoK_).multiple : 0;
+  // From sn u0 itself, not from u0 rounded: frame0_ belongs to the exact start too, and only an error that both
+  // share is a harmless shift of the phase.
+  const double sign = isOdd(N0_) ? -1 : 1;
+  H0_ = H({sign * toDouble(k.sn0), sign * toDouble(k.cn0), toDouble(sqrt(k.cn0 * k.cn0 + k.mc * k.sn0 * k.sn0))});
 }
 
 double FreeMotion::Solution::H(const SnCnDn& f) const {
@@ -167,8 +171,7 @@ std::array<double, 3> FreeMotion::Solution::momentum(const PolhodePoint& point) 
 FreeMotion::Solution::Relative FreeMotion::Solution::movingAt(double tau) const {
   const DoubleDouble u = k.lambda * tau + k.u0;
   const Reduced phase = k.periodic() ? reduced(u, twoK_) : Reduced{u, 0};
-  const bool odd = std::fmod(phase.multiple, 2) != 0;
-  const PolhodePoint point{jacobi.at(phase.rest.hi), odd ? -1.0 : 1.0};
+  const PolhodePoint point{jacobi.at(phase.rest.hi), isOdd(phase.multiple) ? -1.0 : 1.0};
   const DoubleDouble secular = reduced(meanRate_ * tau + twoQ_ * (phase.multiple - N0_), kTwoPi).rest;
   const DoubleDouble phi = secular + DoubleDouble(k.s) * (DoubleDouble(H(point.f)) - H0_);
   const std::array<double, 3> m = momentum(point);
