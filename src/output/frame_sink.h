@@ -13,7 +13,7 @@ class FrameSink {
   virtual ~FrameSink() = default;
   /// @throws core::Error(kIo or kEncode).
   virtual void write(const image::Image& picture, std::int64_t k) = 0;
-  /// Makes everything written so far complete and durable. A sink destroyed without it leaves nothing behind.
+  /// Makes everything written so far complete and durable. A sink destroyed without it leaves nothing incomplete behind.
   virtual void finish() = 0;
 };
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+
+namespace poinsot::output {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view doing, int code) {
+  throw core::Error(core::ErrorKind::kIo,
+                    fmt::format("{}: {}: {}", core::printable(path.native()), doing, std::strerror(code)));
+}
+
+/// Repeats a call that a signal interrupted; 0 or an errno.
+template <class Call>
+int untilDone(Call call) {
+  while (call() < 0)
+    if (errno != EINTR) return errno;
+  return 0;
+}
+
+int syncDescriptor(int descriptor) {
+  return untilDone([&] { return ::fsync(descriptor); });
+}
+
+void syncPath(const std::filesystem::path& path, int flags, std::string_view doing) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
+  if (descriptor < 0) fail(path, doing, errno);
+  int code = syncDescriptor(descriptor);
+  if (::close(descriptor) < 0 && code == 0 && errno != EINTR) code = errno;
+  // Some network and user-space file systems cannot sync a folder and say so by EINVAL; they order renames
+  // themselves.
+  if (code == EINVAL && (flags & O_DIRECTORY) != 0) code = 0;
+  if (code != 0) fail(path, doing, code);
+}
+
+/// `.name.PID-N.tmp`: hidden, beside the target (a rename must not cross file systems), free of leftovers of a
+/// killed process with our number. A long name is cut, as 255 bytes are all a name may have.
+std::filesystem::path temporaryName(const std::filesystem::path& target, int attempt) {
+  constexpr std::size_t kLongestStem = 200;
+  const std::string stem = target.filename().native().substr(0, kLongestStem);
+  return folderOf(target) / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), attempt);
+}
+
+}  // namespace
+
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+int writeAll(int descriptor, std::span<const std::uint8_t> bytes) noexcept {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
+  constexpr int kAttempts = 1000;
+  for (int attempt = 0; attempt < kAttempts && descriptor_ < 0; ++attempt) {
+    temporary_ = temporaryName(target_, attempt);
+    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) fail(target_, "cannot be created", errno);
+  }
+  if (descriptor_ < 0) fail(target_, "cannot be created", EEXIST);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::span<const std::uint8_t> bytes) {
+  POINSOT_EXPECT(descriptor_ >= 0);
+  if (const int code = writeAll(descriptor_, bytes); code != 0) fail(target_, "cannot be written", code);
+}
+
+void AtomicFile::close() {
+  // On Linux the descriptor is gone even when close fails, so there is no second try; after EINTR nothing is lost.
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (::close(descriptor) < 0 && errno != EINTR) fail(target_, "cannot be closed", errno);
+}
+
+void AtomicFile::commit(Durability durability) {
+  POINSOT_EXPECT(descriptor_ >= 0);
+  if (durability == Durability::kSynced)
+    if (const int code = syncDescriptor(descriptor_); code != 0) fail(target_, "cannot be synced", code);
+  close();
+  if (std::rename(temporary_.c_str(), target_.c_str()) < 0) fail(target_, "cannot be given its name", errno);
+  temporary_.clear();
+  if (durability == Durability::kSynced) syncFolderOf(target_);
+}
+
+void writeFileAtomically(const std::filesystem::path& target, std::span<const std::uint8_t> bytes,
+                         Durability durability) {
+  AtomicFile file(target);
+  file.write(bytes);
+  file.commit(durability);
+}
+
+void syncFile(const std::filesystem::path& file) { syncPath(file, 0, "cannot be synced"); }
+
+void syncFolderOf(const std::filesystem::path& file) {
+  syncPath(folderOf(file), O_DIRECTORY, "folder cannot be synced");
+}
+
+}  // namespace poinsot::output

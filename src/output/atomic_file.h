@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace poinsot::output {
+
+/// How much of "written" holds when commit() returns.
+enum class Durability {
+  kSynced,   ///< survives a loss of power: file and folder are synced
+  kRenamed,  ///< survives the end of the process; the caller syncs later with syncFile and syncFolder
+};
+
+/// A file that appears under its name only when complete: written under a temporary name in the same folder,
+/// synced, renamed. Without commit() nothing is left behind and what was there before stays.
+class AtomicFile {
+ public:
+  /// Creates the temporary file.
+  /// @throws core::Error(kIo) with the target's path and the system's reason; so do all members below.
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::span<const std::uint8_t> bytes);
+  /// Replaces the target. At most once; nothing may be written afterwards.
+  void commit(Durability durability = Durability::kSynced);
+
+  const std::filesystem::path& target() const { return target_; }
+  const std::filesystem::path& temporary() const { return temporary_; }
+  /// Open for reading and writing until commit().
+  int descriptor() const { return descriptor_; }
+
+ private:
+  void close();
+
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;  // empty once renamed
+  int descriptor_ = -1;
+};
+
+void writeFileAtomically(const std::filesystem::path& target, std::span<const std::uint8_t> bytes,
+                         Durability durability = Durability::kSynced);
+
+/// Makes a file's content durable. @throws core::Error(kIo).
+void syncFile(const std::filesystem::path& file);
+
+/// Makes the names in the folder of `file` durable. @throws core::Error(kIo).
+void syncFolderOf(const std::filesystem::path& file);
+
+/// The folder of a path, "." for a bare name.
+std::filesystem::path folderOf(const std::filesystem::path& file);
+
+/// Writes all bytes, resuming after short writes and signals; 0 or an errno. For callbacks that must not throw.
+int writeAll(int descriptor, std::span<const std::uint8_t> bytes) noexcept;
+
+}  // namespace poinsot::output

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/ffmpeg_handles.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdarg>
+#include <mutex>
+#include <new>
+
+#include "core/text.h"
+
+namespace poinsot::output {
+namespace {
+
+// A plain array: the callback is called from C and must not throw.
+thread_local std::array<char, 256> lastLine{};
+
+void keepLine(void* sender, int level, const char* format, va_list arguments) {
+  if (level > AV_LOG_ERROR) return;
+  int atLineStart = 1;
+  av_log_format_line(sender, level, format, arguments, lastLine.data(), static_cast<int>(lastLine.size()),
+                     &atLineStart);
+}
+
+/// "[libx264 @ 0x5581...] reason\n" without what stands before and after the reason; an address says nothing.
+std::string_view reasonIn(std::string_view line) {
+  if (line.starts_with('[')) line.remove_prefix(std::min(line.size(), line.find("] ") + 2));
+  while (line.ends_with('\n')) line.remove_suffix(1);
+  return line;
+}
+
+std::string systemReason(int code) {
+  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+  av_strerror(code, text.data(), text.size());
+  return text.data();
+}
+
+}  // namespace
+
+void captureAvLog() {
+  static std::once_flag once;
+  std::call_once(once, [] { av_log_set_callback(keepLine); });
+  lastLine[0] = 0;
+}
+
+int checkAv(int code, std::string_view doing, core::ErrorKind kind) {
+  if (code >= 0) return code;
+  const std::string line = core::printable(reasonIn(lastLine.data()));
+  throw core::Error(kind,
+                    fmt::format("{}: {}{}", doing, systemReason(code), line.empty() ? "" : " (" + line + ")"));
+}
+
+void AvOptions::set(const char* key, const std::string& value) {
+  if (av_dict_set(&entries_, key, value.c_str(), 0) < 0) throw std::bad_alloc();
+}
+
+void AvOptions::expectAllTaken() const {
+  if (const AVDictionaryEntry* left = av_dict_get(entries_, "", nullptr, AV_DICT_IGNORE_SUFFIX))
+    throw core::Error(core::ErrorKind::kEncode,
+                      fmt::format("this libav does not know the option {}={}", left->key, left->value));
+}
+
+}  // namespace poinsot::output

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Owners of libav's things and the one translator of its errors. Included by .cpp files of this folder only.
+#pragma once
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+}
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace poinsot::output {
+
+/// Calls a libav function that takes the address of the pointer and clears it.
+template <auto kFree>
+struct AvDeleter {
+  template <class T>
+  void operator()(T* thing) const {
+    kFree(&thing);
+  }
+};
+
+struct FormatOutputDeleter {
+  void operator()(AVFormatContext* context) const { avformat_free_context(context); }
+};
+
+/// A context made by avio_alloc_context: its buffer may have been replaced and is ours to free.
+struct IoDeleter {
+  void operator()(AVIOContext* io) const {
+    av_freep(&io->buffer);
+    avio_context_free(&io);
+  }
+};
+
+using CodecContextPtr = std::unique_ptr<AVCodecContext, AvDeleter<avcodec_free_context>>;
+using CodecParametersPtr = std::unique_ptr<AVCodecParameters, AvDeleter<avcodec_parameters_free>>;
+using FramePtr = std::unique_ptr<AVFrame, AvDeleter<av_frame_free>>;
+using PacketPtr = std::unique_ptr<AVPacket, AvDeleter<av_packet_free>>;
+using FormatInputPtr = std::unique_ptr<AVFormatContext, AvDeleter<avformat_close_input>>;
+using FormatOutputPtr = std::unique_ptr<AVFormatContext, FormatOutputDeleter>;
+using IoPtr = std::unique_ptr<AVIOContext, IoDeleter>;
+
+/// Options for an open call, which takes out those it knows; the rest is a mistake.
+class AvOptions {
+ public:
+  AvOptions() = default;
+  ~AvOptions() { av_dict_free(&entries_); }
+  AvOptions(const AvOptions&) = delete;
+  AvOptions& operator=(const AvOptions&) = delete;
+
+  void set(const char* key, const std::string& value);
+  AVDictionary** address() { return &entries_; }
+  /// @throws core::Error(kEncode) if one was not taken.
+  void expectAllTaken() const;
+
+ private:
+  AVDictionary* entries_ = nullptr;
+};
+
+/// @returns code if it is no error.
+/// @throws core::Error of the kind: "DOING: reason", with the last line that libav logged on this thread.
+int checkAv(int code, std::string_view doing, core::ErrorKind kind = core::ErrorKind::kEncode);
+
+/// The pointer if there is one.
+/// @throws std::bad_alloc: libav's constructors fail for want of memory only.
+template <class Ptr>
+Ptr checkAlloc(Ptr thing) {
+  if (!thing) throw std::bad_alloc();
+  return thing;
+}
+
+/// From here on libav writes nothing to stderr: its last error line is kept for checkAv. Cheap to call again.
+void captureAvLog();
+
+}  // namespace poinsot::output

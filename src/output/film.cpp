@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times are never taken over from the segments' containers: a frame's time is its place in the film, an integer,
+// times the ticks of one frame. So borders have neither gaps nor overlaps, whatever the segments' lengths.
+#include "output/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+#include "core/expect.h"
+#include "core/text.h"
+#include "output/ffmpeg_encoder.h"
+#include "output/ffmpeg_mp4.h"
+
+namespace poinsot::output {
+namespace {
+
+using core::Error;
+using core::ErrorKind;
+using std::filesystem::path;
+
+[[noreturn]] void refuse(const path& segment, std::string_view reason) {
+  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(segment.native()), reason));
+}
+
+/// One segment, read from its start.
+class Segment {
+ public:
+  explicit Segment(path file)
+      : file_(std::move(file)), reader_(file_), packet_(checkAlloc(PacketPtr(av_packet_alloc()))) {
+    if (!advance()) refuse(file_, "has no frames");
+    if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuse(file_, "does not start with a key frame");
+    firstPts_ = packet_->pts;
+    clock_ = {reader_.timeBase().den, static_cast<int>(packet_->duration)};
+    if (clock_.ticks <= 0 || reader_.timeBase().num != 1) refuse(file_, "has no constant frame rate");
+  }
+
+  AVPacket& packet() { return *packet_; }
+  bool advance() { return reader_.next(*packet_); }
+  const path& file() const { return file_; }
+  const FrameClock& clock() const { return clock_; }
+  const AVCodecParameters& parameters() const { return reader_.parameters(); }
+
+  /// The current packet's place in the shown order: the first packet is a key frame with nothing before it.
+  std::int64_t frame() const {
+    const std::int64_t ticks = packet_->pts - firstPts_;
+    if (ticks < 0 || ticks % clock_.ticks != 0) refuse(file_, "has frames between the frames");
+    return ticks / clock_.ticks;
+  }
+
+ private:
+  path file_;
+  Mp4Reader reader_;
+  PacketPtr packet_;
+  std::int64_t firstPts_ = 0;
+  FrameClock clock_;
+};
+
+bool sameHeader(const AVCodecParameters& a, const AVCodecParameters& b) {
+  return a.codec_id == b.codec_id && a.width == b.width && a.height == b.height &&
+         a.extradata_size == b.extradata_size &&
+         std::memcmp(a.extradata, b.extradata, static_cast<std::size_t>(a.extradata_size)) == 0;
+}
+
+void checkLike(const Segment& first, const Segment& segment) {
+  if (!(first.clock() == segment.clock()))
+    refuse(segment.file(), fmt::format("has another frame rate than {}", core::printable(first.file().native())));
+  if (!sameHeader(first.parameters(), segment.parameters()))
+    refuse(segment.file(),
+           fmt::format("was encoded with other settings than {}", core::printable(first.file().native())));
+}
+
+/// Writes all packets; `start` is the film's frame at which the segment begins. Returns the number of frames.
+std::int64_t append(Segment& segment, std::int64_t start, Mp4Writer& film) {
+  std::vector<std::int64_t> frames;
+  do {
+    frames.push_back(segment.frame());
+    // A place further back than the encoder ever reorders is damage; the writer counts on it.
+    if (static_cast<std::int64_t>(frames.size()) - 1 - kReorderDelay > frames.back())
+      refuse(segment.file(), "has its frames in no order that can be shown");
+    film.write(segment.packet(), start + frames.back());
+  } while (segment.advance());
+  std::sort(frames.begin(), frames.end());
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (frames[i] != static_cast<std::int64_t>(i)) refuse(segment.file(), fmt::format("lacks its frame {}", i));
+  return static_cast<std::int64_t>(frames.size());
+}
+
+}  // namespace
+
+void joinSegments(const std::vector<path>& segments, const path& target, const std::vector<FilmText>& texts) {
+  POINSOT_EXPECT(!segments.empty());
+  const Segment first(segments.front());
+  Mp4Writer film(target, first.parameters(), first.clock(), Mp4Writer::Index::kAtStart, texts);
+  std::int64_t frames = 0;
+  for (const path& file : segments) {
+    Segment segment(file);
+    checkLike(first, segment);
+    frames += append(segment, frames, film);
+  }
+  film.finish();
+}
+
+bool isOwnFilm(const path& file) try {
+  return Mp4Reader(file).text("encoder").starts_with("poinsot ");
+} catch (const Error&) {
+  return false;
+}
+
+}  // namespace poinsot::output

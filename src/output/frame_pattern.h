@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace poinsot::output {
+
+/// Names of a numbered sequence: "dir/name_{frame}.png" or "dir/name_{frame:05}.png" (at least 5 digits).
+class FramePattern {
+ public:
+  /// Whether the text is meant as a pattern: it has a brace.
+  static bool isPattern(std::string_view text);
+
+  /// @throws core::Error(kUsage) unless the file name (not the folder) has exactly one {frame} or {frame:0N}, N
+  /// = 1..9.
+  explicit FramePattern(const std::string& text);
+
+  /// @pre k >= 0.
+  std::filesystem::path path(std::int64_t k) const;
+
+ private:
+  std::string before_;
+  std::string after_;
+  int digits_ = 1;
+};
+
+}  // namespace poinsot::output

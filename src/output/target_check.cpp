@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/target_check.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "image/png_file.h"
+#include "output/atomic_file.h"
+#include "output/film.h"
+
+namespace poinsot::output {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view reason) {
+  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason));
+}
+
+void checkFolder(const std::filesystem::path& folder) {
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) < 0) {
+    if (errno == ENOENT) refuse(folder, "no such folder; create it first");
+    refuse(folder, std::strerror(errno));
+  }
+  if (!S_ISDIR(status.st_mode)) refuse(folder, "not a folder");
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) < 0)
+    refuse(folder, fmt::format("cannot be written to: {}", std::strerror(errno)));
+}
+
+std::string_view kindOf(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISLNK(mode)) return "a symbolic link";
+  if (S_ISFIFO(mode)) return "a pipe";
+  return "a device or socket";
+}
+
+bool isOwn(const std::filesystem::path& file) { return image::isOwnPng(file) || isOwnFilm(file); }
+
+/// What stands at the target already.
+void checkExisting(const std::filesystem::path& target, bool force) {
+  struct stat status {};
+  if (::lstat(target.c_str(), &status) < 0) {
+    if (errno == ENOENT) return;
+    refuse(target, std::strerror(errno));
+  }
+  if (!S_ISREG(status.st_mode))
+    refuse(target, fmt::format("is {}; outputs are written to regular files", kindOf(status.st_mode)));
+  if (!force && !isOwn(target)) refuse(target, "exists and was not written by poinsot; --force replaces it");
+}
+
+void checkName(const std::filesystem::path& target) {
+  const auto name = target.filename();
+  if (name.empty() || name == "." || name == "..") refuse(target, "is a folder; name a file in it");
+}
+
+}  // namespace
+
+void checkTarget(const std::filesystem::path& target, bool force) {
+  checkName(target);
+  checkFolder(folderOf(target));
+  checkExisting(target, force);
+}
+
+void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {
+  const auto folder = folderOf(pattern.path(first));
+  struct stat status {};
+  if (::lstat(folder.c_str(), &status) < 0 && errno == ENOENT) return checkFolder(folderOf(folder));
+  checkFolder(folder);
+  for (std::int64_t k = first; k <= last; ++k) checkExisting(pattern.path(k), force);
+}
+
+}  // namespace poinsot::output

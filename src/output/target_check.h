@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "output/frame_pattern.h"
+
+namespace poinsot::output {
+
+/// Fails early, before any frame is drawn, where an output could not or should not be written: its folder is
+/// missing or not writable; it is a folder, link, device or pipe; or a file that is not an earlier output of this
+/// program (PNG or MP4 with our mark), unless `force`.
+/// @throws core::Error(kIo) naming the path, the reason and the way out.
+void checkTarget(const std::filesystem::path& target, bool force);
+
+/// The same for every frame first..last of a sequence. Its folder may be missing if the folder above exists.
+void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force);
+
+}  // namespace poinsot::output

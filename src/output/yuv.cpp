@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/yuv.h"
+
+#include <array>
+
+#include "core/expect.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace poinsot::output {
+namespace {
+
+/// Integer weights of R, G, B.
+struct Weights {
+  std::int32_t r = 0;
+  std::int32_t g = 0;
+  std::int32_t b = 0;
+};
+
+// Luma is scaled by 2^22, so that the largest sum, 235 · 2^22, fits 31 bits. Chroma works on the sum of 8 samples
+// (the weights 1 2 1 on two rows) and is scaled by 2^19, which makes 2^22 with the 8.
+constexpr int kShift = 22;
+constexpr double kLumaScale = 4194304;   // 2^22
+constexpr double kChromaScale = 524288;  // 2^19
+
+constexpr std::int32_t nearest(double v) { return static_cast<std::int32_t>(v < 0 ? v - 0.5 : v + 0.5); }
+
+// Green is what is left of the total, so that greys are exact: black is 16, white 235, and no grey has a hue.
+constexpr Weights kLuma = [] {
+  constexpr double kRange = 219.0 / 255 * kLumaScale;
+  const Weights w = {nearest(0.2126 * kRange), 0, nearest(0.0722 * kRange)};
+  return Weights{w.r, nearest(kRange) - w.r - w.b, w.b};
+}();
+constexpr double kChromaRange = 224.0 / 255 * kChromaScale;
+constexpr Weights kCb = [] {
+  const std::int32_t r = nearest(-0.2126 / 1.8556 * kChromaRange), b = nearest(0.5 * kChromaRange);
+  return Weights{r, -r - b, b};
+}();
+constexpr Weights kCr = [] {
+  const std::int32_t r = nearest(0.5 * kChromaRange), b = nearest(-0.0722 / 1.5748 * kChromaRange);
+  return Weights{r, -r - b, b};
+}();
+
+constexpr std::int32_t kHalf = 1 << (kShift - 1);
+constexpr std::int32_t kLumaOffset = (16 << kShift) + kHalf;
+constexpr std::int32_t kChromaOffset = (128 << kShift) + kHalf;
+
+std::uint8_t weighed(const Weights& w, std::int32_t r, std::int32_t g, std::int32_t b, std::int32_t offset) {
+  return static_cast<std::uint8_t>((w.r * r + w.g * g + w.b * b + offset) >> kShift);
+}
+
+void lumaRow(const std::uint8_t* rgb, int channels, int from, int width, std::uint8_t* y) {
+  rgb += from * channels;
+  for (int x = from; x < width; ++x, rgb += channels) y[x] = weighed(kLuma, rgb[0], rgb[1], rgb[2], kLumaOffset);
+}
+
+/// Chroma samples from..width/2 of the rows `upper` and `lower`.
+void chromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int channels, int from, int width,
+               std::uint8_t* cb, std::uint8_t* cr) {
+  for (int x = from; x < width / 2; ++x) {
+    const int here = 2 * x * channels, left = x > 0 ? here - channels : here, right = here + channels;
+    std::array<std::int32_t, 3> sum{};
+    for (int c = 0; c < 3; ++c)
+      sum[static_cast<std::size_t>(c)] = upper[left + c] + lower[left + c] +
+                                         2 * (upper[here + c] + lower[here + c]) + upper[right + c] +
+                                         lower[right + c];
+    cb[x] = weighed(kCb, sum[0], sum[1], sum[2], kChromaOffset);
+    cr[x] = weighed(kCr, sum[0], sum[1], sum[2], kChromaOffset);
+  }
+}
+
+#if defined(__SSE2__)
+// Registers hold pixels as R G B X in 16-bit lanes. X is whatever the memory had; its weight is 0.
+
+/// A weight of up to 22 bits as 256 · high + low, as pmaddwd multiplies 16-bit numbers: twice, which stays exact.
+struct SplitWeights {
+  __m128i high;
+  __m128i low;
+};
+
+SplitWeights split(const Weights& w) {
+  const auto lanes = [](std::int32_t r, std::int32_t g, std::int32_t b) {
+    return _mm_setr_epi16(static_cast<short>(r), static_cast<short>(g), static_cast<short>(b), 0,
+                          static_cast<short>(r), static_cast<short>(g), static_cast<short>(b), 0);
+  };
+  return {lanes(w.r >> 8, w.g >> 8, w.b >> 8), lanes(w.r & 255, w.g & 255, w.b & 255)};
+}
+
+/// r·R + g·G + b·B of the four pixels in two registers, plus offset, shifted: four 32-bit results.
+__m128i weighed(const SplitWeights& w, __m128i pixels01, __m128i pixels23, __m128i offset) {
+  const auto partial = [&](__m128i weights) {
+    const __m128 a = _mm_castsi128_ps(_mm_madd_epi16(pixels01, weights));  // rg0 b0 rg1 b1
+    const __m128 b = _mm_castsi128_ps(_mm_madd_epi16(pixels23, weights));
+    return _mm_add_epi32(_mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0))),
+                         _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))));
+  };
+  const __m128i sum = _mm_add_epi32(_mm_slli_epi32(partial(w.high), 8), partial(w.low));
+  return _mm_srai_epi32(_mm_add_epi32(sum, offset), kShift);
+}
+
+/// Four pixels as R G B X bytes. Reads 16 bytes.
+template <int kChannels>
+__m128i fourPixels(const std::uint8_t* from) {
+  const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+  if constexpr (kChannels == 4) return bytes;
+  const __m128i first = _mm_unpacklo_epi32(bytes, _mm_srli_si128(bytes, 3));
+  const __m128i second = _mm_unpacklo_epi32(_mm_srli_si128(bytes, 6), _mm_srli_si128(bytes, 9));
+  return _mm_unpacklo_epi64(first, second);
+}
+
+__m128i lowHalf(__m128i bytes) { return _mm_unpacklo_epi8(bytes, _mm_setzero_si128()); }
+__m128i highHalf(__m128i bytes) { return _mm_unpackhi_epi8(bytes, _mm_setzero_si128()); }
+
+void store4(std::uint8_t* to, __m128i values) {
+  const __m128i words = _mm_packs_epi32(values, values);
+  const int bytes = _mm_cvtsi128_si32(_mm_packus_epi16(words, words));
+  __builtin_memcpy(to, &bytes, 4);
+}
+
+/// First pixel that must be left to the scalar code: a load of four RGB pixels reads 4 bytes beyond them.
+template <int kChannels>
+int vectorEnd(int width, int step) {
+  const int usable = kChannels == 4 ? width : width - 2;
+  return usable < step ? 0 : usable / step * step;
+}
+
+template <int kChannels>
+void fastLumaRow(const std::uint8_t* rgb, int width, std::uint8_t* y) {
+  const SplitWeights luma = split(kLuma);
+  const __m128i offset = _mm_set1_epi32(kLumaOffset);
+  const int end = vectorEnd<kChannels>(width, 4);
+  for (int x = 0; x < end; x += 4) {
+    const __m128i p = fourPixels<kChannels>(rgb + x * kChannels);
+    store4(y + x, weighed(luma, lowHalf(p), highHalf(p), offset));
+  }
+  lumaRow(rgb, kChannels, end, width, y);
+}
+
+/// Sums of two rows over eight pixels, two pixels a register.
+struct RowSums {
+  __m128i p01, p23, p45, p67;
+};
+
+template <int kChannels>
+RowSums rowSums(const std::uint8_t* upper, const std::uint8_t* lower) {
+  const __m128i a = fourPixels<kChannels>(upper), b = fourPixels<kChannels>(lower);
+  const __m128i c = fourPixels<kChannels>(upper + 4 * kChannels), d = fourPixels<kChannels>(lower + 4 * kChannels);
+  return {_mm_add_epi16(lowHalf(a), lowHalf(b)), _mm_add_epi16(highHalf(a), highHalf(b)),
+          _mm_add_epi16(lowHalf(c), lowHalf(d)), _mm_add_epi16(highHalf(c), highHalf(d))};
+}
+
+/// left + 2 here + right in the low half, from [.. left] and [here right].
+__m128i weighed121(__m128i left, __m128i hereRight) {
+  const __m128i outer = _mm_unpackhi_epi64(_mm_add_epi16(left, hereRight), hereRight);
+  return _mm_add_epi16(outer, _mm_slli_epi16(hereRight, 1));
+}
+
+/// Four chroma samples a turn.
+template <int kChannels>
+void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* cb,
+                   std::uint8_t* cr) {
+  const SplitWeights blue = split(kCb), red = split(kCr);
+  const __m128i offset = _mm_set1_epi32(kChromaOffset);
+  const int end = vectorEnd<kChannels>(width, 8);
+  __m128i before = _mm_setzero_si128();
+  for (int x = 0; x < end; x += 8) {
+    const RowSums v = rowSums<kChannels>(upper + x * kChannels, lower + x * kChannels);
+    if (x == 0) before = _mm_unpacklo_epi64(v.p01, v.p01);  // column 0 stands in for -1
+    const __m128i s01 = _mm_unpacklo_epi64(weighed121(before, v.p01), weighed121(v.p01, v.p23));
+    const __m128i s23 = _mm_unpacklo_epi64(weighed121(v.p23, v.p45), weighed121(v.p45, v.p67));
+    before = v.p67;
+    store4(cb + x / 2, weighed(blue, s01, s23, offset));
+    store4(cr + x / 2, weighed(red, s01, s23, offset));
+  }
+  chromaRow(upper, lower, kChannels, end / 2, width, cb, cr);
+}
+
+template <int kChannels>
+void convertFast(const image::Image& picture, const YuvPlanes& planes) {
+  for (int y = 0; y < picture.size.height; y += 2) {
+    const std::uint8_t *upper = picture.at(0, y), *lower = picture.at(0, y + 1);
+    fastLumaRow<kChannels>(upper, picture.size.width, planes.y + y * planes.yStride);
+    fastLumaRow<kChannels>(lower, picture.size.width, planes.y + (y + 1) * planes.yStride);
+    fastChromaRow<kChannels>(upper, lower, picture.size.width, planes.cb + y / 2 * planes.cbStride,
+                             planes.cr + y / 2 * planes.crStride);
+  }
+}
+#endif
+
+void checkShape(const image::Image& picture) {
+  POINSOT_EXPECT(picture.size.width > 0 && picture.size.width % 2 == 0);
+  POINSOT_EXPECT(picture.size.height > 0 && picture.size.height % 2 == 0);
+}
+
+}  // namespace
+
+void convertToYuv420Scalar(const image::Image& picture, const YuvPlanes& planes) {
+  checkShape(picture);
+  const int width = picture.size.width;
+  for (int y = 0; y < picture.size.height; y += 2) {
+    const std::uint8_t *upper = picture.at(0, y), *lower = picture.at(0, y + 1);
+    lumaRow(upper, picture.channels, 0, width, planes.y + y * planes.yStride);
+    lumaRow(lower, picture.channels, 0, width, planes.y + (y + 1) * planes.yStride);
+    chromaRow(upper, lower, picture.channels, 0, width, planes.cb + y / 2 * planes.cbStride,
+              planes.cr + y / 2 * planes.crStride);
+  }
+}
+
+void convertToYuv420(const image::Image& picture, const YuvPlanes& planes) {
+#if defined(__SSE2__)
+  checkShape(picture);
+  if (picture.channels == 4) return convertFast<4>(picture, planes);
+  return convertFast<3>(picture, planes);
+#else
+  convertToYuv420Scalar(picture, planes);
+#endif
+}
+
+}  // namespace poinsot::output
