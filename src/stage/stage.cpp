@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "core/error.h"
 #include "stage/arrow.h"
 #include "stage/body_figure.h"
 #include "stage/construction_figure.h"
@@ -58,6 +59,15 @@ float axisLabelOpacity(const draw::Camera& camera, const Vector3d& axis_V) {
   return glm::smoothstep(0.25f, 0.5f, sideways);
 }
 
+// Bad TeX is found before the first frame, and named by its key.
+void checkTex(const std::string& key, const std::string& tex) {
+  try {
+    text::setTex(tex);
+  } catch (const core::Error& error) {
+    throw core::Error(core::ErrorKind::kScene, key + ": " + error.message());
+  }
+}
+
 }  // namespace
 
 struct Stage::Plan {
@@ -74,6 +84,8 @@ struct Stage::Plan {
         motion(scene),
         body(scene),
         scales(makeScales(scene, motion, body)) {
+    checkTex("show.title", scene.show.title);
+    checkTex("show.subtitle", scene.show.subtitle);
     if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
   }
 

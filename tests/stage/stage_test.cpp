@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "core/error.h"
 #include "scene_samples.h"
 
 namespace poinsot::stage {
@@ -170,6 +171,17 @@ TEST(Stage, WhatIsNotShownIsNotThere) {
                             .compose(1, kSize);
   EXPECT_TRUE(list.boxes.empty() && list.frustums.empty() && list.curves.empty() && list.ellipsoids.empty());
   EXPECT_TRUE(list.glassEllipsoids.empty() && list.planes.empty() && list.texts.empty());
+}
+
+TEST(Stage, ATitleThatCannotBeSetIsAnErrorOfTheScene) {
+  try {
+    Stage(sample("[show]\ntitle = '$\\omgea$'\n"));
+    FAIL() << "nothing was thrown";
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
+    EXPECT_NE(error.message().find("show.title"), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("\\omega"), std::string::npos) << error.message();
+  }
 }
 
 // Half-way the travelled part of the herpolhode ends at the point of contact, and the faint part begins there.
