@@ -63,8 +63,7 @@ std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.n
 /// Texts of ours only: with "bitexact" libav adds neither its name nor the time.
 void describe(AVFormatContext& format, const std::vector<FilmText>& texts) {
   format.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
-  const std::string mark = fmt::format("poinsot {}", core::version());
-  checkAv(av_dict_set(&format.metadata, "encoding_tool", mark.c_str(), 0), "setting a text");
+  checkAv(av_dict_set(&format.metadata, "encoding_tool", ownMark().c_str(), 0), "setting a text");
   for (const FilmText& text : texts)
     checkAv(av_dict_set(&format.metadata, text.key.c_str(), text.value.c_str(), 0), "setting a text");
 }
@@ -95,6 +94,8 @@ FrameClock frameClock(const core::Rational& fps) {
   while (fps.num * factor < kFineEnough) factor *= 2;
   return {static_cast<int>(fps.num * factor), static_cast<int>(fps.den * factor)};
 }
+
+std::string ownMark() { return fmt::format("poinsot {}", core::version()); }
 
 // ---- writing
 
@@ -161,8 +162,9 @@ Mp4Reader::Mp4Reader(const std::filesystem::path& path) : path_(path) {
     throw Error(ErrorKind::kIo, doing + ": is not a film with one video track");
 }
 
-std::string Mp4Reader::text(const char* key) const {
-  const AVDictionaryEntry* entry = av_dict_get(format_->metadata, key, nullptr, 0);
+std::string Mp4Reader::mark() const {
+  // libav writes "encoding_tool" and reads the same box as "encoder".
+  const AVDictionaryEntry* entry = av_dict_get(format_->metadata, "encoder", nullptr, 0);
   return entry == nullptr ? "" : entry->value;
 }
 

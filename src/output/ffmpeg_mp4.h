@@ -23,6 +23,9 @@ struct FrameClock {
 /// The frame rate's numerator, doubled until it is at least 10000 (what libavformat would do by itself).
 FrameClock frameClock(const core::Rational& fps);
 
+/// What this program writes into its films as their encoder: "poinsot 0.1.0".
+std::string ownMark();
+
 /// One H.264 track in an MP4 that appears under its name when finish() returns.
 class Mp4Writer {
  public:
@@ -58,8 +61,8 @@ class Mp4Reader {
 
   const AVCodecParameters& parameters() const { return *format_->streams[0]->codecpar; }
   AVRational timeBase() const { return format_->streams[0]->time_base; }
-  /// A text of the file, empty if it has none of that name.
-  std::string text(const char* key) const;
+  /// What the file names as its encoder; empty if nothing.
+  std::string mark() const;
   /// False after the last packet. Times as stored, edit lists not applied.
   bool next(AVPacket& packet);
 

@@ -31,6 +31,8 @@ class Segment {
  public:
   explicit Segment(path file)
       : file_(std::move(file)), reader_(file_), packet_(checkAlloc(PacketPtr(av_packet_alloc()))) {
+    // The mark stands at the file's very end, so this also finds the last bytes missing.
+    if (reader_.mark() != ownMark()) refuse(file_, "is no segment written by this version of poinsot");
     if (!advance()) refuse(file_, "has no frames");
     if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuse(file_, "does not start with a key frame");
     firstPts_ = packet_->pts;
@@ -105,7 +107,7 @@ void joinSegments(const std::vector<path>& segments, const path& target, const s
 }
 
 bool isOwnFilm(const path& file) try {
-  return Mp4Reader(file).text("encoder").starts_with("poinsot ");
+  return Mp4Reader(file).mark().starts_with("poinsot ");
 } catch (const Error&) {
   return false;
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace poinsot::output {
+
+/// One decoded frame: luma and chroma planes without padding, and its time in the container's ticks.
+struct DecodedFrame {
+  std::int64_t pts = 0;
+  bool key = false;
+  std::vector<std::uint8_t> y, cb, cr;
+};
+
+/// All frames of a film in shown order, decoded by libavcodec.
+std::vector<DecodedFrame> decoded(const std::filesystem::path& film);
+
+/// What ffprobe, run as a process, says of the first stream and the file: "width" -> "320", "tag:title" -> "...".
+std::map<std::string, std::string> probed(const std::filesystem::path& film);
+
+/// Frame k of a test film: a bright disc that crosses a dark gradient, with a fine line; distinct for each k.
+image::Image movingDisc(image::PixelSize size, std::int64_t k);
+
+}  // namespace poinsot::output
