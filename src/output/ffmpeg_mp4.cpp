@@ -88,10 +88,13 @@ void checkRegular(const std::filesystem::path& path) {
 }  // namespace
 
 FrameClock frameClock(const core::Rational& fps) {
-  constexpr std::int64_t kFineEnough = 10000, kLargest = 1'000'000'000;
-  POINSOT_EXPECT(fps.num > 0 && fps.num <= kLargest && fps.den > 0 && fps.den <= kLargest / kFineEnough);
+  constexpr std::int64_t kFineEnough = 10000, kLargest = 1'000'000'000;  // the container has 32 bits for each
+  POINSOT_EXPECT(fps.num > 0 && fps.den > 0);
   std::int64_t factor = 1;
   while (fps.num * factor < kFineEnough) factor *= 2;
+  if (fps.num * factor > kLargest || fps.den > kLargest / factor)
+    throw Error(ErrorKind::kUsage,
+                fmt::format("{} frames a second: no exact clock in an MP4", core::toString(fps)));
   return {static_cast<int>(fps.num * factor), static_cast<int>(fps.den * factor)};
 }
 

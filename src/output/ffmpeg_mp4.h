@@ -21,6 +21,7 @@ struct FrameClock {
 };
 
 /// The frame rate's numerator, doubled until it is at least 10000 (what libavformat would do by itself).
+/// @throws core::Error(kUsage) for rates such as 1/1000000.
 FrameClock frameClock(const core::Rational& fps);
 
 /// What this program writes into its films as their encoder: "poinsot 0.1.0".

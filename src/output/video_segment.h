@@ -23,7 +23,7 @@ struct EncodingSpent {
 class VideoSegmentWriter : public FrameSink {
  public:
   /// @param firstFrame  the k of the first write; the next ones follow without gaps.
-  /// @throws core::Error(kUsage) for odd sizes or crf out of 0..51; kEncode; kIo.
+  /// @throws core::Error(kUsage) for odd sizes, crf out of 0..51 or a rate below 1/60000; kEncode; kIo.
   VideoSegmentWriter(const std::filesystem::path& target, image::PixelSize size, const core::Rational& fps,
                      double crf, std::int64_t firstFrame);
   ~VideoSegmentWriter() override;

@@ -92,6 +92,23 @@ TEST_F(VideoSegmentTest, RefusesOddSizesAndWildQuality) {
   EXPECT_THAT(names(), IsEmpty());
 }
 
+TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
+  const auto ticks = [&](const core::Rational& fps) {
+    VideoSegmentWriter segment(in("s.mp4"), kSize, fps, 18, 0);
+    for (int k = 0; k < 3; ++k) segment.write(movingDisc(kSize, k), k);
+    segment.finish();
+    return decoded(in("s.mp4")).at(2).pts / 2;
+  };
+  EXPECT_EQ(ticks({1, 60}), 60 * 16384);
+  EXPECT_EQ(ticks({999'999'999, 10'000'000}), 10'000'000);
+  EXPECT_EQ(ticks({1000, 1}), 16);
+  EXPECT_THAT(messageOf(core::ErrorKind::kUsage,
+                        [&] {
+                          ticks({1, 1'000'000});
+                        }),
+              HasSubstr("1/1000000 frames a second"));
+}
+
 TEST_F(VideoSegmentTest, WantsEachFrameInItsTurn) {
   VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, 18, 4);
   EXPECT_THROW(segment.write(movingDisc(kSize, 3), 3), std::logic_error);
