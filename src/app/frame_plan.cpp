@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/frame_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/error.h"
+#include "core/expect.h"
+
+namespace poinsot::app {
+namespace {
+
+std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
+  std::int64_t k = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), k);
+  const bool whole = status == std::errc() && end == text.data() + text.size();
+  return whole && text.front() != '-' ? std::optional(k) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FrameRange> parseFrameRange(std::string_view text) {
+  const auto dash = text.find('-');
+  const auto first = parseFrameNumber(text.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parseFrameNumber(text.substr(dash + 1));
+  if (!first || !last || *last < *first) return std::nullopt;
+  return FrameRange{*first, *last};
+}
+
+FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>& asked) {
+  POINSOT_EXPECT(frameCount > 0);
+  const FrameRange frames = asked.value_or(FrameRange{0, frameCount - 1});
+  if (frames.last >= frameCount)
+    throw core::Error(core::ErrorKind::kUsage, fmt::format("--frames {}-{}: the film has frames 0 to {}",
+                                                           frames.first, frames.last, frameCount - 1));
+  return frames;
+}
+
+std::vector<FrameRange> segmentsOf(const FrameRange& frames) {
+  std::vector<FrameRange> segments;
+  for (std::int64_t first = frames.first; first <= frames.last;) {
+    const std::int64_t border = (first / kSegmentFrames + 1) * kSegmentFrames;
+    segments.push_back({first, std::min(border - 1, frames.last)});
+    first = border;
+  }
+  return segments;
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace poinsot::app {
+
+/// Frames first to last, both included; numbers count from the scene's frame 0.
+struct FrameRange {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+
+  std::int64_t count() const { return last - first + 1; }
+  friend bool operator==(const FrameRange&, const FrameRange&) = default;
+};
+
+/// The unit of work. Its borders lie at absolute frame numbers, so that workers, shards and resume never move
+/// them: each is encoded by itself. 60 frames are two seconds at 30 fps: short enough to share out, long enough
+/// that the one key frame per segment costs under 1 % of the film's size.
+inline constexpr std::int64_t kSegmentFrames = 60;
+
+/// "A-B" or "A"; empty if it is neither or B < A.
+std::optional<FrameRange> parseFrameRange(std::string_view text);
+
+/// The frames to make of a film of `frameCount` frames: all, or those asked for.
+/// @throws core::Error(kUsage) if the film lacks one of them.
+FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>& asked);
+
+/// The segments that hold `frames`, in order; the first and the last may be cut short by the range.
+std::vector<FrameRange> segmentsOf(const FrameRange& frames);
+
+}  // namespace poinsot::app

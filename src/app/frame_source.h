@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "image/image.h"
+
+namespace poinsot::app {
+
+/// CPU seconds spent on the frames so far, by step.
+struct FrameTimes {
+  double compose_s = 0;  ///< simulate and compose the draw list
+  double render_s = 0;
+  double read_s = 0;
+  double text_s = 0;
+};
+
+/// Makes frames; each is a function of its number alone, so any order gives the same pictures.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  /// @throws core::Error
+  virtual image::Image frame(std::int64_t k) = 0;
+  virtual FrameTimes times() const { return {}; }
+};
+
+}  // namespace poinsot::app

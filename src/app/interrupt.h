@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <exception>
+
+/// SIGINT, SIGTERM and SIGHUP as something a loop can ask for, in place of sudden death: the caller unwinds,
+/// removes what it had begun and ends with 128 + signal.
+namespace poinsot::app {
+
+/// Thrown where a loop sees that the user or the system wants the program to end.
+class Interrupted : public std::exception {
+ public:
+  explicit Interrupted(int signal) : signal_(signal) {}
+  int signal() const { return signal_; }
+  const char* what() const noexcept override { return "interrupted"; }
+
+ private:
+  int signal_;
+};
+
+/// From now on the three signals are noted. One that was ignored at the start (nohup) stays so. A second SIGINT
+/// ends the process at once. The worker side notes only SIGTERM: a terminal sends Ctrl-C to the whole group, and
+/// the parent decides what becomes of its workers.
+void watchInterrupts();
+void watchInterruptsAsWorker();
+
+/// The first signal noted, or 0.
+int interruptSignal();
+
+/// Readable once a signal was noted, for poll(). @pre watchInterrupts() was called.
+int interruptFd();
+
+/// @throws Interrupted once a signal was noted.
+void throwIfInterrupted();
+
+}  // namespace poinsot::app

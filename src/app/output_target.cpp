@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/output_target.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "output/frame_pattern.h"
+
+namespace poinsot::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, std::string_view why) {
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("output '{}': {}; works: NAME.mp4 (a film), NAME.png (one frame), "
+                                "NAME_{{frame:05}}.png (a numbered picture per frame)",
+                                core::printable(name), why));
+}
+
+}  // namespace
+
+OutputTarget parseTarget(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (name.empty() || !path.has_filename()) refuse(name, "not a file name");
+  if (path.extension() != ".png" && path.extension() != ".mp4") refuse(name, "this kind of file is not written");
+  const bool pattern = output::FramePattern::isPattern(name);
+  if (path.extension() == ".mp4") {
+    if (pattern) refuse(name, "a film is one file and has no {frame}");
+    return {OutputKind::kFilm, path};
+  }
+  if (!pattern) return {OutputKind::kPicture, path};
+  static_cast<void>(output::FramePattern(name));  // throws unless it is a good one
+  return {OutputKind::kSequence, path};
+}
+
+}  // namespace poinsot::app

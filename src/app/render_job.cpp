@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/render_job.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "app/interrupt.h"
+#include "core/error.h"
+#include "core/expect.h"
+#include "output/film.h"
+
+namespace poinsot::app {
+namespace {
+
+// A worker looks for a signal after each frame; one frame takes well under this. All must be over in 2 s.
+constexpr double kPatience_s = 1.5;
+
+/// What became of a worker that closed its reports without having finished.
+[[noreturn]] void reportDeath(WorkerProcess& worker) {
+  worker.kill();
+  const std::string how = worker.ended(1).value_or("does not end");
+  const std::string task =
+      worker.segment() ? fmt::format("while making frames {}-{}", worker.segment()->first, worker.segment()->last)
+                       : "at its end";
+  throw core::Error(core::ErrorKind::kGraphics, fmt::format("a worker process {} {}", how, task));
+}
+
+}  // namespace
+
+int availableCpus() {
+  cpu_set_t cpus;
+  CPU_ZERO(&cpus);
+  const bool known = sched_getaffinity(0, sizeof cpus, &cpus) == 0;
+  return known ? std::max(1, CPU_COUNT(&cpus)) : 1;
+}
+
+RenderJob::RenderJob(RenderRequest request, FrameListener listener)
+    : request_(std::move(request)),
+      listener_(std::move(listener)),
+      start_(std::chrono::steady_clock::now()),
+      folder_(request_.target.path),
+      segments_(segmentsOf(request_.frames)),
+      waiting_(segments_.begin(), segments_.end()) {
+  POINSOT_EXPECT(request_.jobs > 0);
+}
+
+RenderJob::~RenderJob() { stopWorkers(); }
+
+RenderSummary RenderJob::run() {
+  startWorkers();
+  while (!workers_.empty()) awaitReports();
+  publish();
+  summary_.wall_s = elapsed_s();
+  return summary_;
+}
+
+void RenderJob::startWorkers() {
+  const int count = std::min<int>(request_.jobs, static_cast<int>(segments_.size()));
+  // With fewer segments than CPUs the rasteriser's threads use the rest; they do not change a pixel.
+  const int perWorker = request_.jobs / count;
+  const WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
+                      folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0};
+  summary_.workers = count;
+  for (int i = 0; i < count; ++i) {
+    throwIfInterrupted();
+    workers_.push_back(std::make_unique<WorkerProcess>(job));
+    handOut(*workers_.back());
+  }
+}
+
+void RenderJob::awaitReports() {
+  std::vector<pollfd> watched{{interruptFd(), POLLIN, 0}};
+  for (const auto& worker : workers_) watched.push_back({worker->reportsFd(), POLLIN, 0});
+  if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR)
+    throw core::Error(core::ErrorKind::kGraphics, "cannot wait for the workers");
+  throwIfInterrupted();
+  for (std::size_t i = 0; i < workers_.size(); ++i) {
+    if (watched[i + 1].revents == 0) continue;
+    WorkerProcess& worker = *workers_[i];
+    const bool open = worker.readReports();
+    while (const auto report = worker.takeReport()) handle(worker, *report);
+    if (!open && !worker.finished()) reportDeath(worker);
+  }
+  std::erase_if(workers_, [](const auto& worker) { return worker->finished(); });
+}
+
+void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
+  if (std::holds_alternative<FrameDone>(report)) listener_(++framesDone_, elapsed_s());
+  if (std::holds_alternative<SegmentDone>(report)) handOut(worker);
+  if (const auto* finished = std::get_if<WorkerFinished>(&report)) {
+    summary_.spent += finished->spent;
+    worker.setFinished();
+  }
+  if (const auto* failed = std::get_if<WorkerFailed>(&report)) throw core::Error(failed->kind, failed->message);
+}
+
+void RenderJob::handOut(WorkerProcess& worker) {
+  if (waiting_.empty()) return worker.giveNoMore();
+  worker.give(waiting_.front());
+  waiting_.pop_front();
+}
+
+void RenderJob::publish() const {
+  if (request_.target.kind != OutputKind::kFilm) return;
+  std::vector<std::filesystem::path> files;
+  for (const FrameRange& segment : segments_) files.push_back(segmentFile(folder_.path(), segment));
+  output::joinSegments(files, request_.target.path);
+}
+
+void RenderJob::stopWorkers() {
+  for (const auto& worker : workers_) worker->askToStop();
+  const double deadline_s = elapsed_s() + kPatience_s;
+  for (const auto& worker : workers_) worker->ended(std::max(0.0, deadline_s - elapsed_s()));
+  workers_.clear();  // kills what is left
+}
+
+double RenderJob::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "app/frame_source.h"
+#include "core/rational.h"
+#include "gl/offscreen_context.h"
+#include "render/renderer.h"
+#include "stage/stage.h"
+
+namespace poinsot::app {
+
+/// The frames of a scene: stage composes, renderer draws. Needs a current context for life.
+class SceneFrames : public FrameSource {
+ public:
+  /// @param time_s  film time of every frame, in place of its own: for a still between two frames.
+  /// @throws core::Error(kPhysics, kGraphics)
+  SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s);
+
+  image::Image frame(std::int64_t k) override;
+  FrameTimes times() const override;
+
+ private:
+  image::PixelSize size_;
+  core::Rational fps_;
+  std::optional<double> time_s_;
+  stage::Stage stage_;
+  render::Renderer renderer_;
+  double compose_s_ = 0;
+};
+
+}  // namespace poinsot::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+namespace poinsot::app {
+
+/// A scene as the user asked for it. The text is read once: workers get it from here, so that a file edited during
+/// a render cannot mix two scenes into one film.
+struct SceneRequest {
+  std::string fileName;  ///< as given, for messages
+  std::string text;
+  std::vector<std::string> overrides;    ///< "key.path=value", in the order given
+  std::optional<image::PixelSize> size;  ///< in place of the scene's; may be odd, which the key may not
+};
+
+/// Reads the file.
+/// @throws core::Error(kScene) if it is missing, unreadable, no regular file or too long for a scene.
+SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides);
+
+/// The validated scene.
+/// @throws scene::SceneErrors with all problems.
+scene::Scene loadRequested(const SceneRequest& request);
+
+}  // namespace poinsot::app

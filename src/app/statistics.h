@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/frame_source.h"
+
+namespace poinsot::app {
+
+/// What a worker, or all of them together, spent.
+struct Statistics {
+  std::int64_t frames = 0;
+  FrameTimes making;
+  double convert_s = 0;         ///< CPU: RGB to the encoder's pixels
+  double encode_s = 0;          ///< CPU: encoder, or PNG compression and writing
+  double cpu_s = 0;             ///< CPU of the processes in all, start-up included
+  double peakMemory_bytes = 0;  ///< summed over processes, each at its own peak
+
+  Statistics& operator+=(const Statistics& other);
+};
+
+/// CPU seconds and peak memory of this process so far.
+double processCpu_s();
+double processPeakMemory_bytes();
+
+/// A table of CPU milliseconds per frame by step, frames per second and memory; lines end with a newline.
+std::string statisticsText(const Statistics& sum, int workers, double wall_s);
+
+}  // namespace poinsot::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/work_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+
+namespace poinsot::app {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& folder, const std::string& why) {
+  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.string()), why));
+}
+
+[[noreturn]] void failWithErrno(const std::filesystem::path& folder) {
+  fail(folder, std::generic_category().message(errno));
+}
+
+/// Whether the name still leads to the folder that was opened: its last holder may have removed it meanwhile.
+bool stillThere(int fd, const std::filesystem::path& folder) {
+  struct stat opened {
+  }, named{};
+  return fstat(fd, &opened) == 0 && lstat(folder.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+FileHandle openLocked(const std::filesystem::path& folder) {
+  for (;;) {
+    if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) failWithErrno(folder);
+    FileHandle handle(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (!handle && errno == ENOENT) continue;
+    if (!handle) failWithErrno(folder);
+    if (flock(handle.get(), LOCK_EX | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now");
+    if (stillThere(handle.get(), folder)) return handle;
+  }
+}
+
+}  // namespace
+
+WorkFolder::WorkFolder(const std::filesystem::path& target)
+    : path_(output::folderOf(target) / ("." + target.filename().string() + ".poinsot")), lock_(openLocked(path_)) {
+  removeContents();
+}
+
+WorkFolder::~WorkFolder() {
+  removeContents();
+  std::error_code ignored;  // whatever else lies in it is not ours to remove
+  std::filesystem::remove(path_, ignored);
+}
+
+void WorkFolder::removeContents() const {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours =
+        name.starts_with("segment-") || name.starts_with(".segment-");  // the latter: not yet complete
+    if (ours) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace poinsot::app

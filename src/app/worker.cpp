@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/worker.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/interrupt.h"
+#include "app/scene_frames.h"
+#include "app/segment_sink.h"
+#include "app/worker_protocol.h"
+#include "core/error.h"
+
+namespace poinsot::app {
+namespace {
+
+/// The parent is gone when nobody reads the reports; then there is nothing left to do.
+void report(int reports, const WorkerReport& what) {
+  if (!writeLine(reports, toLine(what))) throw Interrupted(SIGHUP);
+}
+
+void makeSegment(const FrameRange& segment, int reports, FrameSource& source, output::FrameSink& sink) {
+  for (std::int64_t k = segment.first; k <= segment.last; ++k) {
+    throwIfInterrupted();
+    sink.write(source.frame(k), k);
+    report(reports, FrameDone{k});
+  }
+  sink.finish();
+  report(reports, SegmentDone{segment});
+}
+
+/// Mesa reads its environment once, at the first context.
+void pin(const WorkerJob& job) {
+  setenv("LP_NUM_THREADS", fmt::format("{}", job.rasterThreads).c_str(), 1);
+  gl::pinEnvironment(job.reproducible);
+}
+
+void work(LineReader& jobs, int reports) {
+  const auto line = jobs.wait();
+  if (!line) return;
+  const WorkerJob job = jobFromLine(*line);
+  pin(job);
+  const scene::Scene scene = loadRequested(job.scene);
+  const auto context = gl::openContext(job.backend);
+  SceneFrames frames(scene, *context, job.time_s);
+  EncodingTimes encoding;
+  Statistics spent = makeSegments(jobs, reports, frames, sinkMaker(job, scene, encoding));
+  spent.convert_s = encoding.convert_s;
+  spent.encode_s = encoding.encode_s;
+  spent.cpu_s = processCpu_s();
+  spent.peakMemory_bytes = processPeakMemory_bytes();
+  report(reports, WorkerFinished{spent});
+}
+
+int failed(int reports, core::ErrorKind kind, const std::string& message) {
+  writeLine(reports, toLine(WorkerFailed{kind, message}));
+  return EXIT_FAILURE;
+}
+
+}  // namespace
+
+Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf) {
+  Statistics spent;
+  while (const auto line = jobs.wait()) {
+    const FrameRange segment = segmentFromLine(*line);
+    makeSegment(segment, reports, source, *sinkOf(segment));
+    spent.frames += segment.count();
+  }
+  spent.making = source.times();
+  return spent;
+}
+
+int runWorker(int jobs, int reports) {
+  watchInterruptsAsWorker();
+  LineReader lines(jobs);
+  try {
+    work(lines, reports);
+    return EXIT_SUCCESS;
+  } catch (const Interrupted& interrupted) {
+    return 128 + interrupted.signal();
+  } catch (const core::Error& error) {
+    return failed(reports, error.kind(), error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(reports, core::ErrorKind::kGraphics, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(reports, core::ErrorKind::kGraphics, error.what());
+  }
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/frame_plan.h"
+#include "app/frame_source.h"
+#include "app/line_channel.h"
+#include "app/statistics.h"
+#include "output/frame_sink.h"
+
+namespace poinsot::app {
+
+/// Makes the sink of one segment.
+using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const FrameRange& segment)>;
+
+/// Makes segments as they come in, one after the other, and reports each frame and segment, until no more come.
+/// @throws core::Error of the source or a sink; Interrupted.
+Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf);
+
+/// The life of a worker process: reads its job and segments from `jobs`, reports to `reports`. Opens the one GL
+/// context of this process.
+/// @returns the exit status; a failure was reported before it returns.
+int runWorker(int jobs, int reports);
+
+}  // namespace poinsot::app

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/worker_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace poinsot::app {
+namespace {
+
+struct Pipe {
+  FileHandle read, write;
+};
+
+[[noreturn]] void cannotStart(const char* what) {
+  throw core::Error(core::ErrorKind::kGraphics, fmt::format("cannot start a worker process: {}: {}", what,
+                                                            std::generic_category().message(errno)));
+}
+
+Pipe makePipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) cannotStart("pipe");
+  return {FileHandle(ends[0]), FileHandle(ends[1])};
+}
+
+/// Between fork and exec: only calls that are safe there.
+[[noreturn]] void becomeWorker(int jobs, int reports, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it died before the line above
+  dup2(jobs, STDIN_FILENO);
+  dup2(reports, STDOUT_FILENO);
+  char program[] = "poinsot", command[] = "worker";
+  char* const arguments[] = {program, command, nullptr};
+  execv("/proc/self/exe", arguments);
+  _exit(127);
+}
+
+std::string inWords(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  return fmt::format("ended with status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const WorkerJob& job) {
+  Pipe jobs = makePipe(), reports = makePipe();
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ < 0) cannotStart("fork");
+  if (pid_ == 0) becomeWorker(jobs.read.get(), reports.write.get(), parent);
+  jobs_ = std::move(jobs.write);
+  reports_ = std::move(reports.read);
+  reader_ = LineReader(reports_.get());
+  writeLine(jobs_.get(), toLine(job));
+}
+
+WorkerProcess::~WorkerProcess() {
+  kill();
+  ended(1);
+}
+
+void WorkerProcess::give(const FrameRange& segment) {
+  segment_ = segment;
+  writeLine(jobs_.get(), toLine(segment));
+}
+
+void WorkerProcess::giveNoMore() {
+  segment_.reset();
+  jobs_.reset();
+}
+
+std::optional<WorkerReport> WorkerProcess::takeReport() {
+  const auto line = reader_.take();
+  return line ? std::optional(reportFromLine(*line)) : std::nullopt;
+}
+
+void WorkerProcess::askToStop() {
+  jobs_.reset();
+  if (pid_ > 0) ::kill(pid_, SIGTERM);
+}
+
+std::optional<std::string> WorkerProcess::ended(double wait_s) {
+  constexpr int kPause_us = 2000;
+  for (double waited_s = 0; pid_ > 0; waited_s += 1e-6 * kPause_us) {
+    int status = 0;
+    if (waitpid(pid_, &status, WNOHANG) == pid_) {
+      pid_ = -1;
+      return inWords(status);
+    }
+    if (waited_s >= wait_s) return std::nullopt;
+    usleep(kPause_us);
+  }
+  return "ended";
+}
+
+void WorkerProcess::kill() {
+  if (pid_ > 0) ::kill(pid_, SIGKILL);
+}
+
+}  // namespace poinsot::app

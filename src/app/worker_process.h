@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+
+#include "app/file_handle.h"
+#include "app/frame_plan.h"
+#include "app/line_channel.h"
+#include "app/worker_protocol.h"
+
+namespace poinsot::app {
+
+/// A worker: this program started once more with the hidden command `worker`, in the same process group, ended
+/// with its parent. Destroying one that still runs kills it.
+class WorkerProcess {
+ public:
+  /// @throws core::Error(kGraphics) if no process can be started.
+  explicit WorkerProcess(const WorkerJob& job);
+  ~WorkerProcess();
+  WorkerProcess(WorkerProcess&&) = delete;
+
+  /// Hands it a segment, or says that there are no more. A worker that is gone is noticed through its reports.
+  void give(const FrameRange& segment);
+  void giveNoMore();
+  const std::optional<FrameRange>& segment() const { return segment_; }
+
+  /// For poll(): readable when a report came, or the end.
+  int reportsFd() const { return reports_.get(); }
+  /// Reads what is there; false when the worker closed its end.
+  bool readReports() { return reader_.fill(); }
+  std::optional<WorkerReport> takeReport();
+  /// Whether it reported its end, as told by setFinished().
+  bool finished() const { return finished_; }
+  void setFinished() { finished_ = true; }
+
+  /// Asks it to clean up and end.
+  void askToStop();
+  /// Whether it ended; waits up to `wait_s` for that. @returns in words how, once it has.
+  std::optional<std::string> ended(double wait_s);
+  void kill();
+
+ private:
+  pid_t pid_ = -1;
+  FileHandle jobs_, reports_;
+  LineReader reader_{-1};
+  std::optional<FrameRange> segment_;
+  bool finished_ = false;
+};
+
+}  // namespace poinsot::app

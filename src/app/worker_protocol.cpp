@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/worker_protocol.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace poinsot::app {
+namespace {
+
+using Json = nlohmann::json;
+
+// Paths and names are bytes, not always UTF-8, which JSON demands: each byte travels as one code point below 256.
+std::string widened(const std::string& bytes) {
+  std::string utf8;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      utf8 += c;
+    } else {
+      utf8 += static_cast<char>(0xc0 | byte >> 6);
+      utf8 += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  return utf8;
+}
+
+std::string narrowed(const std::string& utf8) {
+  std::string bytes;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(utf8[i]);
+    bytes += lead < 0x80 ? utf8[i]
+                         : static_cast<char>((lead & 0x03) << 6 | (static_cast<unsigned char>(utf8[++i]) & 0x3f));
+  }
+  return bytes;
+}
+
+std::string textOf(const Json& json) { return narrowed(json.get<std::string>()); }
+
+Json toJson(const FrameRange& frames) { return Json{frames.first, frames.last}; }
+
+FrameRange rangeOf(const Json& json) { return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()}; }
+
+Json toJson(const SceneRequest& scene) {
+  Json json{{"file", widened(scene.fileName)}, {"text", widened(scene.text)}, {"overrides", Json::array()}};
+  for (const std::string& override : scene.overrides) json["overrides"].push_back(widened(override));
+  if (scene.size) json["size"] = {scene.size->width, scene.size->height};
+  return json;
+}
+
+SceneRequest sceneOf(const Json& json) {
+  SceneRequest scene{textOf(json.at("file")), textOf(json.at("text")), {}, {}};
+  for (const Json& override : json.at("overrides")) scene.overrides.push_back(textOf(override));
+  if (json.contains("size"))
+    scene.size = image::PixelSize{json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
+  return scene;
+}
+
+// In the order of the fields, so that the two functions below stay readable side by side.
+Json toJson(const Statistics& s) {
+  return Json{s.frames,    s.making.compose_s, s.making.render_s, s.making.read_s,   s.making.text_s,
+              s.convert_s, s.encode_s,         s.cpu_s,           s.peakMemory_bytes};
+}
+
+Statistics statisticsOf(const Json& json) {
+  const auto number = [&](int i) { return json.at(static_cast<std::size_t>(i)).get<double>(); };
+  return {json.at(0).get<std::int64_t>(),
+          {number(1), number(2), number(3), number(4)},
+          number(5),
+          number(6),
+          number(7),
+          number(8)};
+}
+
+template <class... Each>
+struct Overloaded : Each... {
+  using Each::operator()...;
+};
+
+}  // namespace
+
+std::string toLine(const WorkerJob& job) {
+  return Json{
+      {"scene", toJson(job.scene)},
+      {"target", {{"kind", static_cast<int>(job.target.kind)}, {"path", widened(job.target.path.string())}}},
+      {"frames", toJson(job.frames)},
+      {"time", job.time_s ? Json(*job.time_s) : Json()},
+      {"work_folder", widened(job.workFolder.string())},
+      {"backend", static_cast<int>(job.backend)},
+      {"reproducible", job.reproducible},
+      {"raster_threads", job.rasterThreads}}
+      .dump();
+}
+
+WorkerJob jobFromLine(std::string_view line) {
+  const Json json = Json::parse(line);
+  const Json& target = json.at("target");
+  return {sceneOf(json.at("scene")),
+          {static_cast<OutputKind>(target.at("kind").get<int>()), textOf(target.at("path"))},
+          rangeOf(json.at("frames")),
+          json.at("time").is_null() ? std::nullopt : std::optional(json.at("time").get<double>()),
+          textOf(json.at("work_folder")),
+          static_cast<gl::Backend>(json.at("backend").get<int>()),
+          json.at("reproducible").get<bool>(),
+          json.at("raster_threads").get<int>()};
+}
+
+std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
+
+FrameRange segmentFromLine(std::string_view line) { return rangeOf(Json::parse(line).at("segment")); }
+
+std::string toLine(const WorkerReport& report) {
+  const Json json = std::visit(
+      Overloaded{[](const FrameDone& done) {
+                   return Json{{"frame", done.k}};
+                 },
+                 [](const SegmentDone& done) {
+                   return Json{{"segment", toJson(done.frames)}};
+                 },
+                 [](const WorkerFinished& finished) {
+                   return Json{{"finished", toJson(finished.spent)}};
+                 },
+                 [](const WorkerFailed& failed) {
+                   return Json{{"failed", widened(failed.message)}, {"kind", static_cast<int>(failed.kind)}};
+                 }},
+      report);
+  return json.dump();
+}
+
+WorkerReport reportFromLine(std::string_view line) {
+  const Json json = Json::parse(line);
+  if (json.contains("frame")) return FrameDone{json.at("frame").get<std::int64_t>()};
+  if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
+  if (json.contains("finished")) return WorkerFinished{statisticsOf(json.at("finished"))};
+  return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed"))};
+}
+
+std::filesystem::path segmentFile(const std::filesystem::path& workFolder, const FrameRange& segment) {
+  return workFolder / fmt::format("segment-{:09}-{:09}.mp4", segment.first, segment.last);
+}
+
+}  // namespace poinsot::app

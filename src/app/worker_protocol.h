@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "app/frame_plan.h"
+#include "app/output_target.h"
+#include "app/scene_request.h"
+#include "app/statistics.h"
+#include "core/error.h"
+#include "gl/offscreen_context.h"
+
+/// What a render and its workers say to each other: one JSON object a line. To the worker first its job, then
+/// segments; the end of the stream means there are no more. From the worker reports.
+namespace poinsot::app {
+
+/// What a worker needs to know for life.
+struct WorkerJob {
+  SceneRequest scene;
+  OutputTarget target;
+  FrameRange frames;                 ///< all that are made
+  std::optional<double> time_s;      ///< film time of the one frame, in place of its own
+  std::filesystem::path workFolder;  ///< takes the segments of a film
+  gl::Backend backend = gl::Backend::kAuto;
+  bool reproducible = false;
+  int rasterThreads = 0;  ///< llvmpipe's; 0 rasterises in the worker itself
+};
+
+struct FrameDone {
+  std::int64_t k = 0;
+};
+/// Every file of the segment is complete under its name.
+struct SegmentDone {
+  FrameRange frames;
+};
+struct WorkerFinished {
+  Statistics spent;
+};
+struct WorkerFailed {
+  core::ErrorKind kind = core::ErrorKind::kGraphics;
+  std::string message;
+};
+using WorkerReport = std::variant<FrameDone, SegmentDone, WorkerFinished, WorkerFailed>;
+
+/// Lines, without their newline. Reading one that the other side did not write is a broken contract.
+std::string toLine(const WorkerJob& job);
+std::string toLine(const FrameRange& segment);
+std::string toLine(const WorkerReport& report);
+WorkerJob jobFromLine(std::string_view line);
+FrameRange segmentFromLine(std::string_view line);
+WorkerReport reportFromLine(std::string_view line);
+
+/// File of a film's segment in the work folder.
+std::filesystem::path segmentFile(const std::filesystem::path& workFolder, const FrameRange& segment);
+
+}  // namespace poinsot::app

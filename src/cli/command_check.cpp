@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/scene_request.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "scene/problem.h"
+#include "stage/stage.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> scenes, overrides;
+};
+
+/// Everything short of drawing: the stage finds what the motion lacks.
+void checkScene(const std::string& fileName, const std::vector<std::string>& overrides) {
+  const stage::Stage stage(app::loadRequested(app::readSceneRequest(fileName, overrides)));
+}
+
+/// Says "ok" or all problems.
+bool report(const std::string& fileName, const std::vector<std::string>& overrides) {
+  try {
+    checkScene(fileName, overrides);
+  } catch (const scene::SceneErrors& errors) {
+    writeErr(fmt::format("{}\n", errors.what()));
+    return false;
+  } catch (const core::Error& error) {
+    writeError(error.where() ? error.what() : fmt::format("{}: {}", core::printable(fileName), error.what()));
+    return false;
+  }
+  writeOut(fmt::format("{}: ok\n", core::printable(fileName)));
+  return true;
+}
+
+int check(const CheckOptions& options) {
+  bool allGood = true;
+  for (const std::string& fileName : options.scenes) allGood &= report(fileName, options.overrides);
+  return allGood ? kDone : kBadInput;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = program.add_subcommand("check", "say what is wrong with scene files, all of it at once");
+  command->add_option("SCENE", options->scenes, "scene files (TOML)")->required();
+  command->add_option("-D", options->overrides, "set a key, above what the files say")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->footer(
+      "Example:\n"
+      "  poinsot check scenes/*.toml");
+  command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/frame_clock.h"
+#include "app/frame_plan.h"
+#include "cli/commands.h"
+#include "cli/rendering.h"
+#include "core/error.h"
+#include "core/text.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct FilmOptions : RenderOptions {
+  std::string frames, fps;
+};
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+std::optional<app::FrameRange> askedFrames(const FilmOptions& options) {
+  if (options.frames.empty()) return std::nullopt;
+  const auto frames = app::parseFrameRange(options.frames);
+  if (!frames)
+    refuse(fmt::format("--frames '{}': frames are A-B, both included, such as 0-59, or one number",
+                       core::printable(options.frames)));
+  return frames;
+}
+
+void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& frames) {
+  if (target.kind != app::OutputKind::kPicture || frames.count() == 1) return;
+  refuse(
+      fmt::format("{0} takes one frame, and {1} are selected: choose one with --frames {2}, or number them as "
+                  "NAME_{{frame:05}}.png",
+                  core::printable(target.path.string()), frames.count(), frames.first));
+}
+
+int render(FilmOptions options) {
+  if (!options.fps.empty()) options.overrides.push_back("time.fps=" + options.fps);
+  const auto asked = askedFrames(options);
+  if (!options.output.empty()) app::parseTarget(options.output);  // a wrong name is said before all else
+  auto request = requestedScene(options);
+  const scene::Scene scene = app::loadRequested(request);
+  const auto target = requestedTarget(options, scene.name, ".mp4");
+  const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
+  checkFrameCount(target, frames);
+  return renderTo(options, target, std::move(request), scene, frames);
+}
+
+}  // namespace
+
+void addRender(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<FilmOptions>();
+  CLI::App* command = program.add_subcommand("render", "make a film, a frame or a numbered sequence from a scene");
+  addRenderOptions(*command, *options);
+  command
+      ->add_option("-o,--output", options->output,
+                   "NAME.mp4, NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")
+      ->type_name("FILE");
+  command->add_option("--frames", options->frames, "only these frames, both ends included")->type_name("A-B");
+  command->add_option("--fps", options->fps, "frames per second, such as 30 or 30000/1001")->type_name("RATE");
+  command->footer(
+      "Examples:\n"
+      "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
+      "  poinsot render scenes/football.toml -q preview -D time.duration=4\n"
+      "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
+  command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace poinsot::cli {
+
+/// What the command line asks for; returns the exit code. Parsing only chooses it.
+using Action = std::function<int()>;
+
+/// Each declares one command with its options, and sets `chosen` when it is the one on the command line.
+void addRender(CLI::App& program, Action& chosen);
+void addStill(CLI::App& program, Action& chosen);
+void addCheck(CLI::App& program, Action& chosen);
+void addSchema(CLI::App& program, Action& chosen);
+void addBackends(CLI::App& program, Action& chosen);
+/// Hidden: the program starts itself with it.
+void addWorker(CLI::App& program, Action& chosen);
+
+/// Text of --version: the program, the libraries it runs with, what its binaries fall under.
+std::string versionText();
+
+}  // namespace poinsot::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/console.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "app/line_channel.h"
+#include "core/error.h"
+
+namespace poinsot::cli {
+namespace {
+
+bool isSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value && *value;
+}
+
+}  // namespace
+
+void openStandardStreams() {
+  // open() takes the lowest free number. For reading only: writing to a stream that was closed stays an error.
+  int fd = 0;
+  do fd = open("/dev/null", O_RDONLY);
+  while (fd >= 0 && fd <= STDERR_FILENO);
+  if (fd > STDERR_FILENO) close(fd);
+}
+
+void writeOut(std::string_view text) {
+  const int status = app::writeText(STDOUT_FILENO, text);
+  if (status == EPIPE) throw BrokenPipe();
+  if (status != 0)
+    throw core::Error(core::ErrorKind::kIo,
+                      fmt::format("standard output: {}", std::generic_category().message(status)));
+}
+
+void writeErr(std::string_view text) { app::writeText(STDERR_FILENO, text); }
+
+void writeError(std::string_view message) {
+  const bool red = errIsTerminal() && !isSet("NO_COLOR");
+  writeErr(fmt::format("poinsot: {} {}\n", red ? "\x1b[1;31merror:\x1b[0m" : "error:", message));
+}
+
+bool errIsTerminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) && kind && std::string_view(kind) != "dumb";
+}
+
+int errColumns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <exception>
+#include <string_view>
+
+/// The two streams: data to stdout, where a lost byte is an error; all else to stderr, where it is not.
+namespace poinsot::cli {
+
+/// The reader of stdout is gone.
+class BrokenPipe : public std::exception {};
+
+/// Descriptors 0 to 2 exist from here on: a file opened later cannot land on one of them.
+void openStandardStreams();
+
+/// @throws BrokenPipe, or core::Error(kIo) if stdout takes no more.
+void writeOut(std::string_view text);
+
+void writeErr(std::string_view text);
+
+/// "poinsot: error: MESSAGE\n" on stderr; the word in red on a terminal without NO_COLOR.
+void writeError(std::string_view message);
+
+/// Whether stderr is a terminal that can redraw a line, and how wide it is.
+bool errIsTerminal();
+int errColumns();
+
+}  // namespace poinsot::cli

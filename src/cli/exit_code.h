@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/error.h"
+
+namespace poinsot::cli {
+
+/// What the program ends with; 128 + n besides, for signal n.
+enum ExitCode : int {
+  kDone = 0,
+  kNo = 1,        ///< the answer is no
+  kBadInput = 2,  ///< usage, the scene or a file it names, a limit
+  kFailed = 3,    ///< rendering, encoding, back end, memory
+  kBadFile = 4,   ///< output, files named on the command line
+  kBrokenPipe = 141,
+};
+
+/// The one place where kinds of errors become exit codes.
+ExitCode exitCodeOf(core::ErrorKind kind);
+
+}  // namespace poinsot::cli

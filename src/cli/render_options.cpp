@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "scene/limits.h"
+
+namespace poinsot::cli {
+namespace {
+
+std::optional<int> parseSide(std::string_view text) {
+  int side = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), side);
+  return status == std::errc() && end == text.data() + text.size() ? std::optional(side) : std::nullopt;
+}
+
+/// What -q stands for: also the size and rate factor it means, as these win over a file's own.
+std::vector<std::string> qualityOverrides(const std::string& quality) {
+  if (quality.empty()) return {};
+  std::vector<std::string> overrides{"output.quality=" + quality};
+  if (const auto* preset = scene::qualityPreset(quality)) {
+    overrides.push_back(fmt::format("output.size=[{}, {}]", preset->width, preset->height));
+    overrides.push_back(fmt::format("output.crf={}", preset->crf));
+  }
+  return overrides;
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+  command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
+  command.add_option("-D", options.overrides, "set a key of the scene, above what the file says")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH");
+  command.add_option("-q,--quality", options.quality, "size and quality: preview, 720p, 1080p or 4k")
+      ->type_name("NAME");
+  command.add_option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--force", options.force, "replace a file that this program did not write");
+  command.add_flag("--quiet", options.quiet, "say nothing but errors");
+  command.add_option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
+      ->type_name("STYLE")
+      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
+  command.add_option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+  command.add_flag("--reproducible", options.reproducible, "the same pixels on every x86-64 CPU");
+  command.add_flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
+  command.add_flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
+}
+
+image::PixelSize parseSize(const std::string& text) {
+  const auto cross = text.find('x');
+  const auto width = parseSide(std::string_view(text).substr(0, cross));
+  const auto height =
+      cross == std::string::npos ? std::nullopt : parseSide(std::string_view(text).substr(cross + 1));
+  if (!width || !height)
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
+  const auto fits = [](int side) { return side >= scene::kLeastSide && side <= scene::kMostSide; };
+  const bool few = std::int64_t{*width} * *height <= scene::kMostPixels;
+  if (!fits(*width) || !fits(*height) || !few)
+    throw core::Error(
+        core::ErrorKind::kLimit,
+        fmt::format("--size {}x{}: sides are from {} to {} pixels, {} million pixels in all at most", *width,
+                    *height, scene::kLeastSide, scene::kMostSide, scene::kMostPixels / 1'000'000));
+  return {*width, *height};
+}
+
+app::SceneRequest requestedScene(const RenderOptions& options) {
+  std::vector<std::string> overrides = qualityOverrides(options.quality);
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  auto request = app::readSceneRequest(options.scene, std::move(overrides));
+  if (!options.size.empty()) request.size = parseSize(options.size);
+  return request;
+}
+
+app::OutputTarget requestedTarget(const RenderOptions& options, const std::string& sceneName,
+                                  const std::string& extension) {
+  return app::parseTarget(options.output.empty() ? "out/" + sceneName + extension : options.output);
+}
+
+gl::Backend requestedBackend(const RenderOptions& options) {
+  if (options.backend == "osmesa") return gl::Backend::kOsMesa;
+  return options.backend == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
+}
+
+}  // namespace poinsot::cli

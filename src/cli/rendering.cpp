@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/rendering.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/png_sequence.h"
+#include "output/target_check.h"
+#include "stage/stage.h"
+
+namespace poinsot::cli {
+namespace {
+
+using app::OutputKind;
+
+void checkFilmSize(const scene::Output& output) {
+  if (output.width % 2 == 0 && output.height % 2 == 0) return;
+  throw core::Error(
+      core::ErrorKind::kUsage,
+      fmt::format("--size {}x{}: both sides of a film are even; the nearest is {}x{}", output.width, output.height,
+                  output.width + output.width % 2, output.height + output.height % 2));
+}
+
+void checkTargets(const RenderOptions& options, const app::OutputTarget& target, const app::FrameRange& frames) {
+  if (target.kind != OutputKind::kSequence) return output::checkTarget(target.path, options.force);
+  output::checkSequence(output::FramePattern(target.path.string()), frames.first, frames.last, options.force);
+}
+
+/// The folder of results by default. False when it is missing and a dry run leaves it so.
+bool prepareDefaultFolder(const RenderOptions& options, const app::OutputTarget& target) {
+  const auto folder = target.path.parent_path();
+  std::error_code ignored;  // if it cannot be made, the check of the target says so
+  if (options.output.empty() && !options.dryRun) std::filesystem::create_directory(folder, ignored);
+  return !options.output.empty() || std::filesystem::exists(folder, ignored);
+}
+
+/// A sequence makes its folder; every other target was checked to have one.
+void prepareFolder(const app::OutputTarget& target) {
+  if (target.kind == OutputKind::kSequence) output::PngSequence(output::FramePattern(target.path.string()));
+}
+
+int describe(const app::RenderRequest& request, const scene::Scene& scene) {
+  const stage::Stage stage(scene);  // what the motion lacks is found here
+  const auto segments = app::segmentsOf(request.frames).size();
+  writeOut(fmt::format("{}: {} frame{} ({}-{}), {}x{}, {} frames/s, {} segment{}\n",
+                       core::printable(request.target.path.string()), request.frames.count(),
+                       request.frames.count() == 1 ? "" : "s", request.frames.first, request.frames.last,
+                       scene.output.width, scene.output.height, core::toString(scene.time.fps), segments,
+                       segments == 1 ? "" : "s"));
+  return kDone;
+}
+
+app::ProgressStyle styleOf(const RenderOptions& options, const app::FrameRange& frames) {
+  // One frame is over before a bar says anything.
+  const bool silent = options.quiet || (frames.count() == 1 && options.progress == "auto");
+  return app::progressStyle(silent ? "none" : options.progress, errIsTerminal());
+}
+
+/// Ends an open bar whatever happens, so that a message starts on its own line.
+class LineEnd {
+ public:
+  explicit LineEnd(app::Progress& progress) : progress_(progress) {}
+  ~LineEnd() { progress_.end(); }
+  LineEnd(const LineEnd&) = delete;
+
+ private:
+  app::Progress& progress_;
+};
+
+app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequest request) {
+  app::Progress progress(styleOf(options, request.frames), request.frames.count(), errColumns(), writeErr);
+  const LineEnd lineEnd(progress);
+  app::RenderJob job(std::move(request),
+                     [&](std::int64_t done, double elapsed_s) { progress.update(done, elapsed_s); });
+  return job.run();
+}
+
+}  // namespace
+
+int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
+             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s) {
+  if (target.kind == OutputKind::kFilm) checkFilmSize(scene.output);
+  if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
+  app::RenderRequest render{std::move(request),
+                            target,
+                            frames,
+                            time_s,
+                            options.jobs > 0 ? options.jobs : app::availableCpus(),
+                            requestedBackend(options),
+                            options.reproducible};
+  if (options.dryRun) return describe(render, scene);
+  prepareFolder(target);
+  app::watchInterrupts();
+  const auto summary = runWithProgress(options, std::move(render));
+  if (!options.quiet && options.progress != "json")
+    writeErr(fmt::format("poinsot: {} is ready ({} frame{}, {:.1f} s)\n", core::printable(target.path.string()),
+                         frames.count(), frames.count() == 1 ? "" : "s", summary.wall_s));
+  if (options.stats) writeErr(app::statisticsText(summary.spent, summary.workers, summary.wall_s));
+  return kDone;
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "app/render_job.h"
+#include "cli/render_options.h"
+
+namespace poinsot::cli {
+
+/// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be
+/// made), showing progress and what was asked for besides.
+/// @throws core::Error, app::Interrupted
+int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
+             const scene::Scene& scene, const app::FrameRange& frames,
+             std::optional<double> time_s = std::nullopt);
+
+}  // namespace poinsot::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/output_target.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace poinsot::app {
+namespace {
+
+TEST(OutputTarget, KindIsInTheName) {
+  EXPECT_EQ(parseTarget("out/a.mp4").kind, OutputKind::kFilm);
+  EXPECT_EQ(parseTarget("out/a.png").kind, OutputKind::kPicture);
+  EXPECT_EQ(parseTarget("out/a_{frame}.png").kind, OutputKind::kSequence);
+  EXPECT_EQ(parseTarget("out/{frame:05}.png").kind, OutputKind::kSequence);
+  EXPECT_EQ(parseTarget("out/a.png").path, "out/a.png");
+}
+
+TEST(OutputTarget, RefusesOtherNames) {
+  for (const char* bad : {"", "out/", "a", "a.avi", "a.MP4", ".mp4", "a_{frame}.mp4", "a_{frame:5}.png",
+                          "a_{n}.png", "{frame}_{frame}.png", "x{frame}/a.png", "a}.png"}) {
+    try {
+      parseTarget(bad);
+      ADD_FAILURE() << "accepted: " << bad;
+    } catch (const core::Error& error) {
+      EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+      EXPECT_NE(std::string(error.what()).find("{frame:05}.png"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(OutputTarget, SaysWhatWorks) {
+  try {
+    parseTarget("a.avi");
+    FAIL() << "accepted an .avi";
+  } catch (const core::Error& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "output 'a.avi': this kind of file is not written; works: NAME.mp4 (a film), NAME.png (one frame), "
+        "NAME_{frame:05}.png (a numbered picture per frame)");
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::app

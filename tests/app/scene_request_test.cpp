@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/scene_request.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "support/scratch_folder.h"
+
+namespace poinsot::app {
+namespace {
+
+const char* const kScene =
+    "schema = 1\n[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 10, 0]\n"
+    "[time]\nduration = 4\n";
+
+core::ErrorKind kindOf(const std::string& fileName) {
+  try {
+    readSceneRequest(fileName, {});
+  } catch (const core::Error& error) {
+    EXPECT_NE(std::string(error.what()).find(fileName), std::string::npos) << error.what();
+    return error.kind();
+  }
+  ADD_FAILURE() << "read " << fileName;
+  return core::ErrorKind::kUsage;
+}
+
+TEST(SceneRequest, IsReadOnce) {
+  const ScratchFolder folder;
+  const auto file = folder.put("a.toml", kScene);
+  const auto request = readSceneRequest(file.string(), {"time.duration=6"});
+  std::filesystem::remove(file);
+  const auto scene = loadRequested(request);
+  EXPECT_EQ(scene.name, "a");
+  EXPECT_EQ(scene.time.duration_s, 6.0);
+}
+
+TEST(SceneRequest, SizeReplacesTheScenesAndMayBeOdd) {
+  const ScratchFolder folder;
+  auto request = readSceneRequest(folder.put("a.toml", kScene).string(), {});
+  request.size = image::PixelSize{161, 91};
+  EXPECT_EQ(loadRequested(request).output.width, 161);
+  EXPECT_EQ(loadRequested(request).output.height, 91);
+}
+
+TEST(SceneRequest, OnlyRegularFiles) {
+  const ScratchFolder folder;
+  EXPECT_EQ(kindOf((folder / "missing.toml").string()), core::ErrorKind::kScene);
+  EXPECT_EQ(kindOf(folder.path().string()), core::ErrorKind::kScene);
+  EXPECT_EQ(kindOf("/dev/zero"), core::ErrorKind::kScene);
+  ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
+  EXPECT_EQ(kindOf((folder / "fifo").string()), core::ErrorKind::kScene);  // and does not wait for a writer
+}
+
+}  // namespace
+}  // namespace poinsot::app

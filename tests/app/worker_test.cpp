@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/worker.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "app/file_handle.h"
+#include "app/worker_protocol.h"
+
+namespace poinsot::app {
+namespace {
+
+/// Frame k is one grey pixel of value k.
+struct GreySource : FrameSource {
+  image::Image frame(std::int64_t k) override {
+    image::Image picture({1, 1}, 3);
+    picture.pixels.assign(3, static_cast<std::uint8_t>(k));
+    return picture;
+  }
+  FrameTimes times() const override { return {1, 2, 3, 4}; }
+};
+
+using Written = std::vector<std::pair<std::int64_t, int>>;  // k and grey value, -1 for finish()
+
+struct RecordingSink : output::FrameSink {
+  explicit RecordingSink(Written& log) : log_(log) {}
+  void write(const image::Image& picture, std::int64_t k) override { log_.emplace_back(k, picture.pixels[0]); }
+  void finish() override { log_.emplace_back(0, -1); }
+  Written& log_;
+};
+
+struct Pipe {
+  FileHandle read, write;
+  Pipe() {
+    int ends[2];
+    if (pipe(ends) == 0) {
+      read = FileHandle(ends[0]);
+      write = FileHandle(ends[1]);
+    }
+  }
+};
+
+TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
+  Pipe jobs, reports;
+  writeLine(jobs.write.get(), toLine(FrameRange{3, 4}));
+  writeLine(jobs.write.get(), toLine(FrameRange{60, 60}));
+  jobs.write.reset();
+  LineReader lines(jobs.read.get());
+  GreySource source;
+  Written written;
+  const auto spent = makeSegments(lines, reports.write.get(), source,
+                                  [&](const FrameRange&) { return std::make_unique<RecordingSink>(written); });
+  EXPECT_EQ(written, (Written{{3, 3}, {4, 4}, {0, -1}, {60, 60}, {0, -1}}));
+  EXPECT_EQ(spent.frames, 3);
+  EXPECT_EQ(spent.making.text_s, 4);
+
+  reports.write.reset();
+  LineReader told(reports.read.get());
+  std::vector<std::int64_t> frames, segmentStarts;
+  while (const auto line = told.wait()) {
+    const auto report = reportFromLine(*line);
+    if (const auto* done = std::get_if<FrameDone>(&report)) frames.push_back(done->k);
+    if (const auto* done = std::get_if<SegmentDone>(&report)) segmentStarts.push_back(done->frames.first);
+  }
+  EXPECT_EQ(frames, (std::vector<std::int64_t>{3, 4, 60}));
+  EXPECT_EQ(segmentStarts, (std::vector<std::int64_t>{3, 60}));
+}
+
+TEST(WorkerProtocol, CarriesAJobUnchanged) {
+  // Bytes that are no UTF-8 and characters that JSON escapes: file names may hold both.
+  const std::string odd = "a\"b\\c\n\xff\xc3\xa9\x80";
+  const WorkerJob job{{odd, "schema = 1\n# " + odd, {"a.b=" + odd}, image::PixelSize{161, 90}},
+                      {OutputKind::kSequence, odd + "/{frame}.png"},
+                      {3, 62},
+                      0.1,
+                      odd,
+                      gl::Backend::kEgl,
+                      true,
+                      2};
+  const std::string line = toLine(job);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const WorkerJob read = jobFromLine(line);
+  EXPECT_EQ(read.scene.fileName, job.scene.fileName);
+  EXPECT_EQ(read.scene.text, job.scene.text);
+  EXPECT_EQ(read.scene.overrides, job.scene.overrides);
+  EXPECT_EQ(read.scene.size, job.scene.size);
+  EXPECT_EQ(read.target.kind, job.target.kind);
+  EXPECT_EQ(read.target.path, job.target.path);
+  EXPECT_EQ(read.frames, job.frames);
+  EXPECT_EQ(read.time_s, job.time_s);
+  EXPECT_EQ(read.workFolder, job.workFolder);
+  EXPECT_EQ(read.backend, job.backend);
+  EXPECT_EQ(read.reproducible, job.reproducible);
+  EXPECT_EQ(read.rasterThreads, job.rasterThreads);
+}
+
+TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
+  const WorkerJob read = jobFromLine(toLine(WorkerJob{}));
+  EXPECT_EQ(read.scene.size, std::nullopt);
+  EXPECT_EQ(read.time_s, std::nullopt);
+}
+
+TEST(WorkerProtocol, CarriesReports) {
+  const auto failed =
+      std::get<WorkerFailed>(reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "disk\nfull"})));
+  EXPECT_EQ(failed.kind, core::ErrorKind::kIo);
+  EXPECT_EQ(failed.message, "disk\nfull");
+  const Statistics spent{7, {0.1, 0.2, 0.3, 0.4}, 0.5, 0.6, 0.7, 8};
+  const auto back = std::get<WorkerFinished>(reportFromLine(toLine(WorkerFinished{spent}))).spent;
+  EXPECT_EQ(back.frames, 7);
+  EXPECT_EQ(back.making.compose_s, 0.1);
+  EXPECT_EQ(back.making.render_s, 0.2);
+  EXPECT_EQ(back.making.read_s, 0.3);
+  EXPECT_EQ(back.making.text_s, 0.4);
+  EXPECT_EQ(back.convert_s, 0.5);
+  EXPECT_EQ(back.encode_s, 0.6);
+  EXPECT_EQ(back.cpu_s, 0.7);
+  EXPECT_EQ(back.peakMemory_bytes, 8);
+}
+
+}  // namespace
+}  // namespace poinsot::app

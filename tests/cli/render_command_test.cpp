@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiny renders through the whole program: bytes, targets, streams, signals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/program_run.h"
+#include "image/png_file.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class RenderCommand : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.put("a.toml", kGoodScene); }
+
+  /// Runs it and expects success.
+  RunResult good(const std::vector<std::string>& words) {
+    auto result = run(folder_, words);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, IsEmpty());
+    return result;
+  }
+
+  std::string bytes(const std::string& name) { return bytesOf(folder_ / name); }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(RenderCommand, WorkersDoNotChangeAByte) {
+  good({"render", "a.toml", "-o", "one.mp4", "-j", "1"});
+  good({"render", "a.toml", "-o", "two.mp4", "-j", "2"});
+  good({"render", "a.toml", "-o", "seven.mp4", "-j", "7"});  // more than there are segments
+  EXPECT_GT(bytes("one.mp4").size(), 10000u);
+  EXPECT_TRUE(bytes("one.mp4") == bytes("two.mp4"));
+  EXPECT_TRUE(bytes("one.mp4") == bytes("seven.mp4"));
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml", "one.mp4", "seven.mp4", "two.mp4"));
+}
+
+TEST_F(RenderCommand, StillIsTheFrameOfASequence) {
+  good({"render", "a.toml", "-o", "frames/a_{frame:04}.png", "--frames", "58-61", "-j", "2"});
+  EXPECT_THAT(namesIn(folder_ / "frames"), ElementsAre("a_0058.png", "a_0059.png", "a_0060.png", "a_0061.png"));
+  good({"still", "a.toml", "--time", "2", "-o", "still.png"});  // 2 s at 30 fps is frame 60
+  good({"render", "a.toml", "--frames", "60", "-o", "frame.png"});
+  EXPECT_TRUE(bytes("still.png") == bytes("frames/a_0060.png"));
+  EXPECT_TRUE(bytes("frame.png") == bytes("frames/a_0060.png"));
+  EXPECT_FALSE(bytes("frame.png") == bytes("frames/a_0061.png"));
+}
+
+TEST_F(RenderCommand, StillBetweenTwoFramesIsNeither) {
+  good({"still", "a.toml", "--time", "1.0", "-o", "before.png"});
+  good({"still", "a.toml", "--time", "1.016", "-o", "between.png"});
+  good({"still", "a.toml", "--time", "1.0333333333333333", "-o", "after.png"});
+  EXPECT_FALSE(bytes("between.png") == bytes("before.png"));
+  EXPECT_FALSE(bytes("between.png") == bytes("after.png"));
+}
+
+TEST_F(RenderCommand, BackEndsDrawTheSameBytes) {
+  good({"still", "a.toml", "--backend", "osmesa", "-o", "osmesa.png"});
+  good({"still", "a.toml", "--backend", "egl", "-o", "egl.png"});
+  EXPECT_TRUE(bytes("osmesa.png") == bytes("egl.png"));
+}
+
+TEST_F(RenderCommand, SizeMayBeOddForPictures) {
+  good({"still", "a.toml", "--size", "161x91", "-o", "odd.png"});
+  const auto picture = image::readPng(folder_ / "odd.png");
+  EXPECT_EQ(picture.size, (image::PixelSize{161, 91}));
+}
+
+TEST_F(RenderCommand, QualityWinsOverTheFile) {
+  good({"still", "a.toml", "-q", "preview", "-o", "preview.png"});
+  EXPECT_EQ(image::readPng(folder_ / "preview.png").size, (image::PixelSize{640, 360}));
+}
+
+TEST_F(RenderCommand, DefaultOutputIsInOut) {
+  good({"still", "a.toml"});
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml", "out"));
+  EXPECT_THAT(namesIn(folder_ / "out"), ElementsAre("a.png"));
+}
+
+TEST_F(RenderCommand, EarlierOutputIsReplacedAForeignFileIsNot) {
+  good({"still", "a.toml", "-o", "a.png"});
+  good({"still", "a.toml", "-o", "a.png", "--time", "1"});
+  good({"render", "a.toml", "-o", "a.mp4", "--frames", "0-3"});
+  good({"render", "a.toml", "-o", "a.mp4", "--frames", "0-3"});
+  for (const std::string name : {"mine.png", "mine.mp4"}) {
+    folder_.put(name, "not a picture");
+    const auto refused = run(folder_, {"render", "a.toml", "--frames", "0", "-o", name});
+    EXPECT_EQ(refused.exitCode, 4);
+    EXPECT_THAT(refused.err, HasSubstr(name + ": exists and was not written by poinsot; --force replaces it"));
+    EXPECT_EQ(bytes(name), "not a picture");
+    good({"render", "a.toml", "--frames", "0", "-o", name, "--force"});
+    EXPECT_GT(bytes(name).size(), 500u);
+  }
+}
+
+TEST_F(RenderCommand, ForeignFileInASequenceStopsAllOfIt) {
+  good({"render", "a.toml", "--frames", "0-1", "-o", "s_{frame}.png"});
+  const auto earlier = bytes("s_0.png");
+  folder_.put("s_2.png", "mine");
+  const auto refused = run(folder_, {"render", "a.toml", "--frames", "0-2", "-o", "s_{frame}.png", "--fps", "10"});
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_TRUE(bytes("s_0.png") == earlier);
+  EXPECT_EQ(bytes("s_2.png"), "mine");
+}
+
+TEST_F(RenderCommand, PlacesThatCannotHoldAnOutputAre4) {
+  std::filesystem::create_directory(folder_ / "d.mp4");
+  for (const char* target : {"no/such/a.mp4", "d.mp4", "a.toml/a.mp4"}) {
+    const auto result = run(folder_, {"render", "a.toml", "-o", target});
+    EXPECT_EQ(result.exitCode, 4) << target << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr("poinsot: error: "));
+  }
+}
+
+TEST_F(RenderCommand, DryRunMakesNothing) {
+  const auto dry = run(folder_, {"render", "a.toml", "--dry-run", "--frames", "30-119"});
+  EXPECT_EQ(dry.exitCode, 0) << dry.err;
+  EXPECT_EQ(dry.out, "out/a.mp4: 90 frames (30-119), 160x90, 30/1 frames/s, 2 segments\n");
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+TEST_F(RenderCommand, QuietSaysNothing) {
+  EXPECT_THAT(good({"render", "a.toml", "--quiet", "--frames", "0-3", "-o", "a.mp4"}).err, IsEmpty());
+}
+
+TEST_F(RenderCommand, ProgressAsJsonIsOneObjectALine) {
+  std::istringstream lines(good({"render", "a.toml", "--progress=json", "-o", "a.mp4"}).err);
+  nlohmann::json last;
+  for (std::string line; std::getline(lines, line);) last = nlohmann::json::parse(line);
+  EXPECT_EQ(last.at("event"), "progress");
+  EXPECT_EQ(last.at("done"), 120);
+  EXPECT_EQ(last.at("total"), 120);
+}
+
+TEST_F(RenderCommand, StatsAreToldPerStep) {
+  const auto result = good({"render", "a.toml", "--stats", "--frames", "0-9", "-o", "a.mp4"});
+  for (const char* said : {"10 frames in", "simulate + compose", "render", "convert", "encode", "peak memory"})
+    EXPECT_THAT(result.err, HasSubstr(said));
+}
+
+TEST_F(RenderCommand, AnEditedSceneDoesNotMix) {
+  good({"render", "a.toml", "-o", "calm.mp4", "-j", "2"});
+  ProgramRun running(folder_, {"render", "a.toml", "-o", "edited.mp4", "-j", "2", "--progress=json"});
+  while (running.errSoFar().empty()) usleep(2000);
+  folder_.put("a.toml", "not a scene at all");
+  EXPECT_EQ(running.wait().exitCode, 0);
+  EXPECT_TRUE(bytes("calm.mp4") == bytes("edited.mp4"));
+}
+
+double seconds(std::chrono::steady_clock::duration time) { return std::chrono::duration<double>(time).count(); }
+
+class Signals : public RenderCommand, public ::testing::WithParamInterface<std::pair<int, int>> {};
+
+TEST_P(Signals, LeaveNothingBehind) {
+  const auto [signal, exitCode] = GetParam();
+  // Far more frames than can be done before the signal.
+  ProgramRun running(
+      folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2", "--progress=json"});
+  while (running.errSoFar().empty()) usleep(2000);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / ".long.mp4.poinsot"));
+  const auto sent = std::chrono::steady_clock::now();
+  running.signal(signal);
+  EXPECT_EQ(running.wait().exitCode, exitCode);
+  EXPECT_LT(seconds(std::chrono::steady_clock::now() - sent), 2.0);
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Signals,
+                         ::testing::Values(std::pair{SIGINT, 130}, std::pair{SIGTERM, 143},
+                                           std::pair{SIGHUP, 129}));
+
+/// Processes whose parent is `parent`.
+std::vector<pid_t> childrenOf(pid_t parent) {
+  std::vector<pid_t> children;
+  std::istringstream list(
+      bytesOf("/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children"));
+  for (pid_t child = 0; list >> child;) children.push_back(child);
+  return children;
+}
+
+/// Whether the process runs; one that ended and waits for its parent to notice does not.
+bool alive(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  return file && text.at(text.rfind(')') + 2) != 'Z';
+}
+
+TEST_F(RenderCommand, DeadWorkerIsAnErrorThatNamesItsFrames) {
+  ProgramRun running(
+      folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2", "--progress=json"});
+  while (running.errSoFar().empty()) usleep(2000);
+  const auto workers = childrenOf(running.pid());
+  ASSERT_EQ(workers.size(), 2u);
+  kill(workers[1], SIGKILL);
+  const auto result = running.wait();
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_THAT(result.err, HasSubstr("a worker process was killed by signal 9 (Killed) while making frames "));
+  EXPECT_FALSE(alive(workers[0]));
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+TEST_F(RenderCommand, WorkersEndWithTheirParentAndTheNextRunTakesOver) {
+  {
+    ProgramRun running(
+        folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "a.mp4", "-j", "2", "--progress=json"});
+    while (running.errSoFar().empty()) usleep(2000);
+    const auto workers = childrenOf(running.pid());
+    ASSERT_EQ(workers.size(), 2u);
+    running.signal(SIGKILL);
+    EXPECT_EQ(running.wait().exitCode, 1000 + SIGKILL);
+    for (int i = 0; i < 500 && (alive(workers[0]) || alive(workers[1])); ++i) usleep(10000);
+    EXPECT_FALSE(alive(workers[0]) || alive(workers[1]));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder_ / ".a.mp4.poinsot"));
+  good({"render", "a.toml", "-o", "a.mp4", "--frames", "0-3"});
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.mp4", "a.toml"));
+}
+
+TEST_F(RenderCommand, OneRenderOfATargetAtATime) {
+  ProgramRun first(folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "a.mp4", "--progress=json"});
+  while (first.errSoFar().empty()) usleep(2000);
+  const auto second =
+      run(ScratchFolder(), {"render", (folder_ / "a.toml").string(), "-o", (folder_ / "a.mp4").string()});
+  EXPECT_EQ(second.exitCode, 4);
+  EXPECT_THAT(second.err, HasSubstr("another poinsot is making this output now"));
+}
+
+}  // namespace
+}  // namespace poinsot

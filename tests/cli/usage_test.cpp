@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line itself says: help, versions, usage errors, streams. No rendering.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program_run.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::vector<std::string> kCommands{"render", "still", "check", "schema", "backends"};
+
+TEST(Usage, HelpListsTheCommandsThatPeopleType) {
+  const ScratchFolder folder;
+  const auto help = run(folder, {"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_THAT(help.err, IsEmpty());
+  for (const auto& command : kCommands) EXPECT_THAT(help.out, HasSubstr("\n  " + command + " "));
+  EXPECT_THAT(help.out, Not(HasSubstr("worker")));
+  EXPECT_THAT(help.out, HasSubstr("poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4"));
+  EXPECT_EQ(run(folder, {"help"}).out, help.out);
+  EXPECT_EQ(run(folder, {}).out, help.out);
+}
+
+TEST(Usage, EveryCommandHasHelpWithAnExample) {
+  const ScratchFolder folder;
+  for (const auto& command : kCommands) {
+    const auto help = run(folder, {command, "--help"});
+    EXPECT_EQ(help.exitCode, 0) << command;
+    EXPECT_THAT(help.out, HasSubstr("\n  poinsot " + command)) << command;
+    EXPECT_EQ(run(folder, {"help", command}).out, help.out);
+  }
+}
+
+TEST(Usage, VersionNamesProgramLibrariesAndLicence) {
+  const ScratchFolder folder;
+  const auto version = run(folder, {"--version"});
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_THAT(version.out, StartsWith("poinsot 0."));
+  for (const char* library : {"libpng 1.6", "libavcodec", "libavformat", "OpenGL"})
+    EXPECT_THAT(version.out, HasSubstr(library));
+  EXPECT_EQ(version.out.back(), '\n');
+}
+
+TEST(Usage, SchemaIsJson) {
+  const ScratchFolder folder;
+  const auto schema = run(folder, {"schema"});
+  EXPECT_EQ(schema.exitCode, 0);
+  const auto json = nlohmann::json::parse(schema.out);
+  EXPECT_EQ(json.at("$schema"), "http://json-schema.org/draft-04/schema#");
+  EXPECT_TRUE(json.at("properties").contains("body"));
+}
+
+struct BadUsage {
+  std::vector<std::string> words;
+  std::string says;
+};
+
+TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const BadUsage cases[] = {
+      {{"rendr", "a.toml"}, "unknown command 'rendr'; did you mean 'render'?"},
+      {{"xyzzy"}, "unknown command 'xyzzy' (poinsot --help lists the commands)"},
+      {{"help", "stil"}, "did you mean 'still'?"},
+      {{"render"}, "SCENE is required"},
+      {{"render", "a.toml", "--forse"}, "unexpected '--forse'; did you mean '--force'?"},
+      {{"render", "a.toml", "b.toml"}, "unexpected 'b.toml'"},
+      {{"render", "a.toml", "-o", "a.avi"}, "output 'a.avi': this kind of file is not written; works: NAME.mp4"},
+      {{"render", "a.toml", "-o", "a_{n}.png"}, "not a frame number: {n}"},
+      {{"render", "a.toml", "-o", "a.png"},
+       "a.png takes one frame, and 120 are selected: choose one with --frames 0"},
+      {{"render", "a.toml", "--frames", "9-3"}, "--frames '9-3': frames are A-B"},
+      {{"render", "a.toml", "--frames", "100-120"}, "--frames 100-120: the film has frames 0 to 119"},
+      {{"render", "a.toml", "--size", "160"}, "--size '160': a size is WIDTHxHEIGHT"},
+      {{"render", "a.toml", "--size", "161x91"},
+       "--size 161x91: both sides of a film are even; the nearest is 162x92"},
+      {{"render", "a.toml", "--size", "8x8"}, "sides are from 16 to 8192 pixels"},
+      {{"render", "a.toml", "--size", "8193x90"}, "sides are from 16 to 8192 pixels"},
+      {{"render", "a.toml", "-j", "0"}, "not in range"},
+      {{"render", "a.toml", "--backend", "metal"}, "metal not in {auto,osmesa,egl}"},
+      {{"render", "a.toml", "--fps", "zero"}, "time.fps"},
+      {{"render", "a.toml", "-q", "1080"}, "1080p"},
+      {{"render", "a.toml", "-D", "time.duratoin=4"}, "time.duration"},
+      {{"render", "a.toml", "-D", "time.duration=-4"}, "time.duration"},
+      {{"still", "a.toml", "--time", "4.5", "-o", "a.png"}, "--time 4.5: the film lasts from 0 to 4 s"},
+      {{"still", "a.toml", "--time", "nan", "-o", "a.png"}, "--time nan"},
+      {{"still", "a.toml", "-o", "a.mp4"}, "a still is one NAME.png"},
+      {{"check"}, "SCENE is required"},
+  };
+  for (const BadUsage& bad : cases) {
+    const auto result = run(folder, bad.words);
+    EXPECT_EQ(result.exitCode, 2) << bad.says << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr(bad.says));
+    EXPECT_THAT(result.out, IsEmpty()) << bad.says;
+  }
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a.toml"});
+}
+
+TEST(Usage, MessagesCarryNoControlCharacters) {
+  const ScratchFolder folder;
+  const std::string evil = "\x1b]0;x\x07\r\xe2\x80\xae";
+  for (const std::vector<std::string>& words : {std::vector<std::string>{evil},
+                                                {"render", evil},
+                                                {"render", "a", "-o", evil},
+                                                {"render", "a", evil},
+                                                {"render", "a", "--frames", evil},
+                                                {"check", evil},
+                                                {"render", "a", "-D", evil}}) {
+    const auto result = run(folder, words);
+    EXPECT_EQ(result.exitCode, 2) << result.err;
+    EXPECT_THAT(result.err, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07")), Not(HasSubstr("\r")),
+                                  Not(HasSubstr("\xe2\x80\xae"))));
+  }
+}
+
+TEST(Streams, ReaderGoneIs141) {
+  const ScratchFolder folder;
+  for (const auto& words : {std::vector<std::string>{"--help"}, {"--version"}, {"schema"}}) {
+    const auto result = run(folder, words, Stdout::kBrokenPipe);
+    EXPECT_EQ(result.exitCode, 141) << words[0];
+    EXPECT_THAT(result.err, IsEmpty());
+  }
+}
+
+TEST(Streams, LostOutputIs4) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run(folder, {"schema"}, Stdout::kClosed).exitCode, 4);
+  const auto full = run(folder, {"schema"}, Stdout::kFull);
+  EXPECT_EQ(full.exitCode, 4);
+  EXPECT_THAT(full.err, HasSubstr("poinsot: error: standard output: No space left on device"));
+}
+
+}  // namespace
+}  // namespace poinsot
