@@ -62,6 +62,9 @@ const Golden kGoldens[] = {
      {160, 200}},
 };
 
+// What GoogleTest and ctest print of a case.
+void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
+
 scene::Scene sceneOf(const Golden& golden) {
   const std::string text = golden.scene;
   if (text.find('\n') != std::string::npos) return scene::parseScene(text, std::string(golden.name) + ".toml");

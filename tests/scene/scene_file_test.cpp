@@ -30,8 +30,8 @@ TEST(SceneFile, NeedsABodyAndAStartOnly) {
   EXPECT_EQ(scene.time.duration_s, 10);
   EXPECT_EQ(scene.time.fps, (core::Rational{30, 1}));
   EXPECT_FALSE(scene.time.speed);
-  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, 35 * kDegree);
-  EXPECT_DOUBLE_EQ(scene.camera.elevation_rad, 14 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, 22 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.elevation_rad, 18 * kDegree);
   EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 24 * kDegree);
   EXPECT_EQ(scene.camera.zoom, 1);
   EXPECT_EQ(scene.camera.frame, CameraFrame::kSpace);
