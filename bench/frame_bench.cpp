@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of one 1920x1080 frame of the tennis racket, CPU time on one core.
+#include <benchmark/benchmark.h>
+
+#include "image/png_file.h"
+#include "output/yuv.h"
+#include "render/renderer.h"
+#include "scene/scene_file.h"
+#include "stage/stage.h"
+
+namespace poinsot {
+namespace {
+
+constexpr image::PixelSize kSize{1920, 1080};
+
+const stage::Stage& racket() {
+  static const stage::Stage stage(scene::loadScene(POINSOT_SOURCE_DIR "/scenes/tennis_racket.toml"));
+  return stage;
+}
+
+/// One context and renderer for all; the first pictures, which compile shaders, are drawn before any is timed.
+render::Renderer& renderer() {
+  static const auto context = [] {
+    gl::pinEnvironment(false);
+    return gl::openContext(gl::Backend::kAuto);
+  }();
+  static render::Renderer renderer(*context);
+  static const bool warm = [] {
+    for (int k = 0; k < 60; ++k) renderer.render(racket().compose(0.2 * k, {kSize.width, kSize.height}), kSize);
+    return true;
+  }();
+  benchmark::DoNotOptimize(warm);
+  return renderer;
+}
+
+void compose(benchmark::State& state) {
+  double t = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(racket().compose(t += 0.033, {kSize.width, kSize.height}));
+}
+BENCHMARK(compose)->Unit(benchmark::kMillisecond);
+
+void render(benchmark::State& state) {
+  render::Renderer& warm = renderer();
+  double t = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(warm.render(racket().compose(t += 0.033, {kSize.width, kSize.height}), kSize));
+}
+BENCHMARK(render)->Unit(benchmark::kMillisecond);
+
+void encodePng(benchmark::State& state) {
+  const image::Image picture = renderer().render(racket().compose(5, {kSize.width, kSize.height}), kSize);
+  for (auto _ : state) benchmark::DoNotOptimize(image::encodePng(picture));
+}
+BENCHMARK(encodePng)->Unit(benchmark::kMillisecond);
+
+void convertToYuv(benchmark::State& state) {
+  const image::Image picture = renderer().render(racket().compose(5, {kSize.width, kSize.height}), kSize);
+  std::vector<std::uint8_t> y(1920 * 1080), u(y.size() / 4), v(y.size() / 4);
+  const output::YuvPlanes planes{y.data(), u.data(), v.data(), 1920, 960, 960};
+  for (auto _ : state) {
+    output::convertToYuv420(picture, planes);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(convertToYuv)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace poinsot

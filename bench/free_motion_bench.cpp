@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nanoseconds per state at a random time, for each kind of motion.
+#include <benchmark/benchmark.h>
+
+#include "physics/free_motion.h"
+
+namespace poinsot::physics {
+namespace {
+
+void evaluate(benchmark::State& state, const Eigen::Vector3d& moments, const Eigen::Vector3d& omega_B) {
+  const FreeMotion motion(PrincipalMoments(moments), omega_B, Eigen::Quaterniond::Identity());
+  double t = 0.1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(motion.at(t));
+    t = t < 1e6 ? 1.618 * t : 0.1;  // no two alike, none near the last
+  }
+}
+
+BENCHMARK_CAPTURE(evaluate, about_largest_axis, Eigen::Vector3d(2, 3, 4), Eigen::Vector3d(0.5, 0.25, 1));
+BENCHMARK_CAPTURE(evaluate, about_smallest_axis, Eigen::Vector3d(2, 3, 4), Eigen::Vector3d(1, 0.25, 0.25));
+BENCHMARK_CAPTURE(evaluate, separatrix, Eigen::Vector3d(1, 2, 2.25), Eigen::Vector3d(0.75, 0.5, 1));
+BENCHMARK_CAPTURE(evaluate, flipping, Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0x1p-10, 1, 0));
+BENCHMARK_CAPTURE(evaluate, symmetric, Eigen::Vector3d(1.5, 1.5, 0.9), Eigen::Vector3d(0.5, 0, 2));
+BENCHMARK_CAPTURE(evaluate, steady, Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0, 0, 1));
+
+void construct(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        FreeMotion(PrincipalMoments({2, 3, 4}), {0.5, 0.25, 1}, Eigen::Quaterniond::Identity()));
+}
+BENCHMARK(construct);
+
+}  // namespace
+}  // namespace poinsot::physics
