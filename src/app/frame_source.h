@@ -13,6 +13,10 @@ struct FrameTimes {
   double render_s = 0;
   double read_s = 0;
   double text_s = 0;
+
+  double sum_s() const { return compose_s + render_s + read_s + text_s; }
+  FrameTimes& operator+=(const FrameTimes& other);
+  FrameTimes& operator-=(const FrameTimes& other);
 };
 
 /// Makes frames; each is a function of its number alone, so any order gives the same pictures.

@@ -43,7 +43,8 @@ ProgressStyle progressStyle(std::string_view word, bool terminal) {
 }
 
 double ProgressState::left_s() const {
-  return done > 0 ? elapsed_s * static_cast<double>(total - done) / static_cast<double>(done) : -1;
+  if (done == total) return 0;
+  return framesPerSecond > 0 ? static_cast<double>(total - done) / framesPerSecond : -1;
 }
 
 std::string clockText(double seconds) {
@@ -56,7 +57,7 @@ std::string clockText(double seconds) {
 std::string barLine(const ProgressState& state, int columns) {
   const std::string figures =
       fmt::format(" {:3} %  {}/{} frames  {:.1f} frames/s  {} left", percent(state), state.done, state.total,
-                  state.framesPerSecond(), clockText(state.left_s()));
+                  state.framesPerSecond, clockText(state.left_s()));
   // Beyond 40 cells a bar tells no more; under 10 the figures alone do better.
   const int cells = std::min(40, columns - static_cast<int>(figures.size()) - 2);
   const std::string line = cells >= 10 ? bar(state, cells) + figures : figures.substr(1);
@@ -65,14 +66,14 @@ std::string barLine(const ProgressState& state, int columns) {
 
 std::string plainLine(const ProgressState& state) {
   return fmt::format("{} of {} frames ({} %), {:.1f} frames/s, {} left", state.done, state.total, percent(state),
-                     state.framesPerSecond(), clockText(state.left_s()));
+                     state.framesPerSecond, clockText(state.left_s()));
 }
 
 std::string jsonLine(const ProgressState& state) {
-  const std::string left = state.done > 0 ? fmt::format("{:.3f}", state.left_s()) : "null";
+  const std::string left = state.left_s() >= 0 ? fmt::format("{:.3f}", state.left_s()) : "null";
   return fmt::format(
       R"({{"event":"progress","done":{},"total":{},"elapsed_s":{:.3f},"frames_per_second":{:.3f},"left_s":{}}})",
-      state.done, state.total, state.elapsed_s, state.framesPerSecond(), left);
+      state.done, state.total, state.elapsed_s, state.framesPerSecond, left);
 }
 
 Progress::Progress(ProgressStyle style, std::int64_t totalFrames, int columns, Writer write)
@@ -81,12 +82,22 @@ Progress::Progress(ProgressStyle style, std::int64_t totalFrames, int columns, W
   if (style == ProgressStyle::kBar || style == ProgressStyle::kJson) shownAt_s_ = -interval_s(style);
 }
 
+double Progress::rateAfterFirst(std::int64_t done, double elapsed_s) const {
+  const double since_s = elapsed_s - firstAt_s_;
+  return since_s > 0 ? static_cast<double>(done - firstDone_) / since_s : 0;
+}
+
 void Progress::update(std::int64_t done, double elapsed_s) {
+  if (firstDone_ == 0) {
+    // Before the first frame the driver compiles shaders: seconds that say nothing about the rest.
+    firstDone_ = done;
+    firstAt_s_ = elapsed_s;
+  }
   const bool last = done == total_ && style_ != ProgressStyle::kNone && shown_ != done;
   if (!last && elapsed_s - shownAt_s_ < interval_s(style_)) return;
   shownAt_s_ = elapsed_s;
   shown_ = done;
-  const ProgressState state{done, total_, elapsed_s};
+  const ProgressState state{done, total_, elapsed_s, rateAfterFirst(done, elapsed_s)};
   if (style_ == ProgressStyle::kJson) return write_(jsonLine(state) + "\n");
   if (style_ == ProgressStyle::kPlain) return write_("poinsot: " + plainLine(state) + "\n");
   // Carriage return, line, erase to its end: no flicker, nothing left of a longer line.

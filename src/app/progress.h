@@ -25,8 +25,9 @@ struct ProgressState {
   std::int64_t total = 0;  ///< frames, > 0
   double elapsed_s = 0;    ///< wall time since the start
 
-  double framesPerSecond() const { return elapsed_s > 0 ? static_cast<double>(done) / elapsed_s : 0; }
-  /// Wall time to the end at the mean rate so far; negative while unknown.
+  double framesPerSecond = 0;  ///< 0 while unknown
+
+  /// Wall time to the end at this rate; negative while unknown.
   double left_s() const;
 };
 
@@ -60,6 +61,10 @@ class Progress {
   std::int64_t total_;
   int columns_;
   Writer write_;
+  double rateAfterFirst(std::int64_t done, double elapsed_s) const;
+
+  std::int64_t firstDone_ = 0;  // at the first update
+  double firstAt_s_ = 0;
   double shownAt_s_ = 0;
   std::int64_t shown_ = -1;  // frames done at the last showing
   bool lineOpen_ = false;

@@ -64,7 +64,6 @@ void RenderJob::startWorkers() {
   const int perWorker = request_.jobs / count;
   const WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
                       folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0};
-  summary_.workers = count;
   for (int i = 0; i < count; ++i) {
     throwIfInterrupted();
     workers_.push_back(std::make_unique<WorkerProcess>(job));

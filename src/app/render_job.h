@@ -29,7 +29,6 @@ struct RenderRequest {
 
 struct RenderSummary {
   Statistics spent;
-  int workers = 0;
   double wall_s = 0;
 };
 

@@ -9,12 +9,21 @@
 #include <iterator>
 
 namespace poinsot::app {
+namespace {
+
+const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
+
+/// What no step accounts for.
+double otherCpu_s(const Statistics& sum) {
+  return std::max(0.0, sum.cpu_s - sum.first_s - sum.making.sum_s() - sum.convert_s - sum.encode_s);
+}
+
+}  // namespace
 Statistics& Statistics::operator+=(const Statistics& other) {
   frames += other.frames;
-  making.compose_s += other.making.compose_s;
-  making.render_s += other.making.render_s;
-  making.read_s += other.making.read_s;
-  making.text_s += other.making.text_s;
+  workers += other.workers;
+  first_s += other.first_s;
+  making += other.making;
   convert_s += other.convert_s;
   encode_s += other.encode_s;
   cpu_s += other.cpu_s;
@@ -34,26 +43,28 @@ double processPeakMemory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts kilobytes
 }
 
-std::string statisticsText(const Statistics& sum, int workers, double wall_s) {
-  const auto frames = static_cast<double>(std::max<std::int64_t>(sum.frames, 1));
-  const FrameTimes& making = sum.making;
-  const double steps_s =
-      making.compose_s + making.render_s + making.read_s + making.text_s + sum.convert_s + sum.encode_s;
-  std::string text = fmt::format("{} frames in {:.2f} s with {} worker{}: {:.1f} frames/s\n", sum.frames, wall_s,
-                                 workers, workers == 1 ? "" : "s", static_cast<double>(sum.frames) / wall_s);
-  const auto line = [&](const char* step, double seconds) {
-    fmt::format_to(std::back_inserter(text), "  {:<20}{:>9.2f} ms CPU per frame\n", step, 1e3 * seconds / frames);
+std::string statisticsText(const Statistics& sum, double wall_s) {
+  const auto perFrame = [](double seconds, std::int64_t frames) {
+    return 1e3 * seconds / static_cast<double>(std::max<std::int64_t>(frames, 1));
   };
-  line("simulate + compose", making.compose_s);
-  line("render", making.render_s);
-  line("text", making.text_s);
-  line("read", making.read_s);
-  line("convert", sum.convert_s);
-  line("encode + write", sum.encode_s);
-  line("start and other", std::max(0.0, sum.cpu_s - steps_s));
-  line("in all", sum.cpu_s);
-  return text + fmt::format("  peak memory         {:>9.0f} MiB in {} worker{}\n",
-                            sum.peakMemory_bytes / (1 << 20), workers, workers == 1 ? "" : "s");
+  std::string text =
+      fmt::format("{} frame{} in {:.2f} s with {} worker{}: {:.1f} frames/s\n", sum.frames, plural(sum.frames),
+                  wall_s, sum.workers, plural(sum.workers), static_cast<double>(sum.frames) / wall_s);
+  const auto line = [&](const char* step, double milliseconds, const char* unit = "ms CPU per frame") {
+    fmt::format_to(std::back_inserter(text), "  {:<20}{:>9.2f} {}\n", step, milliseconds, unit);
+  };
+  const std::int64_t later = sum.frames - sum.workers;
+  line("simulate + compose", perFrame(sum.making.compose_s, later));
+  line("render", perFrame(sum.making.render_s, later));
+  line("read", perFrame(sum.making.read_s, later));
+  line("text", perFrame(sum.making.text_s, later));
+  line("convert", perFrame(sum.convert_s, sum.frames));
+  line("encode + write", perFrame(sum.encode_s, sum.frames));
+  line("first frame", perFrame(sum.first_s, sum.workers), "ms CPU per worker, shaders compiled");
+  line("start and other", perFrame(otherCpu_s(sum), sum.workers), "ms CPU per worker");
+  line("in all", perFrame(sum.cpu_s, sum.frames));
+  line("peak memory", sum.peakMemory_bytes / (1 << 20), "MiB, workers together");
+  return text;
 }
 
 }  // namespace poinsot::app

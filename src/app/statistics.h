@@ -11,7 +11,9 @@ namespace poinsot::app {
 /// What a worker, or all of them together, spent.
 struct Statistics {
   std::int64_t frames = 0;
-  FrameTimes making;
+  std::int64_t workers = 0;
+  double first_s = 0;           ///< CPU: making each worker's first frame, in which the driver compiles shaders
+  FrameTimes making;            ///< of all other frames
   double convert_s = 0;         ///< CPU: RGB to the encoder's pixels
   double encode_s = 0;          ///< CPU: encoder, or PNG compression and writing
   double cpu_s = 0;             ///< CPU of the processes in all, start-up included
@@ -25,6 +27,6 @@ double processCpu_s();
 double processPeakMemory_bytes();
 
 /// A table of CPU milliseconds per frame by step, frames per second and memory; lines end with a newline.
-std::string statisticsText(const Statistics& sum, int workers, double wall_s);
+std::string statisticsText(const Statistics& sum, double wall_s);
 
 }  // namespace poinsot::app

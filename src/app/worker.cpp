@@ -23,10 +23,13 @@ void report(int reports, const WorkerReport& what) {
   if (!writeLine(reports, toLine(what))) throw Interrupted(SIGHUP);
 }
 
-void makeSegment(const FrameRange& segment, int reports, FrameSource& source, output::FrameSink& sink) {
+void makeSegment(const FrameRange& segment, int reports, FrameSource& source, output::FrameSink& sink,
+                 Statistics& spent) {
   for (std::int64_t k = segment.first; k <= segment.last; ++k) {
     throwIfInterrupted();
-    sink.write(source.frame(k), k);
+    const image::Image picture = source.frame(k);
+    if (spent.frames++ == 0) spent.making -= source.times();  // told apart from the other frames
+    sink.write(picture, k);
     report(reports, FrameDone{k});
   }
   sink.finish();
@@ -65,12 +68,13 @@ int failed(int reports, core::ErrorKind kind, const std::string& message) {
 
 Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf) {
   Statistics spent;
+  spent.workers = 1;
   while (const auto line = jobs.wait()) {
     const FrameRange segment = segmentFromLine(*line);
-    makeSegment(segment, reports, source, *sinkOf(segment));
-    spent.frames += segment.count();
+    makeSegment(segment, reports, source, *sinkOf(segment), spent);
   }
-  spent.making = source.times();
+  spent.first_s = -spent.making.sum_s();
+  spent.making += source.times();
   return spent;
 }
 

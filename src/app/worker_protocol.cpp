@@ -58,18 +58,16 @@ SceneRequest sceneOf(const Json& json) {
 
 // In the order of the fields, so that the two functions below stay readable side by side.
 Json toJson(const Statistics& s) {
-  return Json{s.frames,    s.making.compose_s, s.making.render_s, s.making.read_s,   s.making.text_s,
-              s.convert_s, s.encode_s,         s.cpu_s,           s.peakMemory_bytes};
+  return Json{s.frames,          s.workers,       s.first_s,         s.making.compose_s,
+              s.making.render_s, s.making.read_s, s.making.text_s,   s.convert_s,
+              s.encode_s,        s.cpu_s,         s.peakMemory_bytes};
 }
 
 Statistics statisticsOf(const Json& json) {
-  const auto number = [&](int i) { return json.at(static_cast<std::size_t>(i)).get<double>(); };
-  return {json.at(0).get<std::int64_t>(),
-          {number(1), number(2), number(3), number(4)},
-          number(5),
-          number(6),
-          number(7),
-          number(8)};
+  const auto count = [&](std::size_t i) { return json.at(i).get<std::int64_t>(); };
+  const auto number = [&](std::size_t i) { return json.at(i).get<double>(); };
+  return {count(0),  count(1),  number(2), {number(3), number(4), number(5), number(6)},
+          number(7), number(8), number(9), number(10)};
 }
 
 template <class... Each>

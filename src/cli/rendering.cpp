@@ -103,7 +103,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   if (!options.quiet && options.progress != "json")
     writeErr(fmt::format("poinsot: {} is ready ({} frame{}, {:.1f} s)\n", core::printable(target.path.string()),
                          frames.count(), frames.count() == 1 ? "" : "s", summary.wall_s));
-  if (options.stats) writeErr(app::statisticsText(summary.spent, summary.workers, summary.wall_s));
+  if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
   return kDone;
 }
 

@@ -8,7 +8,7 @@
 namespace poinsot::app {
 namespace {
 
-constexpr ProgressState kHalf{150, 300, 4.0}, kNone{0, 300, 0.5}, kAll{300, 300, 8.0};
+constexpr ProgressState kHalf{150, 300, 5.0, 37.5}, kFirst{1, 300, 0.5, 0}, kAll{300, 300, 9.0, 37.5};
 
 TEST(Progress, ClockRoundsUp) {
   EXPECT_EQ(clockText(0), "0:00");
@@ -21,13 +21,13 @@ TEST(Progress, ClockRoundsUp) {
 
 TEST(Progress, LinesGiveRateAndTimeLeft) {
   EXPECT_EQ(plainLine(kHalf), "150 of 300 frames (50 %), 37.5 frames/s, 0:04 left");
-  EXPECT_EQ(plainLine(kNone), "0 of 300 frames (0 %), 0.0 frames/s, -:-- left");
+  EXPECT_EQ(plainLine(kFirst), "1 of 300 frames (0 %), 0.0 frames/s, -:-- left");
   EXPECT_EQ(
       jsonLine(kHalf),
-      R"({"event":"progress","done":150,"total":300,"elapsed_s":4.000,"frames_per_second":37.500,"left_s":4.000})");
+      R"({"event":"progress","done":150,"total":300,"elapsed_s":5.000,"frames_per_second":37.500,"left_s":4.000})");
   EXPECT_EQ(
-      jsonLine(kNone),
-      R"({"event":"progress","done":0,"total":300,"elapsed_s":0.500,"frames_per_second":0.000,"left_s":null})");
+      jsonLine(kFirst),
+      R"({"event":"progress","done":1,"total":300,"elapsed_s":0.500,"frames_per_second":0.000,"left_s":null})");
 }
 
 TEST(Progress, BarFillsAndFitsTheTerminal) {
@@ -47,11 +47,11 @@ TEST(Progress, StyleFollowsTheTerminal) {
   EXPECT_EQ(progressStyle("none", true), ProgressStyle::kNone);
 }
 
-/// What is written when one frame takes a second, ten in all.
+/// What is written when one frame takes a second, ten in all, the first two.
 std::vector<std::string> tenSeconds(ProgressStyle style) {
   std::vector<std::string> written;
   Progress progress(style, 10, 80, [&](std::string_view text) { written.emplace_back(text); });
-  for (int done = 1; done <= 10; ++done) progress.update(done, done);
+  for (int done = 1; done <= 10; ++done) progress.update(done, done + 1);
   progress.end();
   progress.end();
   return written;
@@ -59,7 +59,8 @@ std::vector<std::string> tenSeconds(ProgressStyle style) {
 
 TEST(Progress, PlainSpeaksEveryFiveSecondsAndAtTheEnd) {
   EXPECT_EQ(tenSeconds(ProgressStyle::kPlain),
-            (std::vector<std::string>{"poinsot: 5 of 10 frames (50 %), 1.0 frames/s, 0:05 left\n",
+            (std::vector<std::string>{"poinsot: 4 of 10 frames (40 %), 1.0 frames/s, 0:06 left\n",
+                                      "poinsot: 9 of 10 frames (90 %), 1.0 frames/s, 0:01 left\n",
                                       "poinsot: 10 of 10 frames (100 %), 1.0 frames/s, 0:00 left\n"}));
 }
 

@@ -10,9 +10,11 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(Statistics, AddUp) {
-  Statistics sum{10, {1, 2, 3, 4}, 5, 6, 22, 100};
-  sum += {30, {10, 20, 30, 40}, 50, 60, 220, 200};
+  Statistics sum{10, 1, 0.5, {1, 2, 3, 4}, 5, 6, 22, 100};
+  sum += {30, 1, 0.25, {10, 20, 30, 40}, 50, 60, 220, 200};
   EXPECT_EQ(sum.frames, 40);
+  EXPECT_EQ(sum.workers, 2);
+  EXPECT_EQ(sum.first_s, 0.75);
   EXPECT_EQ(sum.making.compose_s, 11);
   EXPECT_EQ(sum.making.render_s, 22);
   EXPECT_EQ(sum.making.read_s, 33);
@@ -24,15 +26,18 @@ TEST(Statistics, AddUp) {
 }
 
 TEST(Statistics, TextIsPerFrame) {
-  // 100 frames; by hand 0.2 s / 100 = 2 ms; the rest 3.0 - (0.2 + 0.8 + 0.1 + 0.1 + 0.3 + 1.0) = 0.5 s = 5 ms.
-  const std::string text = statisticsText({100, {0.2, 0.8, 0.1, 0.1}, 0.3, 1.0, 3.0, 64.0 * 1024 * 1024}, 2, 2.0);
-  EXPECT_THAT(text, HasSubstr("100 frames in 2.00 s with 2 workers: 50.0 frames/s\n"));
+  // 102 frames, 100 of which are no worker's first. By hand: 0.2 s / 100 = 2 ms, 1.02 s / 102 = 10 ms, and what is
+  // left, 5.1 - (0.2 + 0.8 + 0.1 + 0.1 + 0.3 + 1.02 + 2.0) = 0.58 s, is 290 ms for each of two workers.
+  const std::string text =
+      statisticsText({102, 2, 2.0, {0.2, 0.8, 0.1, 0.1}, 0.3, 1.02, 5.1, 64.0 * 1024 * 1024}, 2.0);
+  EXPECT_THAT(text, HasSubstr("102 frames in 2.00 s with 2 workers: 51.0 frames/s\n"));
   EXPECT_THAT(text, HasSubstr("  simulate + compose       2.00 ms CPU per frame\n"));
   EXPECT_THAT(text, HasSubstr("  render                   8.00 ms CPU per frame\n"));
   EXPECT_THAT(text, HasSubstr("  encode + write          10.00 ms CPU per frame\n"));
-  EXPECT_THAT(text, HasSubstr("  start and other          5.00 ms CPU per frame\n"));
-  EXPECT_THAT(text, HasSubstr("  in all                  30.00 ms CPU per frame\n"));
-  EXPECT_THAT(text, HasSubstr("64 MiB in 2 workers\n"));
+  EXPECT_THAT(text, HasSubstr("  first frame           1000.00 ms CPU per worker, shaders compiled\n"));
+  EXPECT_THAT(text, HasSubstr("  start and other        290.00 ms CPU per worker\n"));
+  EXPECT_THAT(text, HasSubstr("  in all                  50.00 ms CPU per frame\n"));
+  EXPECT_THAT(text, HasSubstr("  peak memory             64.00 MiB, workers together\n"));
 }
 
 TEST(Statistics, ClocksRun) {

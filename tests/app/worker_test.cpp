@@ -15,9 +15,12 @@ struct GreySource : FrameSource {
   image::Image frame(std::int64_t k) override {
     image::Image picture({1, 1}, 3);
     picture.pixels.assign(3, static_cast<std::uint8_t>(k));
+    ++made;
     return picture;
   }
-  FrameTimes times() const override { return {1, 2, 3, 4}; }
+  /// Each frame costs 1, 2, 3 and 4 s.
+  FrameTimes times() const override { return {made * 1.0, made * 2.0, made * 3.0, made * 4.0}; }
+  int made = 0;
 };
 
 using Written = std::vector<std::pair<std::int64_t, int>>;  // k and grey value, -1 for finish()
@@ -52,7 +55,9 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
                                   [&](const FrameRange&) { return std::make_unique<RecordingSink>(written); });
   EXPECT_EQ(written, (Written{{3, 3}, {4, 4}, {0, -1}, {60, 60}, {0, -1}}));
   EXPECT_EQ(spent.frames, 3);
-  EXPECT_EQ(spent.making.text_s, 4);
+  EXPECT_EQ(spent.workers, 1);
+  EXPECT_EQ(spent.first_s, 10);       // 1 + 2 + 3 + 4
+  EXPECT_EQ(spent.making.text_s, 8);  // of the two others
 
   reports.write.reset();
   LineReader told(reports.read.get());
@@ -105,9 +110,11 @@ TEST(WorkerProtocol, CarriesReports) {
       std::get<WorkerFailed>(reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "disk\nfull"})));
   EXPECT_EQ(failed.kind, core::ErrorKind::kIo);
   EXPECT_EQ(failed.message, "disk\nfull");
-  const Statistics spent{7, {0.1, 0.2, 0.3, 0.4}, 0.5, 0.6, 0.7, 8};
+  const Statistics spent{7, 3, 0.9, {0.1, 0.2, 0.3, 0.4}, 0.5, 0.6, 0.7, 8};
   const auto back = std::get<WorkerFinished>(reportFromLine(toLine(WorkerFinished{spent}))).spent;
   EXPECT_EQ(back.frames, 7);
+  EXPECT_EQ(back.workers, 3);
+  EXPECT_EQ(back.first_s, 0.9);
   EXPECT_EQ(back.making.compose_s, 0.1);
   EXPECT_EQ(back.making.render_s, 0.2);
   EXPECT_EQ(back.making.read_s, 0.3);
