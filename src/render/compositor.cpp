@@ -168,7 +168,8 @@ void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, con
       for (std::size_t i = 0; i < glass.size(); ++i)
         if (touches(glass[i].outline.bounds, tile)) ellipsoidsHere.push_back(i);
       for (std::size_t i = 0; i < planes.size(); ++i)
-        if (touches(planes[i], tile)) planesHere.push_back(i);
+        // With an ellipsoid the planes come along: two shaders fewer to compile for the few tiles it concerns.
+        if (touches(planes[i], tile) || (planes[i].visible && !ellipsoidsHere.empty())) planesHere.push_back(i);
       if (hasSolids || !ellipsoidsHere.empty() || !planesHere.empty()) addRectangle(tiles[content], tile);
     }
   }

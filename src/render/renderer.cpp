@@ -83,8 +83,8 @@ struct Renderer::Passes {
       if (tiles.any()) solids.draw(which, depth);
     };
     pass(buffers->full, SolidPass::kFull, 0);
-    pass(buffers->edge, SolidPass::kNearestEdge, 0);
-    pass(buffers->nextEdge, SolidPass::kNextEdge, buffers->edge.depth());
+    pass(buffers->edge, SolidPass::kEdges, 0);
+    pass(buffers->nextEdge, SolidPass::kEdges, buffers->edge.depth());
   }
 
   void clearPicture(const draw::DrawList& list, bool transparent) {

@@ -16,7 +16,7 @@ using gl::ShaderProgram;
 
 ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
                            const std::string& defines = "") {
-  const std::string passDefine = "#define PASS " + std::to_string(static_cast<int>(pass)) + "\n";
+  const std::string passDefine = "#define EDGES " + std::to_string(static_cast<int>(pass)) + "\n";
   return {fragment, shaderSource(vertex), shaderSource(fragment, passDefine + defines)};
 }
 
@@ -65,9 +65,7 @@ SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   return programs;
 }
 
-SolidPainter::SolidPainter()
-    : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kNearestEdge),
-                makePrograms(SolidPass::kNextEdge)} {
+SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kEdges)} {
   glBindVertexArray(cellVertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, cellBuffer_.id());
   floatAttribute(0, 2, sizeof(glm::vec2), 0);
@@ -171,14 +169,14 @@ void SolidPainter::prepareCurve(const draw::Camera& camera, const draw::Curve& c
   strips_.insert(strips_.end(), strip.triangles.begin(), strip.triangles.end());
 }
 
-void SolidPainter::draw(SolidPass pass, GLuint nearestEdgeDepth) const {
+void SolidPainter::draw(SolidPass pass, GLuint edgeBefore) const {
   const Programs& programs = programs_[static_cast<std::size_t>(pass)];
   for (const ShaderProgram& program : programs) {
     setPicture(program, *list_, sharpness_);
-    program.set("nearestEdgeDepth", 0);
+    program.set("edgeBefore", 0);
   }
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, nearestEdgeDepth);
+  glBindTexture(GL_TEXTURE_2D, edgeBefore);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);

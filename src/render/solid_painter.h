@@ -12,8 +12,8 @@
 
 namespace poinsot::render {
 
-/// Which fragments of the solids are kept; the numbers are PASS in emit.glsl.
-enum class SolidPass { kFull = 0, kNearestEdge = 1, kNextEdge = 2 };
+/// Which fragments of the solids are kept; the numbers are EDGES in emit.glsl.
+enum class SolidPass { kFull = 0, kEdges = 1 };
 
 /// What all shaders are told about the picture.
 void setPicture(const gl::ShaderProgram& program, const draw::DrawList& list, float sharpness);
@@ -23,12 +23,13 @@ class SolidPainter {
  public:
   SolidPainter();
 
-  /// Works out outlines and strips of this list, once for the three passes.
+  /// Works out outlines and strips of this list, once for all passes.
   /// @return the tiles that any solid may touch.
   TileMask prepare(const draw::DrawList& list, float sharpness);
 
-  /// Draws what prepare() was given into the bound framebuffer. `nearestEdgeDepth` is read in kNextEdge only.
-  void draw(SolidPass pass, GLuint nearestEdgeDepth) const;
+  /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
+  /// the texture `edgeBefore`, or the nearest of all when that is 0.
+  void draw(SolidPass pass, GLuint edgeBefore) const;
 
  private:
   enum Kind : std::size_t { kEllipsoid, kFrustum, kBox, kFlatCurve, kTube, kKinds };
@@ -50,7 +51,7 @@ class SolidPainter {
   void addItem(Kind kind, const Cells& cells, std::function<void(const gl::ShaderProgram&)> setUniforms);
   Cells markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside);
 
-  std::array<Programs, 3> programs_;
+  std::array<Programs, 2> programs_;
   gl::VertexArrayName cellVertices_ = gl::VertexArrayName::make();
   gl::VertexArrayName curveVertices_ = gl::VertexArrayName::make();
   gl::BufferName cellBuffer_ = gl::BufferName::make();
