@@ -1,5 +1,6 @@
 #include "camera.glsl"
 #include "coverage.glsl"
+#include "graticule.glsl"
 
 // Puts one pixel together from everything that was kept of it: the nearest solid that fills it, the two nearest
 // edges, and every translucent sheet, which is solved for here. Each fragment is dimmed by those in front of it;
@@ -42,10 +43,6 @@ const int kFragments = kEdges + 2 * ELLIPSOIDS + PLANES;
 vec4 colors[kFragments];   // straight rgb, opacity
 float depths[kFragments];
 
-float lineCover(float distance_px, float width_px) {
-  return coveredStrip(0.5 * width_px - distance_px, 0.5 * width_px + distance_px);
-}
-
 // `over` laid on `under`, both straight.
 vec4 layOver(vec4 over, vec4 under) {
   float a = over.a + under.a * (1.0 - over.a);
@@ -53,31 +50,6 @@ vec4 layOver(vec4 over, vec4 under) {
 }
 
 #if ELLIPSOIDS > 0
-// One family of lines at every `step` of an angle, fading where they come closer than `least_px`.
-float graticuleLines(float angle, float slope, float step, float width_px, float least_px) {
-  float spacing_px = step / max(slope, 1e-9);
-  float fade = clamp(2.0 * spacing_px / least_px - 1.0, 0.0, 1.0);
-  return fade * lineCover((angle - step * round(angle / step)) / max(slope, 1e-9), width_px);
-}
-
-// Parallels every 15 degrees; meridians every 30, and every 15 where there is room, so that they fade out towards the
-// poles and do not crowd there. The three principal sections are drawn stronger.
-float graticule(vec3 s, float width_px) {
-  vec3 dx = dFdx(s), dy = dFdy(s);
-  const float kStep = 0.2617993878;  // 15 degrees
-  float r2 = max(dot(s.xy, s.xy), 1e-8);
-  float latitude = atan(s.z, sqrt(r2)), longitude = atan(s.y, s.x);
-  float latitudeSlope = length(vec2(dx.z, dy.z)) / sqrt(r2);
-  float longitudeSlope = length(vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x)) / r2;
-  float room_px = 12.0 * width_px;
-  float minor = max(graticuleLines(latitude, latitudeSlope, kStep, width_px, 0.5 * room_px),
-                    max(graticuleLines(longitude, longitudeSlope, 2.0 * kStep, width_px, 0.5 * room_px),
-                        graticuleLines(longitude, longitudeSlope, kStep, width_px, 2.5 * room_px)));
-  float principal = max(lineCover(latitude / max(latitudeSlope, 1e-9), width_px),
-                        graticuleLines(longitude, longitudeSlope, 6.0 * kStep, width_px, 0.25 * room_px));
-  return max(principal, 0.55 * minor);
-}
-
 void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
   float coverage = covered(insideDistance(ScreenEllipse(outlineCentre_px[k], outlineForm[k]), p_px));
   float t0 = dot(centre_C[k], ray) / dot(ray, ray);

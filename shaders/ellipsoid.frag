@@ -1,5 +1,6 @@
 #include "camera.glsl"
 #include "coverage.glsl"
+#include "graticule.glsl"
 #include "shading.glsl"
 #include "emit.glsl"
 
@@ -9,6 +10,7 @@ uniform vec2 outlineCentre_px;
 uniform vec3 outlineForm;
 uniform vec3 color;
 uniform float gloss;
+uniform vec4 marking;  // colour of the lines on it, and their width in px (0: none)
 
 void main() {
   vec2 p_px = gl_FragCoord.xy;
@@ -22,5 +24,6 @@ void main() {
   float t = t0 - along - sqrt(max(1.0 - dot(offset, offset), 0.0) / a);
   vec3 s = o + (t - t0) * d;
   vec3 n_C = normalize(s * toUnitSphere);  // transpose(inverse) of the semi-axes, times s
-  emit(shade(Material(color, gloss), n_C, -normalize(ray)), coverage, toDepth(t));
+  float lines = marking.a > 0.0 ? markings(s, marking.a) : 0.0;
+  emit(shade(Material(mix(color, marking.rgb, lines), gloss), n_C, -normalize(ray)), coverage, toDepth(t));
 }

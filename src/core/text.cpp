@@ -10,6 +10,7 @@ namespace poinsot::core {
 namespace {
 
 constexpr int kLongestShown = 200;
+constexpr std::size_t kTellingPart = 4;  // letters that make a part of a word enough to tell it
 
 bool unsafe(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
@@ -64,6 +65,10 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
       best = candidate;
     }
   }
+  if (best || word.size() < kTellingPart) return best;
+  // "omega" for "omega_body", "moments" for "principal_moments".
+  for (const std::string& candidate : candidates)
+    if (candidate.find(word) != std::string::npos) return candidate;
   return best;
 }
 

@@ -31,11 +31,14 @@ struct Graticule {
   float farOpacity = 0.35f;  ///< on the sheet away from the viewer (translucent ellipsoids)
 };
 
-/// A solid ellipsoid; the columns of `semiAxes_W` are its three semi-axis vectors.
+/// A solid ellipsoid; the columns of `semiAxes_W` are its three semi-axis vectors. With `marking_px` > 0 it bears
+/// rings about the third axis and four meridians, the one through the first axis heavy.
 struct Ellipsoid {
   glm::vec3 centre_W{0};
   glm::mat3 semiAxes_W{1};
   Material material;
+  Color markingColor{0};
+  float marking_px = 0;
 };
 
 /// A solid of revolution between two discs: cylinder, cone (one radius 0), truncated cone.

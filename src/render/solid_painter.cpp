@@ -116,6 +116,7 @@ void SolidPainter::prepareEllipsoid(const draw::Camera& camera, const draw::Elli
     program.set("toUnitSphere", glm::mat3(glm::inverse(glm::dmat3(semiAxes_C))));
     program.set("outlineCentre_px", outline.centre_px);
     program.set("outlineForm", outline.form);
+    program.set("marking", glm::vec4(e.markingColor, e.marking_px));
     setMaterial(program, e.material);
   });
 }

@@ -112,8 +112,11 @@ class Checker {
     const bool sign =
         key_.range.least > 0 && key_.range.least < key_.range.most && value <= 0 && !key_.range.ofSize;
     const bool bare = !node.as<std::string>();
-    return refuse(node, fmt::format("must be {}{}, got {}{}", sign ? "positive, " : "", numbersText(key_),
-                                    describe(node), bare ? unitSuffix(siUnit(key_.dimension)) : ""));
+    const std::string hint = bare && key_.dimension == Dimension::kAngle
+                                 ? fmt::format("; a bare angle is in radians, write \"{} deg\" for degrees", value)
+                                 : "";
+    return refuse(node, fmt::format("must be {}{}, got {}{}{}", sign ? "positive, " : "", numbersText(key_),
+                                    describe(node), bare ? unitSuffix(siUnit(key_.dimension)) : "", hint));
   }
 
   std::optional<double> number(const Node& node) {

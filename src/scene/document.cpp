@@ -88,6 +88,8 @@ std::string messageOf(const toml::parse_error& error) {
     return "a number out of range: " + text;
   if (says("expected a comment or whitespace, saw"))
     return "not TOML: " + text + " (a number with a unit stands in quotes: \"3 rpm\")";
+  if (says("escape sequence"))
+    return "not TOML: " + text + " (mathematics stands in single quotes, where a backslash is one: '$\\omega$')";
   return "not TOML: " + text;
 }
 

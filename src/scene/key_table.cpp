@@ -17,7 +17,7 @@ constexpr Range kInstants{.least = -1e300, .most = 1e300};
 constexpr Range kExtent{.least = 1e-12, .most = 1e12};  // what is drawn is cast to float in the end
 constexpr Range kScale{.least = 0.01, .most = 100};
 constexpr Range kOpacity{.least = 0, .most = 1};
-constexpr Range kAzimuth{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred turns
+constexpr Range kAzimuth{.least = -360, .most = 360, .unit = "deg"};      // bare degrees, read as radians, fall outside
 constexpr Range kElevation{.least = -89, .most = 89, .unit = "deg"};  // at 90 no direction is up in the picture
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
 constexpr Range kZoom{.least = 0.05, .most = 20};
@@ -183,13 +183,13 @@ std::vector<Key> makeKeys() {
        .range = {.least = 0, .most = 200},
        .fallback = "\"\"",
        .example = "\"Tennis racket\"",
-       .help = "A few words at the top left; mathematics between dollar signs.",
+       .help = "A few words at the top left. Mathematics stands between dollar signs, in single quotes: 'About $\\hat{\\mathbf{e}}_2$'.",
        .put = into([](Draft& d) { return &d.scene.show.title; })},
       {.path = "show.subtitle",
        .type = kText,
        .range = {.least = 0, .most = 200},
        .fallback = "\"\"",
-       .example = "\"$I_1 < I_2 < I_3$\"",
+       .example = "'$I_1 < I_2 < I_3$'",
        .help = "One line under the title.",
        .put = into([](Draft& d) { return &d.scene.show.subtitle; })},
       {.path = "show.exaggerate_angles",
@@ -237,7 +237,7 @@ std::vector<Key> makeKeys() {
       scaleKey("show.omega.scale", "Factor on its length; other than 1, its tip leaves the point of contact.",
                into([](Draft& d) { return &d.scene.show.omega.scale; })),
 
-      visibleKey("show.ellipsoid.visible", "Poinsot's ellipsoid of inertia, in the space of omega.",
+      visibleKey("show.ellipsoid.visible", "Poinsot's energy ellipsoid, in the space of omega.",
                  into([](Draft& d) { return &d.scene.show.ellipsoid.visible; })),
       scaleKey("show.ellipsoid.scale",
                "Factor on its drawn size and on all that touches it: plane, curves, point of contact.",

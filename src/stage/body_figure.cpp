@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "stage/to_picture.h"
@@ -14,7 +15,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kSunk = 0.9985;    // lines on a round body lie that deep, or they would stand out at its limb
 constexpr double kThinnest = 0.07;  // of the longest half edge: what is drawn of a lamina
 
 /// Puts points given in body axes, in metres, into the picture.
@@ -72,30 +72,18 @@ void addBox(const Pen& pen, const Vector3d& h) {
     for (const double y : {-h.y(), h.y()}) pen.line({{x, y, -h.z()}, {x, y, h.z()}}, false);
 }
 
-// Rings across the longest axis and one line along it: without the line a symmetric body's spin would not show.
+// Its rings go about the longest axis, or about z where it is nearly a ball.
 void addEllipsoid(const Pen& pen, const Vector3d& h) {
+  int longest = 2;
+  if (h.maxCoeff() > 1.1 * h.minCoeff()) h.maxCoeff(&longest);
+  const Matrix3d axes = pen.place.scale * pen.place.R_VB * h.asDiagonal();
+  Matrix3d polar;
+  polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
   pen.list.ellipsoids.push_back({glm::vec3(0),
-                                 toPicture(Matrix3d(pen.place.scale * pen.place.R_VB * h.asDiagonal())),
-                                 {pen.colors.body, 0.5f}});
-  int longest = 0;
-  h.maxCoeff(&longest);
-  const bool round = h.maxCoeff() < 1.1 * h.minCoeff();
-  if (round) longest = 2;
-  const int a = (longest + 1) % 3, b = (longest + 2) % 3;
-  const auto point = [&](double along, double angle) {
-    const double across = std::sqrt(std::max(1 - along * along, 0.0));
-    Vector3d p;
-    p[longest] = h[longest] * along;
-    p[a] = h[a] * across * std::cos(angle);
-    p[b] = h[b] * across * std::sin(angle);
-    return Vector3d(kSunk * p);
-  };
-  for (const double along : {-0.66, -0.34, 0.0, 0.34, 0.66})
-    pen.line(loop(96, [&](double angle) { return point(along, angle); }), true, along == 0 ? 1.3 : 1);
-  for (const double angle : {0.0, 0.5 * std::numbers::pi})
-    pen.line(
-        loop(96, [&](double s) { return point(std::cos(s), std::sin(s) > 0 ? angle : angle + std::numbers::pi); }),
-        true, angle == 0 ? 1.8 : 1);
+                                 toPicture(polar),
+                                 {pen.colors.body, 0.5f},
+                                 pen.colors.bodyEdge,
+                                 static_cast<float>(pen.lineWidth_px)});
 }
 
 void addCylinder(const Pen& pen, const Vector3d& h) {
@@ -189,6 +177,21 @@ std::vector<Vector3d> BodyFigure::outermostPoints() const {
     points.push_back(h);
   }
   return points;
+}
+
+double BodyFigure::gauge(const Vector3d& p_B) const {
+  const Vector3d q = p_B.cwiseAbs().cwiseQuotient(halfExtents_);
+  switch (shape_.kind) {
+    case scene::ShapeKind::kBox:
+      return q.maxCoeff();
+    case scene::ShapeKind::kEllipsoid:
+      return q.norm();
+    case scene::ShapeKind::kCylinder:
+      return std::max(std::hypot(q.x(), q.y()), q.z());
+    case scene::ShapeKind::kRacket:
+      return std::numeric_limits<double>::infinity();  // one sees through it
+  }
+  return 0;
 }
 
 double BodyFigure::radius() const {

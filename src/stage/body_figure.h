@@ -22,6 +22,9 @@ class BodyFigure {
   /// The factor by which an ellipsoid with these semi-axes must grow to hold the body.
   double reachIn(const Eigen::Vector3d& semiAxes) const;
 
+  /// How far out a point in metres lies: 1 on the body's surface, less inside, infinite where it hides nothing.
+  double gauge(const Eigen::Vector3d& p_B) const;
+
   /// Adds the body at the origin of V; `scale` is picture lengths per metre.
   void add(draw::DrawList& list, const Eigen::Matrix3d& R_VB, double scale, const Palette& colors,
            double lineWidth_px) const;

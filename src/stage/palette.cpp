@@ -10,7 +10,7 @@ using draw::fromSrgb;
 Palette light() {
   return {.paper = fromSrgb(0xFFFFFF),
           .ink = fromSrgb(0x2B2F36),
-          .quietInk = fromSrgb(0x6B717B),
+          .quietInk = fromSrgb(0x565C66),
           .L = fromSrgb(0x0072B2),
           .plane = fromSrgb(0x4E9BCB),
           .planeLine = fromSrgb(0x2F86BE),

@@ -32,8 +32,10 @@ constexpr double kVectorRadius = 0.019, kAxisRadius = 0.0125;
 constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
 constexpr std::size_t kEveryFew = 16;  // points of the path are close: every sixteenth tells its extent
 // In shares of the picture's height.
-constexpr double kLine = 2.0 / 1080, kLabel = 0.044, kTitle = 0.042, kSubtitle = 0.027, kNote = 0.021,
+constexpr double kLine = 2.0 / 1080, kLabel = 0.044, kTitle = 0.042, kSubtitle = 0.03, kNote = 0.025,
                  kEdge = 0.055;
+// In em.
+constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
 
 bool showsConstruction(const scene::Scene& scene) {
   const auto& show = scene.show;
@@ -51,12 +53,16 @@ std::string grouped(double x) {
   return digits;
 }
 
-// An axis that points away from the eye ends behind the body: its label would float, so it fades out.
-float axisLabelOpacity(const draw::Camera& camera, const Vector3d& axis_V) {
-  const glm::vec3 axis_C = toPicture(axis_V) * camera.R_WC;
-  if (axis_C.z >= 0) return 1;
-  const float sideways = glm::length(glm::vec2(axis_C));
-  return glm::smoothstep(0.25f, 0.5f, sideways);
+// How much of a point is seen past the body: 0 behind it or inside, 1 clear of it, smooth between. The sight line
+// is followed from the point towards the eye.
+float seenPast(const BodyFigure& body, double scale, const Eigen::Matrix3d& R_VB, const Vector3d& point_V,
+               const Vector3d& eye_V) {
+  constexpr int kSteps = 32;
+  const Vector3d towardEye = (eye_V - point_V).normalized() * 2 * scale * body.radius();
+  double nearest = 2;
+  for (int i = 0; i <= kSteps; ++i)
+    nearest = std::min(nearest, body.gauge(R_VB.transpose() * (point_V + towardEye * i / kSteps) / scale));
+  return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
 }
 
 // Bad TeX is found before the first frame, and named by its key.
@@ -114,7 +120,7 @@ draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
   if (!construction || !scene.show.ellipsoid.visible) {
     extent.ballRadius = scales.reach;
     if (scene.show.principalAxes.visible)
-      for (int axis = 0; axis < 3; ++axis) extent.ballRadius = std::max(extent.ballRadius, 0.9 * axisLength(axis));
+      for (int axis = 0; axis < 3; ++axis) extent.ballRadius = std::max(extent.ballRadius, 0.78 * axisLength(axis));
   }
   if (scene.show.omega.visible)
     for (std::size_t i = 0; i < motion.path().size(); i += kEveryFew)
@@ -157,14 +163,15 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
   }
   if (scene.show.omega.visible && state.omega_V.norm() > 0) {
     const auto at = [&](double share) { return Vector3d(share * scales.omega * state.omega_V); };
-    const glm::vec2 along = project(list.camera, toPicture(at(1))) - centre_px;
+    const float outwards = project(list.camera, toPicture(at(1))).x - centre_px.x;
     if (scene.show.plane.visible || scene.show.ellipsoid.visible) {
-      // Beside the shaft, on the side away from L: clear of the curves at the tip.
-      const float outwards = along.x < 0 ? -1.0f : 1.0f;
-      add("$\\boldsymbol{\\omega}$", at(0.6), outwards * glm::vec2(std::abs(along.y), 0.35f * std::abs(along.x)),
-          colors.omega, 1.15f * size_px);
+      // Always on the left, of the shaft or of L where that is farther left: it never changes sides.
+      add("$\\boldsymbol{\\omega}$", at(0.62), {-1, 0}, colors.omega, 1.15f * size_px);
+      labels.back().anchor_px.x = std::min(labels.back().anchor_px.x, centre_px.x);
     } else {
-      add("$\\boldsymbol{\\omega}$", at(1), {along.x < 0 ? -1 : 1, -0.6f}, colors.omega, 1.15f * size_px);
+      // Over the tip, leaning outwards: it glides from side to side as the tip goes round.
+      add("$\\boldsymbol{\\omega}$", at(1), {std::clamp(outwards / (2 * size_px), -1.0f, 1.0f), -1.1f},
+          colors.omega, 1.15f * size_px);
     }
   }
   if (scene.show.principalAxes.visible) {
@@ -174,7 +181,8 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
       // An axis that points at the eye has no direction in the picture: its label leans upwards.
       add(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), tip, out + glm::vec2(0, -0.3f * size_px),
           colors.axis, 0.85f * size_px);
-      labels.back().opacity = axisLabelOpacity(list.camera, state.R_VB.col(axis));
+      if (scene.show.body.visible)
+        labels.back().opacity = seenPast(body, scales.body, state.R_VB, tip, fromPicture(list.camera.eye_W));
     }
   }
   return labels;
@@ -210,40 +218,45 @@ void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std
                     colors.L});
 }
 
-// The plane's name, under the middle of the edge that runs down to its nearest corner from the left.
+// The plane's name: under the edge that runs to its lowest corner from the left, or over the one that runs to its
+// highest where the plane is above the body.
 void Stage::Plan::addPlaneName(draw::DrawList& list, const PictureState& state) const {
   if (!construction || !scene.show.plane.visible || !scene.show.labels) return;
   const auto corners_V = construction->planeCorners(state.R_VW);
   std::array<glm::vec2, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
-  const auto nearest = static_cast<std::size_t>(
-      std::max_element(corners.begin(), corners.end(), [](auto a, auto b) { return a.y < b.y; }) -
-      corners.begin());
-  const glm::vec2 before = corners[(nearest + 3) % 4], after = corners[(nearest + 1) % 4];
-  const glm::vec2 left = before.x < after.x ? before : after;
+  const bool above =
+      project(list.camera, toPicture(Vector3d(construction->planeHeight() * state.L_V.normalized()))).y <
+      project(list.camera, glm::vec3(0)).y;
+  const auto outer = [above](glm::vec2 a, glm::vec2 b) { return above ? a.y > b.y : a.y < b.y; };
+  const auto tip =
+      static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
+  const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
   const auto size_px =
       static_cast<float>(kNote * static_cast<double>(list.camera.size_px.y) * scene.style.textSize);
-  const glm::vec2 middle = 0.5f * (left + corners[nearest]);
+  const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
   const std::string tex = "invariable plane";
   const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
-  const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + 2.2f * size_px);
+  const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + (above ? -1.2f : 2.0f) * size_px);
   list.texts.push_back({tex, place, size_px, colors.L, 1, colors.paper, 0.1f * size_px});
 }
 
 void Stage::Plan::addTitle(draw::DrawList& list) const {
   const auto H = static_cast<double>(list.camera.size_px.y) * scene.style.textSize;
-  const auto left = static_cast<float>(kEdge * H);
-  auto y = static_cast<float>(kEdge * H);
+  const double left = kEdge * H, room = static_cast<double>(list.camera.size_px.x) - 2 * left;
+  double y = kEdge * H;
   const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
-    const auto size_px = static_cast<float>(size * H);
-    y += size_px;
-    list.texts.push_back({tex, {left, y}, size_px, color, 1, std::nullopt, 0});
-    y += 0.35f * size_px;
+    const text::GlyphRun run = text::setTex(tex);
+    // A line too long for the picture is set smaller.
+    const double size_px = std::min(size * H, room / std::max(run.width_em, 1e-9));
+    y += size_px * std::max(run.inkTop_em, kCapHeight);
+    list.texts.push_back({tex, glm::vec2(left, y), static_cast<float>(size_px), color, 1, std::nullopt, 0});
+    y += size_px * (std::max(-run.inkBottom_em, kDescent) + kLeading);
   };
   if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
   if (!scene.show.subtitle.empty()) addLine(scene.show.subtitle, kSubtitle, colors.quietInk);
   // What is not to scale is said in the picture.
-  y = list.camera.size_px.y - static_cast<float>((kEdge + 1.35 * kNote) * H);
+  y = static_cast<double>(list.camera.size_px.y) - (kEdge + kNote) * H;
   if (scene.show.exaggerateAngles > 1)
     addLine("angles drawn " + grouped(scene.show.exaggerateAngles) + " times larger", kNote, colors.quietInk);
 }

@@ -17,4 +17,9 @@ inline glm::mat3 toPicture(const Eigen::Matrix3d& m) {
           toPicture(Eigen::Vector3d(m.col(2)))};
 }
 
+/// Back from the picture, where a camera that was made there is asked about.
+inline Eigen::Vector3d fromPicture(const glm::vec3& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
 }  // namespace poinsot::stage

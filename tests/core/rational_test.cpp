@@ -15,8 +15,9 @@ TEST(Rational, ReadsWholeFractionAndDecimal) {
 }
 
 TEST(Rational, RefusesTheRest) {
-  for (const char* text : {"", "0", "-30", "30/0", "0/1", "/", "30/", "/2", "1e3", " 30", "30 ", "30fps", "1.", ".5",
-                           "1.2.3", "99999999999", "30/-1", "+30", "nan", "0x10", "1/2/3"})
+  for (const char* text :
+       {"",      "0",  "-30", "30/0",  "0/1",         "/",     "30/", "/2",  "1e3",  " 30",  "30 ",
+        "30fps", "1.", ".5",  "1.2.3", "99999999999", "30/-1", "+30", "nan", "0x10", "1/2/3"})
     EXPECT_EQ(parseRational(text), std::nullopt) << text;
 }
 

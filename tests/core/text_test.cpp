@@ -23,12 +23,19 @@ TEST(Closest, OffersOnlyNearWords) {
   EXPECT_EQ(closest("fsp", keys), "fps");
 }
 
+TEST(Closest, KnowsAWordByAPartOfIt) {
+  const std::vector<std::string> keys = {"principal_moments", "omega_body"};
+  EXPECT_EQ(closest("moments", keys), "principal_moments");
+  EXPECT_EQ(closest("omega", keys), "omega_body");
+  EXPECT_EQ(closest("om", keys), std::nullopt);
+}
+
 TEST(Printable, NeutralisesWhatATerminalObeys) {
   EXPECT_EQ(printable("plain ω text"), "plain ω text");
   EXPECT_EQ(printable("\x1b[31mred"), "\\x1b[31mred");
   EXPECT_EQ(printable("a\nb\rc\x7f"), "a\\x0ab\\x0dc\\x7f");
-  EXPECT_EQ(printable("\xe2\x80\xae"), "\\u{202e}");   // right-to-left override
-  EXPECT_EQ(printable("\xc2\x9b"), "\\x9b");           // C1 control sequence introducer
+  EXPECT_EQ(printable("\xe2\x80\xae"), "\\u{202e}");        // right-to-left override
+  EXPECT_EQ(printable("\xc2\x9b"), "\\x9b");                // C1 control sequence introducer
   EXPECT_EQ(printable("\xff\xc0\x80"), "\\xff\\xc0\\x80");  // not UTF-8, and an overlong NUL
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate half
 }
