@@ -26,6 +26,18 @@ std::string triangleMessage(const Vector3d& moments) {
                      largest + 1, other, another, vectorText(moments));
 }
 
+/// What physics could not solve, or empty. Bare moments were checked for their range before, a shape's were not.
+std::string outOfReach(const Vector3d& moments) {
+  const double least = moments.minCoeff(), most = moments.maxCoeff();
+  if (least < kLeastMoment || most > kMostMoment)
+    return fmt::format("with this mass the moments are {} kg·m²; they must be from {:g} to {:g} kg·m²",
+                       vectorText(moments), kLeastMoment, kMostMoment);
+  if (least * kMostRatioOfMoments < most)
+    return fmt::format("the largest moment may be at most {:g} times the smallest, got {} kg·m²",
+                       kMostRatioOfMoments, vectorText(moments));
+  return "";
+}
+
 physics::PrincipalMoments momentsOf(const Shape& shape, double mass_kg) {
   const Vector3d& size = shape.size_m;
   switch (shape.kind) {
@@ -125,8 +137,10 @@ class Assembly {
     try {
       scene_.body.moments = physics::PrincipalMoments(*draft_.moments);
     } catch (const core::Error&) {
-      refuse("body.principal_moments", triangleMessage(*draft_.moments));  // the rest was checked with the range
+      return refuse("body.principal_moments", triangleMessage(*draft_.moments));  // the range was checked before
     }
+    if (const std::string problem = outOfReach(*draft_.moments); !problem.empty())
+      refuse("body.principal_moments", problem);
   }
 
   void shapedBody() {
@@ -146,8 +160,10 @@ class Assembly {
       scene_.body.moments = momentsOf(shape, mass_kg);
       scene_.body.shape = shape;
     } catch (const core::Error& error) {
-      refuse("body.size", error.message());
+      return refuse("body.size", error.message());
     }
+    if (const std::string problem = outOfReach(scene_.body.moments.values()); !problem.empty())
+      refuse("body.size", problem);
   }
 
   bool fits(const Shape& shape, std::string_view path) {

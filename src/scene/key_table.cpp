@@ -11,13 +11,15 @@ using enum Dimension;
 
 // Ranges, each with its reason.
 
-constexpr Range kMoments{.least = 1e-300, .most = 1e300};                // what a double holds, squares apart
-constexpr Range kSpins{.least = 1e-300, .most = 1e300, .ofSize = true};  // likewise; each part may be zero
-constexpr Range kInstants{.least = -1e300, .most = 1e300};
-constexpr Range kExtent{.least = 1e-12, .most = 1e12};  // what is drawn is cast to float in the end
+// Far beyond any body, and so that L^2 (below 1e201) and T neither under- nor overflow a double.
+constexpr Range kMoments{.least = kLeastMoment, .most = kMostMoment};
+constexpr Range kSpins{.least = 1e-40, .most = 1e40, .ofSize = true};  // each part may be zero
+constexpr Range kInstants{.least = -1e20, .most = 1e20};               // times the spin it is an angle
+constexpr Range kExtent{.least = 1e-12, .most = 1e12};                 // what is drawn is cast to float in the end
 constexpr Range kScale{.least = 0.01, .most = 100};
 constexpr Range kOpacity{.least = 0, .most = 1};
-constexpr Range kAzimuth{.least = -360, .most = 360, .unit = "deg"};      // bare degrees, read as radians, fall outside
+constexpr Range kAzimuth{
+    .least = -360, .most = 360, .unit = "deg"};  // bare degrees, read as radians, fall outside
 constexpr Range kElevation{.least = -89, .most = 89, .unit = "deg"};  // at 90 no direction is up in the picture
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
 constexpr Range kZoom{.least = 0.05, .most = 20};
@@ -135,7 +137,7 @@ std::vector<Key> makeKeys() {
        .help = "Frames per second of film, kept as an exact fraction.",
        .put = into([](Draft& d) { return &d.scene.time.fps; })},
       {.path = "time.speed",
-       .range = {.least = -1e300, .most = 1e300},
+       .range = kInstants,
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "0.5",
@@ -183,7 +185,8 @@ std::vector<Key> makeKeys() {
        .range = {.least = 0, .most = 200},
        .fallback = "\"\"",
        .example = "\"Tennis racket\"",
-       .help = "A few words at the top left. Mathematics stands between dollar signs, in single quotes: 'About $\\hat{\\mathbf{e}}_2$'.",
+       .help = "A few words at the top left. Mathematics stands between dollar signs, in single quotes: 'About "
+               "$\\hat{\\mathbf{e}}_2$'.",
        .put = into([](Draft& d) { return &d.scene.show.title; })},
       {.path = "show.subtitle",
        .type = kText,

@@ -14,6 +14,9 @@ constexpr std::int64_t kMostPixels = 64'000'000;
 constexpr std::int64_t kMostFrames = 36'000;  ///< twenty minutes at 30 frames a second
 constexpr double kMostFps = 1000;
 constexpr double kLongestFilm_s = 3600;
+constexpr double kLeastMoment = 1e-60;  ///< kg·m², given or of a shape; a mass has the same limits in kg
+constexpr double kMostMoment = 1e60;
+constexpr double kMostRatioOfMoments = 1e20;  ///< largest to smallest; physics::FreeMotion solves no more
 
 /// What one word of `quality` sets; an explicit size or crf wins.
 struct QualityPreset {

@@ -126,6 +126,12 @@ Draft defaultDraft() {
   return draft;
 }
 
+/// Unknown where the value is the default.
+core::SourceLocation locationOfValue(const Leaves& leaves, std::string_view path) {
+  const auto leaf = leaves.find(path);
+  return leaf == leaves.end() ? core::SourceLocation() : locationOf(leaf->second.place);
+}
+
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides) {
@@ -138,6 +144,8 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   static const Draft defaults = defaultDraft();
   Scene scene = assemble(checkedDraft(leaves, defaults, problems), leaves, {&file, 0, 0, 1}, problems);
   problems.throwIfAny();
+  scene.show.titlePlace = locationOfValue(leaves, "show.title");
+  scene.show.subtitlePlace = locationOfValue(leaves, "show.subtitle");
   scene.name = std::filesystem::path(fileName).stem().string();
   return scene;
 }

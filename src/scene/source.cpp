@@ -53,11 +53,9 @@ void addExcerpt(Problem& problem, std::string_view line, const Place& place) {
 
 Problem toProblem(const Place& place, std::string message) {
   Problem problem;
-  problem.where.file = core::printable(place.source->name());
+  problem.where = locationOf(place);
   problem.message = std::move(message);
   if (!place.source->hasLines()) return problem;
-  problem.where.line = std::max(place.line, 1);
-  problem.where.column = std::max(place.column, 1);
   if (const std::string_view line = place.source->line(place.line); !line.empty())
     addExcerpt(problem, line, place);
   return problem;
@@ -67,6 +65,12 @@ Problem toProblem(const Place& place, std::string message) {
 
 std::size_t characterCount(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsCharacter));
+}
+
+core::SourceLocation locationOf(const Place& place) {
+  const std::string file = core::printable(place.source->name());
+  if (!place.source->hasLines()) return {file, 0, 0};
+  return {file, std::max(place.line, 1), std::max(place.column, 1)};
 }
 
 Source::Source(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {

@@ -45,6 +45,9 @@ struct Place {
   int length = 1;  ///< characters, all on this line
 };
 
+/// The place in words for a person; line and column are 0 in a source without lines. The file's name is printable.
+core::SourceLocation locationOf(const Place& place);
+
 /// Gathers what is wrong, so that one run reports it all.
 class Problems {
  public:

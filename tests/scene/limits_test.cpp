@@ -2,6 +2,9 @@
 // Each limit of docs/scene.md, at the limit and one beyond it.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "physics/free_motion.h"
 #include "scene/document.h"
 #include "scene/limits.h"
 #include "scene_testing.h"
@@ -116,20 +119,65 @@ TEST(Limits, OnFrames) {
 
 TEST(Limits, OnNumbers) {
   const auto refused = [](const std::string& override_) { return messagesOf(kMinimal, {override_}); };
-  EXPECT_EQ(refused("motion.omega_body=[1e300, -1e-300, 0]"), "");
-  EXPECT_THAT(refused("motion.omega_body=[1.1e300, 0, 0]"),
-              HasSubstr("zero or of size from 1e-300 to 1e+300 rad/s"));
-  EXPECT_THAT(refused("motion.omega_body=[1e-301, 1, 0]"),
-              HasSubstr("zero or of size from 1e-300 to 1e+300 rad/s"));
-  EXPECT_EQ(refused("body.principal_moments=[1e300, 1e300, 1e300]"), "");
-  EXPECT_EQ(refused("body.principal_moments=[1e-300, 1e-300, 1e-300]"), "");
-  EXPECT_THAT(refused("body.principal_moments=[1e301, 1e301, 1e301]"), HasSubstr("1e+300 kg·m²"));
+  EXPECT_EQ(refused("motion.omega_body=[1e40, -1e-40, 0]"), "");
+  EXPECT_THAT(refused("motion.omega_body=[1.1e40, 0, 0]"), HasSubstr("zero or of size from 1e-40 to 1e+40 rad/s"));
+  EXPECT_THAT(refused("motion.omega_body=[9e-41, 1, 0]"), HasSubstr("zero or of size from 1e-40 to 1e+40 rad/s"));
+  EXPECT_EQ(refused("body.principal_moments=[1e60, 1e60, 1e60]"), "");
+  EXPECT_EQ(refused("body.principal_moments=[1e-60, 1e-60, 1e-60]"), "");
+  EXPECT_THAT(refused("body.principal_moments=[1.1e60, 1e60, 1e60]"), HasSubstr("1e+60 kg·m²"));
+  EXPECT_EQ(refused("body.principal_moments=[1e-20, 1, 1]"), "");
+  EXPECT_THAT(refused("body.principal_moments=[9e-21, 1, 1]"),
+              HasSubstr("body.principal_moments: the largest moment may be at most 1e+20 times the smallest"));
   EXPECT_EQ(refused("motion.orientation=[1e-6, 0, 0, 0]") + refused("motion.orientation=[0, 1e6, 0, 0]"), "");
   EXPECT_THAT(refused("motion.orientation=[9e-7, 0, 0, 0]"), HasSubstr("its norm must be from 1e-06 to 1e+06"));
   EXPECT_THAT(refused("motion.orientation=[2e6, 0, 0, 0]"), HasSubstr("its norm must be"));
   EXPECT_THAT(refused("motion.orientation=[1e308, 1e308, 0, 0]"), HasSubstr("its norm must be"));
   EXPECT_NE(messagesOf(std::string(kMinimal) + "[time]\nstart = 1e400\n"), "");
   EXPECT_NE(messagesOf(std::string(kMinimal) + "[time]\nstart = 99999999999999999999\n"), "");
+}
+
+TEST(Limits, OnTheMomentsOfAShape) {
+  const auto refused = [](const std::string& size, const std::string& mass) {
+    return messagesOf("motion.omega_body = [1, 0, 0]\nbody.shape = \"ellipsoid\"\nbody.mass = " + mass +
+                      "\nbody.size = " + size + "\n");
+  };
+  EXPECT_EQ(refused("1e12", "1e30") + refused("1e-12", "1e-30"), "");
+  EXPECT_THAT(refused("1e12", "1e60"), HasSubstr("body.size: with this mass the moments are"));
+  EXPECT_THAT(refused("1e-12", "1e-60"), HasSubstr("they must be from 1e-60 to 1e+60 kg·m²"));
+  EXPECT_THAT(refused("[1e12, 1e-12, 1e-12]", "1"), HasSubstr("body.size: the largest moment may be at most"));
+}
+
+/// Every combination of an end for each of moments, spin, start and speed, as overrides.
+std::vector<std::vector<std::string>> corners() {
+  std::vector<std::vector<std::string>> all;
+  for (const char* moments : {"[1e60, 1e60, 1e60]", "[1e60, 1e60, 1e40]", "[1e-60, 1e-60, 1e-60]",
+                              "[1e-60, 1e-40, 1e-40]", "[1e-60, 2e-60, 2.5e-60]", "[4e59, 8e59, 1e60]"})
+    for (const char* spin : {"[1e40, 1e40, 1e40]", "[1e-40, 1e40, 1e-40]", "[1e-40, 1e-40, 1e-40]",
+                             "[0, 1e-40, 0]", "[1e40, 0, -1e-40]"})
+      for (const char* start : {"-1e20", "0", "1e20"})
+        for (const char* speed : {"-1e20", "1e20"})
+          all.push_back({"body.principal_moments=" + std::string(moments),
+                         "motion.omega_body=" + std::string(spin), "time.start=" + std::string(start),
+                         "time.speed=" + std::string(speed), "time.duration=3600", "time.fps=10"});
+  return all;
+}
+
+bool finite(const physics::RigidBodyState& state) {
+  return state.q_WB.coeffs().allFinite() && state.omega_B.allFinite();
+}
+
+// What is legal must be drawable: the motion exists, and L^2 and T are neither zero nor infinite.
+TEST(Limits, AtTheirCornersStillHaveAMotion) {
+  for (const auto& corner : corners()) {
+    SCOPED_TRACE(corner[0] + " " + corner[1] + " " + corner[2] + " " + corner[3]);
+    const Scene scene = parseScene(kMinimal, "corner.toml", corner);
+    const physics::FreeMotion motion(scene.body.moments, scene.motion.omega_B, Eigen::Quaterniond::Identity());
+    EXPECT_TRUE(finite(motion.at(scene.time.start_s)));
+    EXPECT_TRUE(finite(motion.at(scene.time.start_s + *scene.time.speed * scene.time.duration_s)));
+    EXPECT_TRUE(std::isnormal(motion.L_W().squaredNorm()));
+    EXPECT_TRUE(std::isnormal(motion.kineticEnergy()));
+    EXPECT_TRUE(std::isnormal(2 * motion.kineticEnergy() / motion.L_W().norm()));
+  }
 }
 
 TEST(Limits, OnWhatIsText) {

@@ -215,6 +215,17 @@ class NoScene : public testing::Test {
   std::string folder_;
 };
 
+// For messages of the text layer; the columns were counted by hand.
+TEST(TextPlaces, AreThoseOfTheValues) {
+  const std::string text = std::string(kMinimal) + "[show]\n  title = 'a $x$'\n";
+  const Show show = parseScene(text, "some.toml", {"show.subtitle=b"}).show;
+  EXPECT_EQ(core::toString(show.titlePlace), "some.toml:6:11");
+  EXPECT_EQ(core::toString(show.subtitlePlace), "-D show.subtitle=b");
+  EXPECT_EQ(core::toString(parseScene(text, "some.toml", {"show.title='$c$'"}).show.titlePlace),
+            "-D show.title='$c$'");
+  EXPECT_EQ(parseScene(text, "some.toml").show.subtitlePlace.file, "");
+}
+
 TEST_F(NoScene, SaysWhyAFileCannotBeRead) {
   EXPECT_EQ(messageOf("none.toml"), "cannot read the scene " + folder_ + "/none.toml: No such file or directory");
   EXPECT_EQ(messageOf(""), "cannot read the scene " + folder_ + "/: it is a directory");
