@@ -3,24 +3,41 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 
 #include "core/error.h"
 
 namespace poinsot::app {
 namespace {
 
+// `timeout` signals its child and then the child's whole group, so one wish to end may arrive twice within
+// microseconds; a person who presses Ctrl-C again out of impatience takes longer than this.
+constexpr std::int64_t kSameWish_ms = 500;
+
+constexpr int kNoted[] = {SIGINT, SIGTERM, SIGHUP};
+
 volatile std::sig_atomic_t firstSignal = 0;
+std::int64_t firstAt_ms = 0;  // touched only in the handler, which the signals never interrupt
 int wakePipe[2] = {-1, -1};
 
+/// Safe in a handler, as clock_gettime is.
+std::int64_t now_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
 extern "C" void noteSignal(int signal) {
-  if (firstSignal != 0 && signal == SIGINT) _exit(128 + signal);
-  if (firstSignal != 0) return;
-  firstSignal = signal;
   const int saved = errno;
+  if (firstSignal != 0 && signal == SIGINT && now_ms() - firstAt_ms > kSameWish_ms) _exit(128 + signal);
+  if (firstSignal != 0) return;
+  firstAt_ms = now_ms();
+  firstSignal = signal;
   // One byte into an empty pipe cannot fail; the flag is what counts.
   [[maybe_unused]] const auto written = write(wakePipe[1], "!", 1);
   errno = saved;
@@ -33,6 +50,7 @@ void watch(int signal) {
   struct sigaction action {};
   action.sa_handler = noteSignal;
   sigemptyset(&action.sa_mask);
+  for (const int other : kNoted) sigaddset(&action.sa_mask, other);
   sigaction(signal, &action, nullptr);
 }
 
@@ -45,7 +63,7 @@ void openWakePipe() {
 
 void watchInterrupts() {
   openWakePipe();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) watch(signal);
+  for (const int signal : kNoted) watch(signal);
 }
 
 void watchInterruptsAsWorker() {

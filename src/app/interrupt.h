@@ -18,9 +18,9 @@ class Interrupted : public std::exception {
   int signal_;
 };
 
-/// From now on the three signals are noted. One that was ignored at the start (nohup) stays so. A second SIGINT
-/// ends the process at once. The worker side notes only SIGTERM: a terminal sends Ctrl-C to the whole group, and
-/// the parent decides what becomes of its workers.
+/// From now on the three signals are noted. One that was ignored at the start (nohup) stays so. A SIGINT more than
+/// half a second after the first signal ends the process at once. The worker side notes only SIGTERM: a terminal
+/// sends Ctrl-C to the whole group, and the parent decides what becomes of its workers.
 void watchInterrupts();
 void watchInterruptsAsWorker();
 

@@ -30,10 +30,10 @@ TEST(FramePlan, SelectsAllOrWhatWasAsked) {
 }
 
 TEST(FramePlan, CutsAtAbsoluteNumbers) {
-  EXPECT_EQ(segmentsOf({0, 149}), (std::vector<FrameRange>{{0, 59}, {60, 119}, {120, 149}}));
-  EXPECT_EQ(segmentsOf({0, 59}), (std::vector<FrameRange>{{0, 59}}));
+  EXPECT_EQ(segmentsOf({0, 74}), (std::vector<FrameRange>{{0, 29}, {30, 59}, {60, 74}}));
+  EXPECT_EQ(segmentsOf({0, 29}), (std::vector<FrameRange>{{0, 29}}));
   EXPECT_EQ(segmentsOf({60, 60}), (std::vector<FrameRange>{{60, 60}}));
-  EXPECT_EQ(segmentsOf({59, 121}), (std::vector<FrameRange>{{59, 59}, {60, 119}, {120, 121}}));
+  EXPECT_EQ(segmentsOf({29, 61}), (std::vector<FrameRange>{{29, 29}, {30, 59}, {60, 61}}));
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST_F(RenderCommand, PlacesThatCannotHoldAnOutputAre4) {
 TEST_F(RenderCommand, DryRunMakesNothing) {
   const auto dry = run(folder_, {"render", "a.toml", "--dry-run", "--frames", "30-119"});
   EXPECT_EQ(dry.exitCode, 0) << dry.err;
-  EXPECT_EQ(dry.out, "out/a.mp4: 90 frames (30-119), 160x90, 30/1 frames/s, 2 segments\n");
+  EXPECT_EQ(dry.out, "out/a.mp4: 90 frames (30-119), 160x90, 30/1 frames/s, 3 segments\n");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
@@ -178,6 +178,17 @@ TEST_P(Signals, LeaveNothingBehind) {
 INSTANTIATE_TEST_SUITE_P(Each, Signals,
                          ::testing::Values(std::pair{SIGINT, 130}, std::pair{SIGTERM, 143},
                                            std::pair{SIGHUP, 129}));
+
+// As `timeout -s INT` does: to the program, then at once to its whole group, of which the program is a part.
+TEST_F(RenderCommand, OneWishToEndSentTwiceLeavesNothingBehind) {
+  ProgramRun running(
+      folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2", "--progress=json"});
+  while (running.errSoFar().empty()) usleep(2000);
+  kill(running.pid(), SIGINT);
+  kill(-running.pid(), SIGINT);
+  EXPECT_EQ(running.wait().exitCode, 130);
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
 
 /// Processes whose parent is `parent`.
 std::vector<pid_t> childrenOf(pid_t parent) {
