@@ -25,7 +25,7 @@ struct ProgressState {
   std::int64_t total = 0;  ///< frames, > 0
   double elapsed_s = 0;    ///< wall time since the start
 
-  double framesPerSecond = 0;  ///< 0 while unknown
+  double framesPerSecond = 0;  ///< after the first frame; of the whole run at the end; 0 while unknown
 
   /// Wall time to the end at this rate; negative while unknown.
   double left_s() const;
@@ -61,7 +61,7 @@ class Progress {
   std::int64_t total_;
   int columns_;
   Writer write_;
-  double rateAfterFirst(std::int64_t done, double elapsed_s) const;
+  double rate(std::int64_t done, double elapsed_s) const;
 
   std::int64_t firstDone_ = 0;  // at the first update
   double firstAt_s_ = 0;
