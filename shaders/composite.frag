@@ -19,9 +19,9 @@ uniform vec3 centre_C[ELLIPSOIDS];
 uniform mat3 toUnitSphere[ELLIPSOIDS];
 uniform vec2 outlineCentre_px[ELLIPSOIDS];
 uniform vec3 outlineForm[ELLIPSOIDS];
-uniform vec4 glassColor[ELLIPSOIDS];       // rgb, opacity
+uniform vec4 glassColor[ELLIPSOIDS];       // rgb, opacity of the far sheet flat-on
 uniform vec4 graticuleColor[ELLIPSOIDS];   // rgb, opacity (0: none)
-uniform vec4 glassOptions[ELLIPSOIDS];     // rim opacity, graticule width in px, far opacity factor, -
+uniform vec4 glassOptions[ELLIPSOIDS];     // rim opacity, graticule width in px, its factor on the far sheet, opacity of the near sheet flat-on
 #endif
 #if PLANES > 0
 uniform vec3 planeCentre_C[PLANES];
@@ -36,8 +36,6 @@ uniform vec4 shadow[PLANES];               // centre in the plane (u, v), radius
 #endif
 
 out vec4 pixel;
-
-const float kNearShare = 0.5, kFarShare = 1.2;
 
 const int kFragments = kEdges + 2 * ELLIPSOIDS + PLANES;
 vec4 colors[kFragments];   // straight rgb, opacity
@@ -64,7 +62,7 @@ void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
     vec3 n_C = normalize(s * toUnitSphere[k]);
     float grazing = 1.0 - abs(dot(n_C, towardEye_C));
     // Flat-on the near sheet is the thinner one, so that what is inside keeps its hue; at the rim the two meet.
-    float flatOn = glassColor[k].a * (sheet == 0 ? kNearShare : kFarShare);
+    float flatOn = sheet == 0 ? glassOptions[k].w : glassColor[k].a;
     vec4 color = vec4(glassColor[k].rgb, mix(flatOn, glassOptions[k].x, grazing * grazing * grazing));
     float lines = graticuleColor[k].a > 0.0 ? graticule(s, glassOptions[k].y) : 0.0;
     lines *= graticuleColor[k].a * (sheet == 0 ? 1.0 : glassOptions[k].z);

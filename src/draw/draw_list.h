@@ -70,13 +70,14 @@ struct Curve {
 
 // ---- sheets: translucent, composed per pixel in the right order ---------------------------------------------
 
-/// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the near sheet has half of `opacity`, so that
-/// what is inside keeps its hue, and the far one 1.2 times it.
+/// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the sheet near the eye may be thinner than the
+/// far one, so that what is inside keeps its hue.
 struct GlassEllipsoid {
   glm::vec3 centre_W{0};
   glm::mat3 semiAxes_W{1};
   Color color{1};
-  float opacity = 0.12f;
+  float nearOpacity = 0.07f;
+  float farOpacity = 0.15f;
   float rimOpacity = 0.45f;
   std::optional<Graticule> graticule;
 };

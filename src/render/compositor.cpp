@@ -82,9 +82,9 @@ void setGlass(const gl::ShaderProgram& program, const draw::DrawList& list, cons
     const draw::Graticule graticule = e.graticule.value_or(draw::Graticule{{}, 0, 0, 0});
     centres.push_back(sheet.centre_C);
     forms.push_back(sheet.toUnitSphere);
-    colors.emplace_back(e.color, e.opacity);
+    colors.emplace_back(e.color, e.farOpacity);
     lines.emplace_back(graticule.color, graticule.opacity);
-    options.emplace_back(e.rimOpacity, graticule.width_px, graticule.farOpacity, 0);
+    options.emplace_back(e.rimOpacity, graticule.width_px, graticule.farOpacity, e.nearOpacity);
     const std::string index = "[" + std::to_string(n) + "]";
     program.set(("outlineCentre_px" + index).c_str(), sheet.outline.centre_px);
     program.set(("outlineForm" + index).c_str(), sheet.outline.form);

@@ -124,7 +124,7 @@ void addRacket(const Pen& pen, const Vector3d& size) {
   pen.tube(loop(128, onHoop), true, frame);
   constexpr int kStrings = 9;
   for (int i = 1; i < kStrings; ++i) {
-    const double c = R * (2.0 * i / kStrings - 1), half = std::sqrt(R * R - c * c);
+    const double c = R * (2.0 * i / kStrings - 1), half = std::sqrt(R * R - c * c) - 0.8 * frame;
     pen.line({{plan.hoopCentre + c, -half, 0}, {plan.hoopCentre + c, half, 0}}, false, 0.7);
     pen.line({{plan.hoopCentre - half, c, 0}, {plan.hoopCentre + half, c, 0}}, false, 0.7);
   }

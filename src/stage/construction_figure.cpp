@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "physics/polhode.h"
 #include "stage/to_picture.h"
 
 namespace poinsot::stage {
@@ -14,8 +16,12 @@ using Eigen::Vector3d;
 
 constexpr double kPlaneBeyondEllipsoid = 1.18;  // half width of the plane, in the ellipsoid's longest semi-axis
 constexpr double kCellsToEdge = 7;              // about that many grid cells from the centre to the edge
-constexpr double kRim = 3.2;                    // opacity at the rim of the glass, in its opacity
-constexpr double kRecent_s = 0.9;               // film time of the bright end of the herpolhode
+constexpr double kRim = 3.8;                    // sheets' worth of glass at the rim
+constexpr int kPolhodePoints = 400;
+constexpr double kRecent_s = 0.9;  // film time of the bright end of the herpolhode
+
+// Half of the directions to the faces, and to the corners, of a cube.
+const Vector3d kDirections[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
 
 double niceNumber(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
@@ -36,17 +42,18 @@ std::pair<Vector3d, Vector3d> across(const Vector3d& normal) {
 ConstructionFigure::ConstructionFigure(const scene::Scene& scene, const PictureMotion& motion,
                                        const Scales& scales)
     : show_(scene.show), motion_(motion), scale_(scales.ellipsoid) {
-  const physics::PoinsotConstruction construction(motion.motion().moments(), motion.path().front().omega_B);
+  const physics::PoinsotConstruction construction(motion.motion().moments(), motion.pathPoint(0).omega_B);
   semiAxes_ = scale_ * construction.semiAxes_B();
   height_ = scale_ * construction.planeHeight();
+  const Vector3d up = motion.motion().L_W().normalized();
   double radius = 0;
-  for (const PathPoint& p : motion.path())
-    radius = std::max(radius, (p.omega_W - p.omega_W.dot(motion.motion().L_W().normalized()) *
-                                               motion.motion().L_W().normalized())
-                                  .norm());
+  for (const PathPoint& p : motion.outline()) radius = std::max(radius, up.cross(p.omega_W).norm());
   const double wanted = std::max(kPlaneBeyondEllipsoid * semiAxes_.maxCoeff(), 1.2 * scale_ * radius) / scale_;
   spacing_ = niceNumber(wanted / kCellsToEdge);
   halfWidth_ = std::ceil(wanted / spacing_ - 1e-9) * spacing_ * scale_;
+  const physics::Polhode polhode(motion.motion().moments(), motion.pathPoint(0).omega_B);
+  for (const auto& sample : polhode.samples(kPolhodePoints)) polhode_B_.push_back(sample.omega_B);
+  polhodePeriod_s_ = polhode.period() / std::max(std::abs(motion.speed()), std::numeric_limits<double>::min());
 }
 
 std::array<Vector3d, 4> ConstructionFigure::planeCorners(const Matrix3d& R_VW) const {
@@ -61,8 +68,8 @@ std::array<Vector3d, 4> ConstructionFigure::planeCorners(const Matrix3d& R_VW) c
 std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
   std::vector<Vector3d> points;
   if (show_.polhode.visible || show_.herpolhode.visible)
-    for (std::size_t i = 0; i < motion_.path().size(); i += 16)
-      points.push_back(scale_ * motion_.path()[i].omega_W);
+    for (const PathPoint& p : motion_.outline())
+      points.push_back(scale_ * (motion_.R_VW(p.filmTime_s) * p.omega_W));
   // Plane and ellipsoid as they move: corners and extremes, over the whole film.
   constexpr int kInstants = 48;
   for (int i = 0; i <= kInstants; ++i) {
@@ -70,8 +77,9 @@ std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
     if (show_.plane.visible)
       for (const Vector3d& corner : planeCorners(state.R_VW)) points.push_back(corner);
     const Matrix3d A = state.R_VB * semiAxes_.asDiagonal();
-    for (int axis = 0; axis < 3 && show_.ellipsoid.visible; ++axis) {
-      const Vector3d extreme = A * (A.transpose() * Vector3d::Unit(axis)).normalized();
+    for (const Vector3d& direction : kDirections) {
+      if (!show_.ellipsoid.visible) break;
+      const Vector3d extreme = A * (A.transpose() * direction).normalized();
       points.push_back(extreme);
       points.push_back(-extreme);
     }
@@ -90,9 +98,13 @@ void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& 
   polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
   glass.semiAxes_W = toPicture(polar);
   glass.color = colors.ellipsoid;
-  const double opacity = colors.sheetOpacity * show_.ellipsoid.opacity;
-  glass.opacity = static_cast<float>(opacity);
-  glass.rimOpacity = static_cast<float>(std::min(1.0, kRim * opacity));
+  // Thinner on dark paper and on the near sheet, but 1 is opaque everywhere: powers of what passes.
+  const auto sheet = [&](double share) {
+    return static_cast<float>(1 - std::pow(1 - show_.ellipsoid.opacity, share * colors.sheetOpacity));
+  };
+  glass.nearOpacity = sheet(0.5);
+  glass.farOpacity = sheet(1.2);
+  glass.rimOpacity = sheet(kRim);
   if (show_.ellipsoid.graticule)
     glass.graticule = draw::Graticule{colors.graticule, static_cast<float>(0.8 * width_px), 0.75f, 0.3f};
   list.glassEllipsoids.push_back(glass);
@@ -110,7 +122,7 @@ void ConstructionFigure::addPlane(draw::DrawList& list, const PictureState& stat
   plane.v_W = toPicture(Vector3d(halfWidth_ * (R_VW * v_W)));
   plane.spacing_W = static_cast<float>(spacing_ * scale_);
   plane.color = colors.plane;
-  plane.opacity = static_cast<float>(colors.sheetOpacity * show_.plane.opacity);
+  plane.opacity = static_cast<float>(1 - std::pow(1 - show_.plane.opacity, colors.sheetOpacity));
   plane.lineColor = colors.planeLine;
   plane.lineOpacity = show_.plane.grid ? 0.5f : 0.0f;
   plane.lineWidth_px = static_cast<float>(0.8 * width_px);
@@ -122,47 +134,50 @@ void ConstructionFigure::addPlane(draw::DrawList& list, const PictureState& stat
   list.planes.push_back(plane);
 }
 
+draw::Curve ConstructionFigure::curveOn(const Matrix3d& axes_V, const std::vector<Vector3d>& points) const {
+  draw::Curve curve;
+  for (const Vector3d& p : points) curve.points_W.push_back(toPicture(Vector3d(scale_ * (axes_V * p))));
+  return curve;
+}
+
+// The whole closed curve, faint, and over it what was travelled in the last period.
 void ConstructionFigure::addPolhode(draw::DrawList& list, double filmTime_s, const PictureState& state,
                                     const Palette& colors) const {
-  draw::Curve future, travelled;
-  const auto at = [&](const PathPoint& p) { return toPicture(Vector3d(scale_ * (state.R_VB * p.omega_B))); };
-  for (const PathPoint& p : motion_.path())
-    (p.filmTime_s < filmTime_s ? travelled : future).points_W.push_back(at(p));
-  const auto now = at(motion_.pathPoint(filmTime_s));
-  travelled.points_W.push_back(now);
-  future.points_W.insert(future.points_W.begin(), now);
-  travelled.material.color = colors.trail;
-  future.material.color = colors.futureTrail;
+  draw::Curve whole = curveOn(state.R_VB, polhode_B_);
+  whole.closed = std::isfinite(polhodePeriod_s_);
+  whole.radius_W = 0.007f;
+  whole.material.color = colors.futureTrail;
+  list.curves.push_back(std::move(whole));
+
+  const double span = std::min({filmTime_s, polhodePeriod_s_, motion_.longestPath_s()});
+  std::vector<Vector3d> points;
+  for (const PathPoint& p : motion_.path(filmTime_s - span, filmTime_s)) points.push_back(p.omega_B);
+  draw::Curve travelled = curveOn(state.R_VB, points);
   travelled.radius_W = 0.011f;
-  future.radius_W = 0.007f;
-  list.curves.push_back(std::move(future));
+  travelled.material.color = colors.trail;
   list.curves.push_back(std::move(travelled));
 }
 
+// What was travelled, its last second strong; what is to come, faint. In a film of very many turns, the nearest
+// ones.
 void ConstructionFigure::addHerpolhode(draw::DrawList& list, double filmTime_s, const Palette& colors,
                                        double width_px) const {
   const Matrix3d R_VW = motion_.R_VW(filmTime_s);
-  draw::Curve future, travelled, recent;
-  const auto at = [&](const PathPoint& p) { return toPicture(Vector3d(scale_ * (R_VW * p.omega_W))); };
-  for (const PathPoint& p : motion_.path()) {
-    if (p.filmTime_s >= filmTime_s)
-      future.points_W.push_back(at(p));
-    else
-      (p.filmTime_s < filmTime_s - kRecent_s ? travelled : recent).points_W.push_back(at(p));
-  }
-  const auto now = at(motion_.pathPoint(filmTime_s));
-  if (!recent.points_W.empty()) travelled.points_W.push_back(recent.points_W.front());
-  recent.points_W.push_back(now);
-  future.points_W.insert(future.points_W.begin(), now);
-  const auto add = [&](draw::Curve& curve, const draw::Color& color, double width, float lift) {
+  const double longest = motion_.longestPath_s();
+  const auto add = [&](double from_s, double to_s, const draw::Color& color, double width, float lift) {
+    std::vector<Vector3d> points;
+    for (const PathPoint& p : motion_.path(from_s, to_s)) points.push_back(p.omega_W);
+    draw::Curve curve = curveOn(R_VW, points);
     curve.material.color = color;
     curve.width_px = static_cast<float>(width * width_px);
     curve.lift_W = lift;
     list.curves.push_back(std::move(curve));
   };
-  if (show_.herpolhode.future) add(future, colors.futureTrail, 1.2, 0.004f);
-  add(travelled, colors.trail, 1.7, 0.008f);
-  add(recent, colors.trail, 2.9, 0.012f);
+  const double end = std::min(motion_.duration_s(), filmTime_s + longest);
+  const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));
+  if (show_.herpolhode.future && end > filmTime_s) add(filmTime_s, end, colors.futureTrail, 1.2, 0.004f);
+  if (recent > 0) add(std::max(0.0, recent - longest), recent, colors.trail, 1.7, 0.008f);
+  if (filmTime_s > 0) add(recent, filmTime_s, colors.trail, 2.9, 0.012f);
 }
 
 void ConstructionFigure::add(draw::DrawList& list, double filmTime_s, const PictureState& state,

@@ -36,12 +36,15 @@ class ConstructionFigure {
   void addEllipsoid(draw::DrawList& list, const PictureState& state, const Palette& colors, double width_px) const;
   void addPlane(draw::DrawList& list, const PictureState& state, const Palette& colors, double width_px) const;
   void addPolhode(draw::DrawList& list, double filmTime_s, const PictureState& state, const Palette& colors) const;
+  draw::Curve curveOn(const Eigen::Matrix3d& axes_V, const std::vector<Eigen::Vector3d>& points) const;
   void addHerpolhode(draw::DrawList& list, double filmTime_s, const Palette& colors, double width_px) const;
 
   const scene::Show show_;
   const PictureMotion& motion_;
   double scale_;
-  Eigen::Vector3d semiAxes_;  // in the picture
+  Eigen::Vector3d semiAxes_;                // in the picture
+  std::vector<Eigen::Vector3d> polhode_B_;  // the closed curve, rad/s
+  double polhodePeriod_s_;                  // of film time; infinite on the separatrix
   double height_ = 0;
   double spacing_ = 1;
   double halfWidth_ = 1;

@@ -11,7 +11,7 @@ namespace poinsot::stage {
 namespace {
 
 constexpr int kRounds = 24;        // of pushing overlapping labels apart; four labels settle in five
-constexpr float kBorder = 0.012f;  // kept free, as a share of the picture's height
+constexpr float kBorder = 0.012f;  // kept free, as a share of the picture's shorter side
 constexpr float kHalo = 0.085f;    // of the type size
 
 struct Placed {
@@ -50,7 +50,7 @@ void separate(Placed& a, Placed& b, float space_px) {
 }
 
 void keepInside(Placed& p, glm::vec2 size_px) {
-  const glm::vec2 free = p.half_px + glm::vec2(kBorder * size_px.y);
+  const glm::vec2 free = p.half_px + glm::vec2(kBorder * std::min(size_px.x, size_px.y));
   p.centre_px = glm::clamp(p.centre_px, glm::min(free, 0.5f * size_px), glm::max(size_px - free, 0.5f * size_px));
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
+
 namespace poinsot::stage {
 namespace {
 
@@ -15,7 +17,7 @@ using Eigen::Vector3d;
 constexpr double kCalmestSpin = 0.5, kFastestSpin = 6.5, kPleasantSpin = 2.1;  // rad per film second
 
 constexpr double kPathStep_rad = 0.06;  // 105 points a turn: 0.1 px off a circle of 200 px
-constexpr std::size_t kFewestPoints = 64, kMostPoints = 12000;
+constexpr int kOutlinePoints = 600;
 
 int spinAxis(const Vector3d& omega_B) {
   int axis = 0;
@@ -44,8 +46,27 @@ Quaterniond startOrientation(const scene::Scene& scene, const Vector3d& omega_B)
   return Quaterniond::FromTwoVectors(scene.body.moments.angularMomentum(omega_B), wantedDirectionOfL(scene));
 }
 
+// Which axis the polhode goes round: the sign of L² - 2T I2 (I2 the middle moment), in units of I2².
+bool roundLargest(const physics::PrincipalMoments& moments, const Vector3d& omega_B) {
+  const Vector3d& I = moments.values();
+  const double middle = I.sum() - I.maxCoeff() - I.minCoeff();
+  const Vector3d m = I.cwiseProduct(omega_B) / middle;
+  return m.dot(m - omega_B) >= 0;
+}
+
+// Larger angles must stay the same kind of motion, or the picture would not be true in any sense.
+void checkExaggeration(const scene::Scene& scene, const Vector3d& drawn_B) {
+  const Vector3d& omega_B = scene.motion.omega_B;
+  const bool sameAxis = spinAxis(drawn_B) == spinAxis(omega_B);
+  if (sameAxis && roundLargest(scene.body.moments, drawn_B) == roundLargest(scene.body.moments, omega_B)) return;
+  throw core::Error(
+      core::ErrorKind::kScene,
+      "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
+}
+
 physics::FreeMotion makeMotion(const scene::Scene& scene) {
   const Vector3d omega_B = exaggerated(scene.motion.omega_B, scene.show.exaggerateAngles);
+  if (scene.show.exaggerateAngles > 1) checkExaggeration(scene, omega_B);
   return {scene.body.moments, omega_B, startOrientation(scene, omega_B)};
 }
 
@@ -63,6 +84,12 @@ Matrix3d standingBody(const scene::Scene& scene) {
   return Quaterniond::FromTwoVectors(sign * Vector3d::Unit(axis), up).toRotationMatrix();
 }
 
+// Film time in which the tip of omega turns about L by one step; it does so at most at |L| / (smallest moment).
+double pathStep(const physics::FreeMotion& motion, double speed, double duration_s) {
+  const double fastest = std::abs(speed) * motion.L_W().norm() / motion.moments().values().minCoeff();
+  return std::min(fastest > 0 ? kPathStep_rad / fastest : duration_s, duration_s / 64);
+}
+
 }  // namespace
 
 PictureMotion::PictureMotion(const scene::Scene& scene)
@@ -72,24 +99,26 @@ PictureMotion::PictureMotion(const scene::Scene& scene)
       duration_s_(scene.time.duration_s),
       bodyStandsStill_(scene.camera.frame == scene::CameraFrame::kBody),
       R_VB_(standingBody(scene)),
-      path_(samplePath()) {}
+      pathStep_s_(pathStep(motion_, speed_, duration_s_)) {}
 
 PathPoint PictureMotion::pathPoint(double filmTime_s) const {
   const auto state = motion_.at(start_s_ + speed_ * filmTime_s);
   return {filmTime_s, state.omega_B, state.omega_W};
 }
 
-std::vector<PathPoint> PictureMotion::samplePath() const {
-  // The tip of omega turns about L at most at |L| / (smallest moment).
-  const double fastest = motion_.L_W().norm() / motion_.moments().values().minCoeff();
-  const double turned = std::abs(speed_) * duration_s_ * fastest;
-  const auto wanted = static_cast<std::size_t>(std::min(turned / kPathStep_rad, 1e9));
-  const std::size_t n = std::clamp(wanted, kFewestPoints, kMostPoints);
-  std::vector<PathPoint> path;
-  path.reserve(n + 1);
-  for (std::size_t i = 0; i <= n; ++i)
-    path.push_back(pathPoint(duration_s_ * static_cast<double>(i) / static_cast<double>(n)));
-  return path;
+std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
+  std::vector<PathPoint> points{pathPoint(from_s)};
+  const double last = std::ceil(to_s / pathStep_s_);
+  for (double k = std::floor(from_s / pathStep_s_) + 1; k < last && points.size() + 1 < kMostPathPoints; ++k)
+    points.push_back(pathPoint(k * pathStep_s_));
+  points.push_back(pathPoint(to_s));
+  return points;
+}
+
+std::vector<PathPoint> PictureMotion::outline() const {
+  std::vector<PathPoint> points;
+  for (int i = 0; i <= kOutlinePoints; ++i) points.push_back(pathPoint(duration_s_ * i / kOutlinePoints));
+  return points;
 }
 
 Matrix3d PictureMotion::R_VW(double filmTime_s) const {

@@ -34,16 +34,21 @@ class PictureMotion {
   /// From inertial axes to the picture's.
   Eigen::Matrix3d R_VW(double filmTime_s) const;
 
-  /// The tip of omega over the whole film, dense enough to look smooth.
-  const std::vector<PathPoint>& path() const { return path_; }
   PathPoint pathPoint(double filmTime_s) const;
+  /// The tip of omega from one film time to another, dense enough to look smooth. The inner points lie on a grid
+  /// of times that is the same for every frame, so that a curve does not crawl; at most `kMostPathPoints`.
+  std::vector<PathPoint> path(double from_s, double to_s) const;
+  /// The longest stretch of film that path() can show.
+  double longestPath_s() const { return pathStep_s_ * static_cast<double>(kMostPathPoints - 2); }
+  /// A few hundred points of the path over the whole film: enough to know how far it reaches.
+  std::vector<PathPoint> outline() const;
 
   const physics::FreeMotion& motion() const { return motion_; }
   double speed() const { return speed_; }
   double duration_s() const { return duration_s_; }
 
  private:
-  std::vector<PathPoint> samplePath() const;
+  static constexpr std::size_t kMostPathPoints = 6000;
 
   physics::FreeMotion motion_;
   double start_s_;
@@ -51,7 +56,7 @@ class PictureMotion {
   double duration_s_;
   bool bodyStandsStill_;
   Eigen::Matrix3d R_VB_;  // where the body stands, when it does
-  std::vector<PathPoint> path_;
+  double pathStep_s_;     // of film time
 };
 
 }  // namespace poinsot::stage

@@ -30,8 +30,8 @@ using Eigen::Vector3d;
 // In picture lengths.
 constexpr double kVectorRadius = 0.019, kAxisRadius = 0.0125;
 constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
-constexpr std::size_t kEveryFew = 16;  // points of the path are close: every sixteenth tells its extent
-// In shares of the picture's height.
+constexpr double kMostAxes =
+    0.8;  // of an axis is framed: labels keep themselves inside, and few axes point outwards
 constexpr double kLine = 2.0 / 1080, kLabel = 0.044, kTitle = 0.042, kSubtitle = 0.03, kNote = 0.025,
                  kEdge = 0.055;
 // In em.
@@ -42,6 +42,11 @@ bool showsConstruction(const scene::Scene& scene) {
   return scene.motion.omega_B.norm() > 0 &&
          (show.ellipsoid.visible || show.plane.visible || show.polhode.visible || show.herpolhode.visible ||
           show.contact.visible);
+}
+
+// What type and lines are sized by: the height of the largest 16:9 picture inside this one.
+double referenceHeight(glm::vec2 size_px) {
+  return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
 }
 
 // 200000 as "200 000"; a number with decimals stays as it is.
@@ -65,12 +70,13 @@ float seenPast(const BodyFigure& body, double scale, const Eigen::Matrix3d& R_VB
   return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
 }
 
-// Bad TeX is found before the first frame, and named by its key.
-void checkTex(const std::string& key, const std::string& tex) {
+// Bad TeX is found before the first frame, and named by its key and place.
+void checkTex(const std::string& key, const std::string& tex, const core::SourceLocation& place) {
   try {
     text::setTex(tex);
   } catch (const core::Error& error) {
-    throw core::Error(core::ErrorKind::kScene, key + ": " + error.message());
+    throw core::Error(core::ErrorKind::kScene, key + ": " + error.message(),
+                      place.file.empty() ? std::nullopt : std::optional(place));
   }
 }
 
@@ -90,8 +96,8 @@ struct Stage::Plan {
         motion(scene),
         body(scene),
         scales(makeScales(scene, motion, body)) {
-    checkTex("show.title", scene.show.title);
-    checkTex("show.subtitle", scene.show.subtitle);
+    checkTex("show.title", scene.show.title, scene.show.titlePlace);
+    checkTex("show.subtitle", scene.show.subtitle, scene.show.subtitlePlace);
     if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
   }
 
@@ -117,15 +123,14 @@ draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
   const PictureState start = motion.at(0);
   if (scene.show.L.visible && start.L_V.norm() > 0)
     extent.points_V.push_back(scales.lengthOfL * start.L_V.normalized());
-  if (!construction || !scene.show.ellipsoid.visible) {
-    extent.ballRadius = scales.reach;
-    if (scene.show.principalAxes.visible)
-      for (int axis = 0; axis < 3; ++axis) extent.ballRadius = std::max(extent.ballRadius, 0.78 * axisLength(axis));
-  }
+  if (scene.show.body.visible) extent.ballRadius = scales.body * body.radius();
+  const bool inside = construction && scene.show.ellipsoid.visible && scene.show.principalAxes.scale <= 1;
+  for (int axis = 0; axis < 3 && scene.show.principalAxes.visible && !inside; ++axis)
+    extent.ballRadius = std::max(extent.ballRadius, kMostAxes * axisLength(axis));
   if (scene.show.omega.visible)
-    for (std::size_t i = 0; i < motion.path().size(); i += kEveryFew)
-      extent.points_V.push_back(scales.omega *
-                                (motion.R_VW(motion.path()[i].filmTime_s) * motion.path()[i].omega_W));
+    for (const PathPoint& p : motion.outline())
+      extent.points_V.push_back(scales.omega * (motion.R_VW(p.filmTime_s) * p.omega_W));
+  if (extent.points_V.empty() && extent.ballRadius == 0) extent.ballRadius = scales.reach;
   Margins margins;
   // The title's lines stand over the picture, not in it.
   if (!scene.show.title.empty()) margins.top = 0.1;
@@ -149,7 +154,7 @@ void Stage::Plan::addAxes(draw::DrawList& list, const PictureState& state) const
 
 std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const PictureState& state) const {
   std::vector<Label> labels;
-  const auto H = static_cast<double>(list.camera.size_px.y);
+  const double H = referenceHeight(list.camera.size_px);
   const auto size_px = static_cast<float>(kLabel * scene.style.textSize * H);
   const glm::vec2 centre_px = project(list.camera, glm::vec3(0));
   const auto add = [&](const std::string& tex, const Vector3d& tip_V, glm::vec2 direction,
@@ -192,12 +197,12 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
 void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const {
   if (!construction || !scene.show.plane.visible || !scene.show.height.visible) return;
   const Vector3d down = state.L_V.normalized();
-  const glm::vec3 r = -list.camera.R_WC[0];
-  Vector3d left(static_cast<double>(r.x), static_cast<double>(r.y), static_cast<double>(r.z));
-  left = (left - left.dot(down) * down).normalized();
+  const Vector3d across = down.cross(fromPicture(list.camera.R_WC[2]));
+  if (across.norm() < 0.05) return;  // seen from straight above: the height is not to be seen
+  const Vector3d left = across.normalized();
   const double away = 1.08 * construction->semiAxes().maxCoeff();
   const Vector3d foot = construction->planeHeight() * down + away * left, head = away * left;
-  const auto H = static_cast<double>(list.camera.size_px.y);
+  const double H = referenceHeight(list.camera.size_px);
   const auto line = [&](const Vector3d& a, const Vector3d& b) {
     draw::Curve curve;
     curve.points_W = {toPicture(a), toPicture(b)};
@@ -209,13 +214,13 @@ void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std
   line(foot, head);
   line(foot - 0.035 * left, foot + 0.035 * left);
   line(head - 0.035 * left, head + 0.035 * left);
+  if (!scene.show.labels) return;
   const auto size_px = static_cast<float>(0.72 * kLabel * scene.style.textSize * H);
-  labels.push_back({"$2T/L$",
-                    project(list.camera, toPicture(Vector3d(0.5 * (foot + head)))),
-                    {-1, 0},
-                    0.4f * size_px,
-                    size_px,
-                    colors.L});
+  const glm::vec2 a = project(list.camera, toPicture(foot)), b = project(list.camera, toPicture(head));
+  const glm::vec2 middle = 0.5f * (a + b), centre_px = project(list.camera, glm::vec3(0));
+  glm::vec2 aside(a.y - b.y, b.x - a.x);
+  if (glm::dot(aside, middle - centre_px) < 0) aside = -aside;
+  labels.push_back({"$2T/L$", middle, aside, 0.4f * size_px, size_px, colors.L});
 }
 
 // The plane's name: under the edge that runs to its lowest corner from the left, or over the one that runs to its
@@ -232,8 +237,7 @@ void Stage::Plan::addPlaneName(draw::DrawList& list, const PictureState& state) 
   const auto tip =
       static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
   const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
-  const auto size_px =
-      static_cast<float>(kNote * static_cast<double>(list.camera.size_px.y) * scene.style.textSize);
+  const auto size_px = static_cast<float>(kNote * referenceHeight(list.camera.size_px) * scene.style.textSize);
   const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
   const std::string tex = "invariable plane";
   const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
@@ -242,7 +246,7 @@ void Stage::Plan::addPlaneName(draw::DrawList& list, const PictureState& state) 
 }
 
 void Stage::Plan::addTitle(draw::DrawList& list) const {
-  const auto H = static_cast<double>(list.camera.size_px.y) * scene.style.textSize;
+  const double H = referenceHeight(list.camera.size_px) * scene.style.textSize;
   const double left = kEdge * H, room = static_cast<double>(list.camera.size_px.x) - 2 * left;
   double y = kEdge * H;
   const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
@@ -271,7 +275,7 @@ draw::DrawList Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
   list.camera = plan.camera(size_px);
   list.background = plan.colors.paper;
   const PictureState state = plan.motion.at(filmTime_s);
-  const double line_px = kLine * static_cast<double>(size_px.y) * plan.scene.style.lineWidth;
+  const double line_px = kLine * referenceHeight(size_px) * plan.scene.style.lineWidth;
   if (plan.scene.show.body.visible) plan.body.add(list, state.R_VB, plan.scales.body, plan.colors, line_px);
   plan.addAxes(list, state);
   plan.addVectors(list, state);

@@ -14,6 +14,9 @@ using glm::vec3;
 
 const Color kRed(0.6f, 0.02f, 0.02f), kBlue(0.05f, 0.1f, 0.7f), kGreen(0.02f, 0.5f, 0.1f);
 
+// The two sheets of a glass body differ, so that a mix-up shows.
+constexpr float kNear = 0.5f, kFar = 1.2f;
+
 class CompositeTest : public PictureTest {
  protected:
   static draw::GlassEllipsoid glass(vec3 centre, float radius, Color color, float opacity) {
@@ -21,7 +24,9 @@ class CompositeTest : public PictureTest {
     g.centre_W = centre;
     g.semiAxes_W = glm::mat3(radius);
     g.color = color;
-    g.opacity = g.rimOpacity = opacity;
+    g.nearOpacity = kNear * opacity;
+    g.farOpacity = kFar * opacity;
+    g.rimOpacity = opacity;
     return g;
   }
 
@@ -46,8 +51,6 @@ class CompositeTest : public PictureTest {
   }
 };
 
-// What draw_list.h says of the two sheets of a glass body, flat-on.
-constexpr float kNear = 0.5f, kFar = 1.2f;
 
 TEST_F(CompositeTest, EmptyListIsPaper) {
   DrawList list = emptyList();

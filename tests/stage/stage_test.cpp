@@ -164,6 +164,24 @@ TEST(Stage, ExaggerationIsDrawnAndSaid) {
   EXPECT_NEAR(std::acos(cosine), std::atan(0.1), 1e-4);
 }
 
+TEST(Stage, ExaggerationIntoAnotherKindOfMotionIsRefused) {
+  // Ten times the transverse part of (0.3, 0, 1) would be the larger one.
+  const auto scene = scene::parseScene(
+      "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.3, 0, 1]\n[show]\nexaggerate_angles = "
+      "10\n",
+      "e.toml");
+  EXPECT_THROW(Stage{scene}, core::Error);
+}
+
+// A film of an hour at a turn a second: the curves show the turns around now, and stay smooth. (Edges of the body
+// are curves of few points.)
+TEST(Stage, LongFilmsDrawTheNearestTurns) {
+  const Stage stage(sample("[time]\nduration = 3600\nfps = 10\nspeed = 3\n"));
+  for (const auto& curve : stage.compose(1800, kSize).curves)
+    for (std::size_t i = 0; i + 1 < curve.points_W.size(); ++i)
+      ASSERT_LT(glm::distance(curve.points_W[i], curve.points_W[i + 1]), curve.points_W.size() > 8 ? 0.1f : 10.0f);
+}
+
 TEST(Stage, WhatIsNotShownIsNotThere) {
   const DrawList list = Stage(sample("[show]\nbody = false\nprincipal_axes = false\nL = false\nomega = false\n"
                                      "ellipsoid = false\nplane = false\npolhode = false\nherpolhode = false\n"
@@ -180,6 +198,8 @@ TEST(Stage, ATitleThatCannotBeSetIsAnErrorOfTheScene) {
   } catch (const core::Error& error) {
     EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
     EXPECT_NE(error.message().find("show.title"), std::string::npos) << error.message();
+    ASSERT_TRUE(error.where());
+    EXPECT_EQ(core::toString(*error.where()), "sample.toml:6:9");
     EXPECT_NE(error.message().find("\\omega"), std::string::npos) << error.message();
   }
 }
