@@ -71,12 +71,12 @@ Vector3d usualSize(ShapeKind kind) {
 
 class Assembly {
  public:
-  Assembly(Draft draft, const Leaves& given, const Place& start, Problems& problems)
-      : draft_(std::move(draft)), scene_(draft_.scene), given_(given), start_(start), problems_(problems) {}
+  Assembly(Draft draft, const Leaves& given, const Origins& origins, Problems& problems)
+      : draft_(std::move(draft)), scene_(draft_.scene), given_(given), origins_(origins), problems_(problems) {}
 
   Scene run() {
     if (!givesBelow("body") && !givesBelow("motion"))
-      problems_.add(start_, nothingMessage());
+      problems_.add(origins_.file, nothingMessage());
     else
       bodyAndStart();
     drawnShape();
@@ -96,7 +96,7 @@ class Assembly {
   /// At the value, or where the file starts when the value is a default.
   void refuse(std::string_view path, const std::string& message) {
     const auto leaf = given_.find(path);
-    problems_.add(leaf == given_.end() ? start_ : leaf->second.place, fmt::format("{}: {}", path, message));
+    problems_.add(leaf == given_.end() ? origins_.file : leaf->second.place, fmt::format("{}: {}", path, message));
   }
 
   static std::string nothingMessage() {
@@ -117,9 +117,9 @@ class Assembly {
     else if (shaped)
       shapedBody();
     else
-      problems_.add(start_, "body: the body is missing; give principal_moments, or shape, size and mass");
+      problems_.add(origins_.body, "body: the body is missing; give principal_moments, or shape, size and mass");
     if (!has("motion.omega_body"))
-      problems_.add(start_,
+      problems_.add(origins_.motion,
                     "motion.omega_body: required: the angular velocity at the start, such as [0.01, 3.0, 0.0]");
     else
       rotation();
@@ -238,14 +238,14 @@ class Assembly {
   Draft draft_;
   Scene& scene_;
   const Leaves& given_;
-  const Place start_;
+  const Origins origins_;
   Problems& problems_;
 };
 
 }  // namespace
 
-Scene assemble(Draft draft, const Leaves& given, const Place& start, Problems& problems) {
-  return Assembly(std::move(draft), given, start, problems).run();
+Scene assemble(Draft draft, const Leaves& given, const Origins& origins, Problems& problems) {
+  return Assembly(std::move(draft), given, origins, problems).run();
 }
 
 }  // namespace poinsot::scene

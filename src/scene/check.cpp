@@ -86,7 +86,9 @@ class Checker {
 
   std::optional<double> finite(const Node& node) {
     if (const auto* integer = node.as<std::int64_t>()) return static_cast<double>(*integer);
-    if (const auto* text = node.as<std::string>()) return quantity(node, *text);
+    // A quaternion's elements have no unit, and percent would mean nothing: its norm does not count.
+    if (const auto* text = node.as<std::string>(); text && key_.type != ValueType::kQuaternion)
+      return quantity(node, *text);
     const auto* number = node.as<double>();
     if (!number) return refuse(node, fmt::format("expected {}, got {}", elementText(), describe(node)));
     if (!std::isfinite(*number)) return refuse(node, fmt::format("must be a finite number, got {}", *number));
@@ -129,7 +131,7 @@ class Checker {
     const auto* text = node.as<std::string>();
     for (std::size_t i = 0; text && i < key_.words.size(); ++i)
       if (key_.words[i] == *text) return Checked(Word{static_cast<int>(i)});
-    if (text && !key_.words.empty() && key_.dimension == Dimension::kNone) return refuseType(node);
+    if (text && !key_.words.empty() && !parseQuantity(*text, key_.dimension).ok()) return refuseType(node);
     const auto value = number(node);
     return value ? std::optional<Checked>(*value) : std::nullopt;
   }
@@ -211,6 +213,10 @@ class Checker {
     const auto rate = core::parseRational(text);
     const bool positiveNumber = node.as<std::string>() || (text[0] != '-' && text != "0" && text != "nan");
     if (!rate && positiveNumber && node.as<std::string>()) return refuseType(node);
+    if (const auto* number = node.as<double>(); !rate && number && inRange(*number))
+      return refuse(node, fmt::format("has too many digits to be kept exactly, got {}; write a fraction such as "
+                                      "\"30000/1001\"",
+                                      describe(node)));
     if (!rate || !inRange(rate->value()))
       return refuse(node, fmt::format("must be {} frames per second, got {}", numbersText(key_), describe(node)));
     return Checked(*rate);

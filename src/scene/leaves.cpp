@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/text.h"
+#include "scene/check.h"
 
 namespace poinsot::scene {
 namespace {
@@ -34,7 +35,44 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// The first part of a path that stands as a table and is none: "tim" of "tim.x".
+std::optional<std::string_view> firstNoTable(std::string_view path) {
+  for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.', dot + 1))
+    if (!isTable(path.substr(0, dot))) return path.substr(0, dot);
+  return std::nullopt;
+}
+
+std::string below(std::string_view table, std::string_view name) {
+  return table.empty() ? std::string(name) : fmt::format("{}.{}", table, name);
+}
+
+std::vector<std::string> tablesBelow(std::string_view table) {
+  std::vector<std::string> tables = namesBelow(table);
+  std::erase_if(tables, [&](const std::string& name) { return !isTable(below(table, name)); });
+  return tables;
+}
+
+/// What to write in place of a table that is none: the nearest one beside it, else a key of that name elsewhere.
+std::string insteadOf(std::string_view table, std::string_view path) {
+  const std::string_view parent = tableOf(table);
+  const std::vector<std::string> tables = tablesBelow(parent);
+  if (table.size() <= kLongestName)
+    if (const auto near = core::closest(nameOf(table), tables))
+      return fmt::format("did you mean [{}]?", below(parent, *near));
+  if (const auto key = nameElsewhere(nameOf(path))) return fmt::format("did you mean {}?", *key);
+  return fmt::format("{} has the tables {}", parent.empty() ? "a scene" : fmt::format("[{}]", parent),
+                     joined(tables));
+}
+
+std::string unknownTable(std::string_view path, std::string_view table) {
+  const std::string shown = core::printable(path);
+  if (const Key* key = findKey(table))
+    return fmt::format("{}: unknown key; {} is {}, and has no keys below it", shown, table, typeText(*key));
+  return fmt::format("{}: unknown table [{}]; {}", shown, core::printable(table), insteadOf(table, path));
+}
+
 std::string unknownKey(std::string_view path) {
+  if (const auto noTable = firstNoTable(path)) return unknownTable(path, *noTable);
   const std::string message = fmt::format("{}: unknown key", core::printable(path));
   if (const auto key = meant(path)) return message + fmt::format("; did you mean {}?", *key);
   const std::string_view table = tableOf(path);

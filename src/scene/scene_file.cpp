@@ -68,6 +68,12 @@ std::string textOf(const std::filesystem::path& path) {
 
 // --- Overrides ---
 
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
 bool looksLikeToml(std::string_view value) {
   return !value.empty() && std::string_view("\"'[{").find(value[0]) != std::string_view::npos;
 }
@@ -86,13 +92,14 @@ Node overrideValue(const Source& source, std::string_view value) {
 
 void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& leaves, Problems& problems) {
   const std::size_t equals = text.find('=');
-  const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const std::string key(trimmed(std::string_view(text).substr(0, equals)));
+  const std::string value(equals == std::string::npos ? "" : trimmed(std::string_view(text).substr(equals + 1)));
   Source& source = sources.emplace_back("-D " + text, "v = " + value);
   source.setWithoutLines();
   const Place place{&source, 0, 0, 1};
-  if (equals == std::string::npos || equals == 0) return problems.add(place, "expected -D key.path=value");
+  if (equals == std::string::npos || key.empty()) return problems.add(place, "expected -D key.path=value");
   try {
-    addLeaf(text.substr(0, equals), place, overrideValue(source, value), leaves, problems);
+    addLeaf(key, place, overrideValue(source, value), leaves, problems);
   } catch (const SceneErrors& errors) {
     problems.add(place, errors.problems().front().message);
   }
@@ -126,6 +133,17 @@ Draft defaultDraft() {
   return draft;
 }
 
+Place keyPlace(const Node& document, std::string_view key, const Place& otherwise) {
+  for (const Entry& entry : std::get<Node::Table>(document.value))
+    if (entry.key == key) return entry.keyPlace;
+  return otherwise;
+}
+
+Origins originsIn(const Node& document, const Source& file) {
+  const Place start{&file, 0, 0, 1};
+  return {start, keyPlace(document, "body", start), keyPlace(document, "motion", start)};
+}
+
 /// Unknown where the value is the default.
 core::SourceLocation locationOfValue(const Leaves& leaves, std::string_view path) {
   const auto leaf = leaves.find(path);
@@ -139,10 +157,11 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   const Source& file = sources.emplace_back(fileName, std::string(text));
   Leaves leaves;
   Problems problems;
-  addLeaves(parseDocument(file), leaves, problems);
+  const Node document = parseDocument(file);
+  addLeaves(document, leaves, problems);
   for (const std::string& word : overrides) addOverride(word, sources, leaves, problems);
   static const Draft defaults = defaultDraft();
-  Scene scene = assemble(checkedDraft(leaves, defaults, problems), leaves, {&file, 0, 0, 1}, problems);
+  Scene scene = assemble(checkedDraft(leaves, defaults, problems), leaves, originsIn(document, file), problems);
   problems.throwIfAny();
   scene.show.titlePlace = locationOfValue(leaves, "show.title");
   scene.show.subtitlePlace = locationOfValue(leaves, "show.subtitle");

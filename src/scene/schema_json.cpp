@@ -56,12 +56,20 @@ Json bareNumber(const Key& key, const char* type) {
   return json;
 }
 
-/// Text with a unit: the pattern holds the number, the program checks the unit.
+constexpr const char* kNumberPattern = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+
+// From 0.001 to 1000 in decimals, or a fraction of any size without a zero; the program checks the fraction's
+// value and that few enough digits stand before and after the point.
+constexpr const char* kFrameRatePattern = R"(^(0*[1-9][0-9]{0,2}(\.[0-9]{1,9})?|0*1000(\.0{1,9})?|)"
+                                          R"(0+\.([1-9][0-9]{0,8}|0[1-9][0-9]{0,7}|00[1-9][0-9]{0,6})|)"
+                                          R"([0-9]*[1-9][0-9]*/[0-9]*[1-9][0-9]*)$)";
+
+/// Text with a unit: the pattern holds the number and the dimension, the program checks the range.
 Json quantity(const Key& key) {
   const std::string units = fmt::format("number and unit: {}", usualUnits(key.dimension));
   return {{"type", "string"},
           {"description", units},
-          {"pattern", R"(^ *[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)? *[^ ].*$)"}};
+          {"pattern", fmt::format("^ *{} *{} *$", kNumberPattern, unitPattern(key.dimension))}};
 }
 
 Json words(const Key& key) { return {{"enum", std::vector<std::string>(key.words.begin(), key.words.end())}}; }
@@ -83,7 +91,7 @@ Json extents(const Key& key) {
 }
 
 Json frameRate(const Key& key) {
-  const Json fraction = {{"type", "string"}, {"pattern", R"(^[0-9]+(/[0-9]+|\.[0-9]+)?$)"}};
+  const Json fraction = {{"type", "string"}, {"pattern", kFrameRatePattern}};
   return {{"anyOf", Json::array({bareNumber(key, "number"), fraction})}};
 }
 

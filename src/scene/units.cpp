@@ -51,6 +51,8 @@ constexpr NamedUnit kUnits[] = {
     {"lb", {0.45359237, kM}},
     {"oz", {0.028349523125, kM}},
     {"s", {1, kT}},
+    {"sec", {1, kT}},
+    {"seconds", {1, kT}},
     {"ms", {1e-3, kT}},
     {"us", {1e-6, kT}},
     {"µs", {1e-6, kT}},
@@ -61,6 +63,7 @@ constexpr NamedUnit kUnits[] = {
     {"rad", {1, kA}},
     {"mrad", {1e-3, kA}},
     {"deg", {std::numbers::pi / 180, kA}},
+    {"degrees", {std::numbers::pi / 180, kA}},
     {"°", {std::numbers::pi / 180, kA}},
     {"arcmin", {std::numbers::pi / 10800, kA}},
     {"arcsec", {std::numbers::pi / 648000, kA}},
@@ -174,6 +177,46 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// "kg m^2" for "kg m2".
+std::string withCarets(std::string_view unit) {
+  std::string text;
+  for (const char c : unit) {
+    const bool digit = c >= '0' && c <= '9';
+    if (digit && !text.empty() && partOfName(std::string_view(text).substr(text.size() - 1))) text += '^';
+    text += c;
+  }
+  return text;
+}
+
+/// "; did you mean "kg m^2"?" where that would have been a unit of the dimension, else empty.
+std::string powerHint(std::string_view unit, Dimension dimension) {
+  const std::string meant = withCarets(unit);
+  const ParsedUnit parsed = parseUnit(meant);
+  if (!parsed.problem.empty() || parsed.unit.exponents != textOf(dimension).exponents) return "";
+  return fmt::format("; did you mean \"{}\"?", core::printable(meant));
+}
+
+/// "(m|km|cm)": the named units with these exponents.
+std::string namesPattern(const Exponents& exponents) {
+  std::string names;
+  for (const NamedUnit& known : kUnits)
+    if (known.unit.exponents == exponents) names += (names.empty() ? "" : "|") + std::string(known.name);
+  return "(" + names + ")";
+}
+
+constexpr const char* kTimes = R"(( +| *(\*|·) *))";
+
+std::string ratePattern() {
+  const std::string time = namesPattern(kT);
+  return fmt::format(R"(({}|{}( */ *{}|{}{}\^-1)))", namesPattern(kRate), namesPattern(kA), time, kTimes, time);
+}
+
+std::string momentPattern() {
+  const std::string length = namesPattern(kL), mass = namesPattern(kM);
+  const std::string square = fmt::format(R"(({}(\^2|²)|{}{}{}))", length, length, kTimes, length);
+  return fmt::format("({}{}{}|{}{}{})", mass, kTimes, square, square, kTimes, mass);
+}
+
 std::string expected(Dimension dimension) {
   if (dimension == Dimension::kNone) return "expected a plain number";
   return fmt::format("expected {} in one of {}", textOf(dimension).name, textOf(dimension).usual);
@@ -187,6 +230,12 @@ std::string_view quantityName(Dimension dimension) { return textOf(dimension).na
 std::string_view siUnit(Dimension dimension) { return textOf(dimension).si; }
 std::string_view usualUnits(Dimension dimension) { return textOf(dimension).usual; }
 
+std::string unitPattern(Dimension dimension) {
+  if (dimension == Dimension::kAngularVelocity) return ratePattern();
+  if (dimension == Dimension::kMomentOfInertia) return momentPattern();
+  return namesPattern(textOf(dimension).exponents);
+}
+
 Quantity parseQuantity(std::string_view text, Dimension dimension) {
   const std::string shown = core::printable(text);
   text = trimmed(text);
@@ -196,12 +245,15 @@ Quantity parseQuantity(std::string_view text, Dimension dimension) {
   if (status == std::errc::invalid_argument) return refused(expected(dimension) + ", got \"" + shown + "\"");
   if (status != std::errc()) return refused(fmt::format("the number in \"{}\" is out of range", shown));
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  if (text.starts_with(','))
+    return refused(fmt::format("numbers have a decimal point, not a comma, got \"{}\"", shown));
   skipBlanks(text);
   if (text.empty())
     return refused(fmt::format("\"{}\" has no unit; write a bare number for {}", shown,
                                dimension == Dimension::kNone ? "a plain value" : siUnit(dimension)));
   const ParsedUnit parsed = parseUnit(text);
-  if (!parsed.problem.empty()) return refused(parsed.problem + "; " + expected(dimension));
+  if (!parsed.problem.empty())
+    return refused(parsed.problem + "; " + expected(dimension) + powerHint(text, dimension));
   if (parsed.unit.exponents != textOf(dimension).exponents)
     return refused(fmt::format("{}, got \"{}\"", expected(dimension), shown));
   return {number * parsed.unit.factor, ""};

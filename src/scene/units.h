@@ -20,6 +20,10 @@ std::string_view siUnit(Dimension dimension);
 /// the right dimension is accepted besides.
 std::string_view usualUnits(Dimension dimension);
 
+/// A regular expression (ECMA 262) for the units of a dimension as they are usually written. What it matches
+/// parseQuantity() reads; products that only cancel to the dimension (m^2/m) it leaves out.
+std::string unitPattern(Dimension dimension);
+
 /// A quantity read, or why it could not be.
 struct Quantity {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< SI; may be infinite or NaN when the text says so

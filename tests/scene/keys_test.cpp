@@ -11,6 +11,7 @@
 #include "scene/check.h"
 #include "scene/reference.h"
 #include "scene_testing.h"
+#include "schema_testing.h"
 
 namespace poinsot::scene {
 namespace {
@@ -125,14 +126,6 @@ TEST(EveryKey, RefusesWhatIsNotFinite) {
     for (const char* value : {"nan", "inf", "-inf"})
       EXPECT_THAT(messagesWith(key, shaped(key, value)), HasSubstr(std::string(key.path) + ": "));
   }
-}
-
-/// The schema of a path: through properties, and through the object of a table that may be a flag.
-const nlohmann::json& schemaAt(const nlohmann::json& schema, std::string_view path) {
-  const nlohmann::json& object = schema.contains("anyOf") ? schema["anyOf"][0] : schema;
-  const std::size_t dot = path.find('.');
-  const nlohmann::json& next = object.at("properties").at(std::string(path.substr(0, dot)));
-  return dot == std::string_view::npos ? next : schemaAt(next, path.substr(dot + 1));
 }
 
 TEST(EveryKey, IsInTheSchemaWithItsHelpDefaultAndWords) {

@@ -111,6 +111,9 @@ TEST(Limits, OnFrames) {
   EXPECT_THAT(refused("3600.1", "1"), HasSubstr("time.duration: must be"));
   EXPECT_THAT(refused("1", "1000.1"),
               HasSubstr("time.fps: must be from 0.001 to 1000 frames per second, got 1000.1"));
+  EXPECT_THAT(
+      refused("1", "3.141592653589793"),
+      HasSubstr("time.fps: has too many digits to be kept exactly, got 3.141592653589793; write a fraction"));
   EXPECT_THAT(refused("1", "0"), HasSubstr("time.fps: must be"));
   EXPECT_THAT(refused("1", "-30"), HasSubstr("time.fps: must be"));
   EXPECT_THAT(refused("1", "nan"), HasSubstr("time.fps: must be"));

@@ -221,6 +221,42 @@ TEST(Report, NamesTheOverride) {
   EXPECT_THAT(text, HasSubstr("-D output.size=[1, 2: error: not TOML: "));
 }
 
+TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
+  EXPECT_EQ(messagesOf(kMinimal, {"tim.x=3"}), "tim.x: unknown table [tim]; did you mean [time]?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"show.plan.grid=true"}),
+            "show.plan.grid: unknown table [show.plan]; did you mean [show.plane]?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"show.labels.x=3"}),
+            "show.labels.x: unknown key; show.labels is true or false, and has no keys below it\n");
+  EXPECT_THAT(
+      messagesOf(kMinimal, {"show.qqqqqqqqqqqq.x=3"}),
+      HasSubstr("unknown table [show.qqqqqqqqqqqq]; [show] has the tables body, principal_axes, L, omega"));
+  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.fps=3"}),
+            "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.x=3"}),
+            "qqqqqqqqqqqq.x: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
+            "show, style, "
+            "output\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
+            "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "
+            "no keys below it\n");
+}
+
+TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
+  EXPECT_FALSE(parseScene(kMinimal, "test.toml", {"show.plane = false"}).show.plane.visible);
+  EXPECT_EQ(parseScene(kMinimal, "test.toml", {" style.theme = dark "}).style.theme, Theme::kDark);
+  EXPECT_EQ(messagesOf(kMinimal, {" = 3"}), "expected -D key.path=value\n");
+}
+
+TEST(Report, PointsAtTheTableFromWhichSomethingIsMissing) {
+  const auto body = problemsOf("[motion]\nomega_body = [1, 0, 0]\n[body]\n");
+  ASSERT_EQ(body.size(), 1u);
+  EXPECT_EQ(body[0].message, "body: the body is missing; give principal_moments, or shape, size and mass");
+  EXPECT_EQ(core::toString(body[0].where), "test.toml:3:2");
+  const auto motion = problemsOf("[body]\nprincipal_moments = [1, 1, 1]\n  [motion]\n");
+  ASSERT_EQ(motion.size(), 1u);
+  EXPECT_EQ(core::toString(motion[0].where), "test.toml:3:4");
+}
+
 TEST(Report, ComesInTheOrderOfTheFileThenTheOverrides) {
   const auto problems = problemsOf("z = 1\na = 1\n" + std::string(kMinimal), {"b=1"});
   ASSERT_EQ(problems.size(), 3u);
@@ -277,7 +313,7 @@ TEST(Report, StopsAfterAScreenful) {
 
 TEST(Overrides, CannotSmuggleASecondKey) {
   EXPECT_THAT(messagesOf(kMinimal, {"time.duration=1\nv2 = 3"}), HasSubstr("time.duration"));
-  EXPECT_THAT(messagesOf(kMinimal, {"\"time.duration\"=1"}), HasSubstr("unknown key"));
+  EXPECT_THAT(messagesOf(kMinimal, {"\"time.duration\"=1"}), HasSubstr("unknown table"));
   EXPECT_THAT(messagesOf("\"time.duration\" = 3\n" + std::string(kMinimal)),
               HasSubstr("\"time.duration\": unknown key"));
 }

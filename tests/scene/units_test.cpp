@@ -48,6 +48,9 @@ TEST(Units, AreReadIntoSi) {
       {"-.5 m", Dimension::kLength, -0.5},
       {"3600 arcsec", Dimension::kAngle, kPi / 180},
       {"13 %", Dimension::kNone, 0.13},
+      {"5 sec", Dimension::kTime, 5},
+      {"5 seconds", Dimension::kTime, 5},
+      {"180 degrees", Dimension::kAngle, kPi},
   };
   for (const Case& c : cases) {
     const Quantity read = parseQuantity(c.text, c.dimension);
@@ -72,6 +75,15 @@ TEST(Units, ThatAreNoneAreNamed) {
   for (const char* text : {"", " ", "m", "rpm 3", "3 m/", "3 /s", "3 m^", "3 m^99", "3 m^x", "--3 m", "+-3 m",
                            "3 m m m m m m m m m", "1e999 m", "3,5 m", "0x10 m", "3 m\x1b[31m", "3 \xff"})
     EXPECT_FALSE(parseQuantity(text, Dimension::kLength).ok()) << text;
+}
+
+TEST(Units, WrittenByAnotherHabitAreToldTheOneHere) {
+  EXPECT_EQ(parseQuantity("1,5 s", Dimension::kTime).problem,
+            "numbers have a decimal point, not a comma, got \"1,5 s\"");
+  EXPECT_EQ(parseQuantity("1 kg m2", Dimension::kMomentOfInertia).problem,
+            "\"kg m2\" is not a known unit; expected a moment of inertia in one of kg m^2, g cm^2; did you mean "
+            "\"kg m^2\"?");
+  EXPECT_EQ(parseQuantity("3 m2", Dimension::kLength).problem.find("did you mean"), std::string::npos);
 }
 
 TEST(Units, OfARangeMustExist) {

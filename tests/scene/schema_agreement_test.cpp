@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// An editor that has the schema marks what the program refuses, and nothing that it accepts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "scene/check.h"
+#include "scene/reference.h"
+#include "scene_testing.h"
+#include "schema_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using nlohmann::json;
+
+bool hasType(const std::string& type, const json& value) {
+  if (type == "string") return value.is_string();
+  if (type == "number") return value.is_number();
+  if (type == "integer") return value.is_number_integer();
+  if (type == "boolean") return value.is_boolean();
+  return type == "array" && value.is_array();
+}
+
+bool valid(const json& schema, const json& value);
+
+bool anyValid(const json& schemas, const json& value) {
+  return std::any_of(schemas.begin(), schemas.end(), [&](const json& s) { return valid(s, value); });
+}
+
+bool allValid(const json& schema, const json& values) {
+  return std::all_of(values.begin(), values.end(), [&](const json& v) { return valid(schema, v); });
+}
+
+/// The words of JSON Schema (draft 4) that schemaJson() uses for one value; any other fails the test.
+bool satisfies(const std::string& word, const json& wanted, const json& value) {
+  if (word == "description" || word == "default") return true;
+  if (word == "type") return hasType(wanted, value);
+  if (word == "anyOf") return anyValid(wanted, value);
+  if (word == "enum") return std::find(wanted.begin(), wanted.end(), value) != wanted.end();
+  if (word == "pattern") return std::regex_search(value.get<std::string>(), std::regex(wanted.get<std::string>()));
+  if (word == "maxLength") return characterCount(value.get<std::string>()) <= wanted.get<std::size_t>();
+  if (word == "minimum") return value >= wanted;
+  if (word == "maximum") return value <= wanted;
+  if (word == "multipleOf") return value.get<int>() % wanted.get<int>() == 0;
+  if (word == "items") return allValid(wanted, value);
+  if (word == "minItems") return value.size() >= wanted.get<std::size_t>();
+  if (word == "maxItems") return value.size() <= wanted.get<std::size_t>();
+  ADD_FAILURE() << "the evaluator does not know " << word;
+  return false;
+}
+
+bool valid(const json& schema, const json& value) {
+  if (schema.contains("type") && !hasType(schema["type"], value)) return false;
+  for (const auto& [word, wanted] : schema.items())
+    if (!satisfies(word, wanted, value)) return false;
+  return true;
+}
+
+bool schemaAccepts(const std::string& path, const std::string& value) {
+  static const json schema = json::parse(schemaJson());
+  return valid(schemaAt(schema, path), json::parse(value));
+}
+
+bool programAccepts(const std::string& path, const std::string& value) {
+  const Source source("test", "v = " + value);
+  const Node document = parseDocument(source);
+  Problems problems;
+  return check(*findKey(path), std::get<Node::Table>(document.value)[0].value, problems).has_value();
+}
+
+/// Values in a notation that is JSON and TOML at once.
+struct Samples {
+  const char* path;
+  std::vector<const char*> accepted, refused;
+};
+
+// By docs/scene.md, read by a person.
+const Samples kSamples[] = {
+    {"time.speed",
+     {"1", "-0.5", "\"auto\"", "\"13 %\"", "\" -2e1% \""},
+     {"\"fast\"", "\"13\"", "\"13 s\"", "true"}},
+    {"camera.zoom", {"1.5", "\"150 %\""}, {"\"1.5\"", "\"1.5 m\"", "\"%\"", "0", "21", "[1]"}},
+    {"time.duration",
+     {"3", "0.5", "\"3 s\"", "\"3s\"", "\".5 min\"", "\"+1. h\"", "\"2e3 ms\"", "\"5 sec\"", "\"5 seconds\"",
+      "\"7000 µs\""},
+     {"\"3 kg\"", "\"3\"", "\"3 parsecs\"", "\"3,5 s\"", "\"s\"", "\"+-3 s\"", "\"3 s s\"", "\"inf s\"",
+      "\"3 s;\""}},
+    {"time.start", {"-20", "\"-2 d\"", "\"1 yr\""}, {"1e21", "-1e21", "\"1 S\""}},
+    {"time.fps",
+     {"30", "29.97", "\"30000/1001\"", "\"30\"", "\"29.97\"", "\"1000\"", "\"0.001\"", "\"0.05\"", "\"24/1\"",
+      "\"030\""},
+     {"0", "-30", "1000.5", "\"30/0\"", "\"0/1\"", "\"0\"", "\"3000\"", "\"0.0\"", "\"0.0009\"", "\"30/\"",
+      "\"-30\"", "\"30 Hz\"", "\"30.\"", "\"1001\"", "\"1000.1\"", "\" 30\"", "true"}},
+    {"motion.orientation",
+     {"[1, 0, 0, 0]", "[0.5, -0.5, 0.5, 0.5]"},
+     {"[\"100 %\", 0, 0, 0]", "[1, 0, 0]", "[1, 0, 0, 0, 0]", "1", "[true, 0, 0, 0]"}},
+    {"motion.omega_body",
+     {"[0, 1, -2.5]", "[\"3 rpm\", \"-60 deg/s\", \"0.5 Hz\"]",
+      "[\"1 rev / d\", \"360 deg s^-1\", \"1 rad*s^-1\"]", "[\"3 degrees/sec\", \"1°/s\", 0]"},
+     {"[0, 1]", "[\"3 deg\", 0, 0]", "[\"3 s/deg\", 0, 0]", "[\"3 rpm/s\", 0, 0]", "[\"3 degs\", 0, 0]",
+      "\"3 rpm\"", "[1e41, 0, 0]"}},
+    {"body.principal_moments",
+     {"[1, 2, 2.5]", "[\"1 kg m^2\", \"1.5 kg·m²\", \"2.5e4 g cm^2\"]",
+      "[\"1 m^2 kg\", \"1.5 m*m*kg\", \"2 lb * ft^2\"]"},
+     {"[\"1 kg m2\", 1, 1]", "[\"1 kgm^2\", 1, 1]", "[\"1 kg m\", 1, 1]", "[\"1 kg m^3\", 1, 1]", "[-1, 1, 1]",
+      "[0, 1, 1]", "[2e60, 1, 1]"}},
+    {"body.mass", {"1", "\"320 g\"", "\"1t\""}, {"0", "\"3 m\"", "\"3 kg^2\"", "2e60"}},
+    {"body.size", {"0.3", "\"20 cm\"", "[0.3, \"12 in\", 1]"}, {"[1, 2]", "0", "\"20 cm^2\"", "\"20 Cm\""}},
+    {"camera.azimuth",
+     {"0.5", "\"-120 deg\"", "\"90°\"", "\"1 rev\""},
+     {"\"3 rad/s\"", "\"90\"", "90", "\"90 Grad\""}},
+    {"camera.frame", {"\"space\"", "\"body\""}, {"\"Space\"", "1"}},
+    {"show.title", {"\"\"", "\"a word\""}, {"1", "true"}},
+    {"show.labels", {"true", "false"}, {"1", "\"yes\""}},
+    {"output.size", {"[640, 360]"}, {"[641, 360]", "[640.0, 360]", "[640]", "[14, 16]", "\"640x360\""}},
+    {"output.crf", {"0", "51"}, {"-1", "52", "18.5", "\"18\""}},
+};
+
+TEST(Schema, AcceptsWhatTheProgramAccepts) {
+  for (const Samples& samples : kSamples)
+    for (const char* value : samples.accepted) {
+      EXPECT_TRUE(programAccepts(samples.path, value)) << samples.path << " = " << value;
+      EXPECT_TRUE(schemaAccepts(samples.path, value)) << samples.path << " = " << value;
+    }
+}
+
+TEST(Schema, RefusesWhatTheProgramRefuses) {
+  for (const Samples& samples : kSamples)
+    for (const char* value : samples.refused) {
+      EXPECT_FALSE(programAccepts(samples.path, value)) << samples.path << " = " << value;
+      EXPECT_FALSE(schemaAccepts(samples.path, value)) << samples.path << " = " << value;
+    }
+}
+
+TEST(Schema, AcceptsEveryDefaultAndExample) {
+  for (const Key& key : keys()) {
+    const bool literal = key.example.find('\'') != std::string_view::npos;  // TOML, but no JSON
+    if (!literal) {
+      EXPECT_TRUE(schemaAccepts(std::string(key.path), std::string(key.example))) << key.path;
+    }
+    if (!key.fallback.empty()) {
+      EXPECT_TRUE(schemaAccepts(std::string(key.path), std::string(key.fallback))) << key.path;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::scene
