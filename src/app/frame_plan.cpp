@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/text.h"
 
 namespace poinsot::app {
 namespace {
@@ -19,13 +20,18 @@ std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
   return whole && text.front() != '-' ? std::optional(k) : std::nullopt;
 }
 
+[[noreturn]] void refuse(std::string_view frames, std::string_view why) {
+  throw core::Error(core::ErrorKind::kUsage, fmt::format("--frames '{}': {}", core::printable(frames), why));
+}
+
 }  // namespace
 
-std::optional<FrameRange> parseFrameRange(std::string_view text) {
+FrameRange parseFrameRange(std::string_view text) {
   const auto dash = text.find('-');
   const auto first = parseFrameNumber(text.substr(0, dash));
   const auto last = dash == std::string_view::npos ? first : parseFrameNumber(text.substr(dash + 1));
-  if (!first || !last || *last < *first) return std::nullopt;
+  if (!first || !last) refuse(text, "frames are A-B, both included, such as 0-59, or one number");
+  if (*last < *first) refuse(text, fmt::format("the first frame, {}, comes after the last, {}", *first, *last));
   return FrameRange{*first, *last};
 }
 

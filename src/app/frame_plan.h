@@ -22,8 +22,9 @@ struct FrameRange {
 /// enough that the one key frame per segment costs little (films measured 0.9 % larger than with 60).
 inline constexpr std::int64_t kSegmentFrames = 30;
 
-/// "A-B" or "A"; empty if it is neither or B < A.
-std::optional<FrameRange> parseFrameRange(std::string_view text);
+/// "A-B" or "A", as written after --frames.
+/// @throws core::Error(kUsage) if it is neither, or if B < A.
+FrameRange parseFrameRange(std::string_view text);
 
 /// The frames to make of a film of `frameCount` frames: all, or those asked for.
 /// @throws core::Error(kUsage) if the film lacks one of them.

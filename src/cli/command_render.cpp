@@ -15,18 +15,13 @@ namespace poinsot::cli {
 namespace {
 
 struct FilmOptions : RenderOptions {
-  std::string frames, fps;
+  std::string frames;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
 std::optional<app::FrameRange> askedFrames(const FilmOptions& options) {
-  if (options.frames.empty()) return std::nullopt;
-  const auto frames = app::parseFrameRange(options.frames);
-  if (!frames)
-    refuse(fmt::format("--frames '{}': frames are A-B, both included, such as 0-59, or one number",
-                       core::printable(options.frames)));
-  return frames;
+  return options.frames.empty() ? std::nullopt : std::optional(app::parseFrameRange(options.frames));
 }
 
 void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& frames) {
@@ -37,12 +32,10 @@ void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& fra
                   core::printable(target.path.string()), frames.count(), frames.first));
 }
 
-int render(FilmOptions options) {
-  if (!options.fps.empty()) options.overrides.push_back("time.fps=" + options.fps);
+int render(const FilmOptions& options) {
   const auto asked = askedFrames(options);
   if (!options.output.empty()) app::parseTarget(options.output);  // a wrong name is said before all else
-  auto request = requestedScene(options);
-  const scene::Scene scene = app::loadRequested(request);
+  auto [request, scene] = requestedScene(options);
   const auto target = requestedTarget(options, scene.name, ".mp4");
   const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
   checkFrameCount(target, frames);
@@ -58,9 +51,14 @@ void addRender(CLI::App& program, Action& chosen) {
   command
       ->add_option("-o,--output", options->output,
                    "NAME.mp4, NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")
-      ->type_name("FILE");
-  command->add_option("--frames", options->frames, "only these frames, both ends included")->type_name("A-B");
-  command->add_option("--fps", options->fps, "frames per second, such as 30 or 30000/1001")->type_name("RATE");
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--frames", options->frames, "only these frames, both ends included")
+      ->type_name("A-B")
+      ->check(notEmpty());
+  command->add_option("--fps", options->fps, "frames per second, such as 30 or 30000/1001")
+      ->type_name("RATE")
+      ->check(notEmpty());
   command->footer(
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"

@@ -2,19 +2,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <charconv>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/rendering.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "scene/units.h"
 
 namespace poinsot::cli {
 namespace {
 
 struct StillOptions : RenderOptions {
-  double time_s = 0;
+  std::string time = "0";
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
@@ -24,14 +25,25 @@ void checkIsPicture(const std::string& name) {
   refuse(fmt::format("output '{}': a still is one NAME.png", core::printable(name)));
 }
 
+/// A number of seconds, or a number with a unit of time as scene files have it.
+double parseTime_s(const std::string& text) {
+  double seconds = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (status == std::errc() && end == text.data() + text.size()) return seconds;
+  const auto quantity = scene::parseQuantity(text, scene::Dimension::kTime);
+  if (!quantity.ok()) refuse(fmt::format("--time '{}': {}", core::printable(text), quantity.problem));
+  return quantity.value;
+}
+
 int still(const StillOptions& options) {
   if (!options.output.empty()) checkIsPicture(options.output);
-  auto request = requestedScene(options);
-  const scene::Scene scene = app::loadRequested(request);
-  if (!(options.time_s >= 0 && options.time_s <= scene.time.duration_s))
-    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", options.time_s, scene.time.duration_s));
+  const double time_s = parseTime_s(options.time);
+  auto [request, scene] = requestedScene(options);
+  if (!(time_s >= 0 && time_s <= scene.time.duration_s))
+    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(options.time),
+                       scene.time.duration_s));
   const auto target = requestedTarget(options, scene.name, ".png");
-  return renderTo(options, target, std::move(request), scene, app::FrameRange{0, 0}, options.time_s);
+  return renderTo(options, target, std::move(request), scene, app::FrameRange{0, 0}, time_s);
 }
 
 }  // namespace
@@ -40,8 +52,11 @@ void addStill(CLI::App& program, Action& chosen) {
   auto options = std::make_shared<StillOptions>();
   CLI::App* command = program.add_subcommand("still", "make one picture of a scene");
   addRenderOptions(*command, *options);
-  command->add_option("-o,--output", options->output, "NAME.png (default: out/SCENE.png)")->type_name("FILE");
-  command->add_option("--time", options->time_s, "film time in seconds (default: 0)")->type_name("T");
+  command->add_option("-o,--output", options->output, "NAME.png (default: out/SCENE.png)")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--time", options->time, "film time, such as 1.25 (seconds) or '90 ms' (default: 0)")
+      ->type_name("T");
   command->footer(
       "Example:\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png");

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/limits.h"
+#include "scene/problem.h"
 
 namespace poinsot::cli {
 namespace {
@@ -30,7 +31,36 @@ std::vector<std::string> qualityOverrides(const std::string& quality) {
   return overrides;
 }
 
+struct Override {
+  std::string text;   ///< "time.fps=0"
+  std::string typed;  ///< "--fps 0"
+};
+
+/// From the weakest to the strongest.
+std::vector<Override> overridesOf(const RenderOptions& options) {
+  std::vector<Override> overrides;
+  for (const std::string& text : qualityOverrides(options.quality))
+    overrides.push_back({text, "-q " + options.quality});
+  for (const std::string& text : options.overrides) overrides.push_back({text, "-D " + text});
+  if (!options.fps.empty()) overrides.push_back({"time.fps=" + options.fps, "--fps " + options.fps});
+  return overrides;
+}
+
+/// The scene layer knows every override as a -D; its user typed perhaps another option.
+[[noreturn]] void throwAsTyped(const scene::SceneErrors& errors, const std::vector<Override>& overrides) {
+  std::vector<scene::Problem> problems = errors.problems();
+  for (scene::Problem& problem : problems)
+    for (const Override& override : overrides)
+      if (problem.where.file == core::printable("-D " + override.text))
+        problem.where.file = core::printable(override.typed);
+  throw scene::SceneErrors(std::move(problems), errors.omitted());
+}
+
 }  // namespace
+
+CLI::Validator notEmpty() {
+  return {[](std::string& word) -> std::string { return word.empty() ? "is empty" : ""; }, "", ""};
+}
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
@@ -39,9 +69,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH");
+  command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH")->check(notEmpty());
   command.add_option("-q,--quality", options.quality, "size and quality: preview, 720p, 1080p or 4k")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->check(notEmpty());
   command.add_option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -76,12 +107,17 @@ image::PixelSize parseSize(const std::string& text) {
   return {*width, *height};
 }
 
-app::SceneRequest requestedScene(const RenderOptions& options) {
-  std::vector<std::string> overrides = qualityOverrides(options.quality);
-  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
-  auto request = app::readSceneRequest(options.scene, std::move(overrides));
+RequestedScene requestedScene(const RenderOptions& options) {
+  const auto overrides = overridesOf(options);
+  std::vector<std::string> texts;
+  for (const Override& override : overrides) texts.push_back(override.text);
+  auto request = app::readSceneRequest(options.scene, std::move(texts));
   if (!options.size.empty()) request.size = parseSize(options.size);
-  return request;
+  try {
+    return {request, app::loadRequested(request)};
+  } catch (const scene::SceneErrors& errors) {
+    throwAsTyped(errors, overrides);
+  }
 }
 
 app::OutputTarget requestedTarget(const RenderOptions& options, const std::string& sceneName,

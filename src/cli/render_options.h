@@ -13,29 +13,38 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace poinsot::cli {
 
 /// Words of the command line common to `render` and `still`, as typed.
 struct RenderOptions {
-  std::string scene, output, size, quality;
+  std::string scene, output, size, quality, fps;
   std::vector<std::string> overrides;
   int jobs = 0;
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false;
   std::string progress = "auto", backend = "auto";
 };
 
-/// Declares them.
+/// Declares them, except for the output and --fps.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+/// Refuses '' as a value, most often a shell variable without one, which would else count as not given.
+CLI::Validator notEmpty();
 
 /// "640x360".
 /// @throws core::Error(kUsage) when it is no such thing, core::Error(kLimit) beyond the limits of a picture.
 image::PixelSize parseSize(const std::string& text);
 
-/// Reads the scene file, with -q and -D in their order of precedence (-q below -D, both above the file).
-/// @throws core::Error(kScene, kUsage, kLimit)
-app::SceneRequest requestedScene(const RenderOptions& options);
+struct RequestedScene {
+  app::SceneRequest request;
+  scene::Scene scene;
+};
+
+/// Reads and checks the scene file, with -q, -D and --fps above it, the later above the earlier.
+/// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
+RequestedScene requestedScene(const RenderOptions& options);
 
 /// -o, or out/NAME with the extension.
 /// @throws core::Error(kUsage)

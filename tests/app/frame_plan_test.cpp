@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/frame_plan.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -8,13 +9,26 @@
 namespace poinsot::app {
 namespace {
 
+using ::testing::HasSubstr;
+
+std::string refusalOf(const char* frames) {
+  try {
+    parseFrameRange(frames);
+    return "taken";
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+    return error.what();
+  }
+}
+
 TEST(FramePlan, ReadsRanges) {
   EXPECT_EQ(parseFrameRange("0-59"), (FrameRange{0, 59}));
   EXPECT_EQ(parseFrameRange("120-120"), (FrameRange{120, 120}));
   EXPECT_EQ(parseFrameRange("7"), (FrameRange{7, 7}));
-  for (const char* bad : {"", "-", "5-", "-5", "9-3", "a-b", "1-2-3", "1 - 2", "1.5-2", "+1-2", "0x1-2", "1--2",
-                          "99999999999999999999-1"})
-    EXPECT_FALSE(parseFrameRange(bad)) << bad;
+  for (const char* bad :
+       {"", "-", "5-", "-5", "a-b", "1-2-3", "1 - 2", "1.5-2", "+1-2", "0x1-2", "1--2", "99999999999999999999-1"})
+    EXPECT_THAT(refusalOf(bad), HasSubstr("': frames are A-B, both included")) << bad;
+  EXPECT_EQ(refusalOf("9-3"), "--frames '9-3': the first frame, 9, comes after the last, 3");
 }
 
 TEST(FramePlan, SelectsAllOrWhatWasAsked) {

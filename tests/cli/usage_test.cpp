@@ -78,7 +78,7 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
       {{"render", "a.toml", "-o", "a_{n}.png"}, "not a frame number: {n}"},
       {{"render", "a.toml", "-o", "a.png"},
        "a.png takes one frame, and 120 are selected: choose one with --frames 0"},
-      {{"render", "a.toml", "--frames", "9-3"}, "--frames '9-3': frames are A-B"},
+      {{"render", "a.toml", "--frames", "9-3"}, "--frames '9-3': the first frame, 9, comes after the last, 3"},
       {{"render", "a.toml", "--frames", "100-120"}, "--frames 100-120: the film has frames 0 to 119"},
       {{"render", "a.toml", "--size", "160"}, "--size '160': a size is WIDTHxHEIGHT"},
       {{"render", "a.toml", "--size", "161x91"},
@@ -87,11 +87,21 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
       {{"render", "a.toml", "--size", "8193x90"}, "sides are from 16 to 8192 pixels"},
       {{"render", "a.toml", "-j", "0"}, "not in range"},
       {{"render", "a.toml", "--backend", "metal"}, "metal not in {auto,osmesa,egl}"},
-      {{"render", "a.toml", "--fps", "zero"}, "time.fps"},
-      {{"render", "a.toml", "-q", "1080"}, "1080p"},
+      {{"render", "a.toml", "--fps", "zero"}, "--fps zero: error: time.fps: "},
+      {{"render", "a.toml", "--fps", "0"}, "--fps 0: error: time.fps: "},
+      {{"render", "a.toml", "-D", "time.fps=0"}, "-D time.fps=0: error: time.fps: "},
+      {{"render", "a.toml", "-q", "1080"}, "-q 1080: error: output.quality: expected one of \"preview\""},
+      {{"render", "a.toml", "-o", ""}, "--output: is empty"},
+      {{"still", "a.toml", "-o", ""}, "--output: is empty"},
+      {{"render", "a.toml", "--fps", ""}, "--fps: is empty"},
+      {{"render", "a.toml", "--size", ""}, "--size: is empty"},
       {{"render", "a.toml", "-D", "time.duratoin=4"}, "time.duration"},
       {{"render", "a.toml", "-D", "time.duration=-4"}, "time.duration"},
       {{"still", "a.toml", "--time", "4.5", "-o", "a.png"}, "--time 4.5: the film lasts from 0 to 4 s"},
+      {{"still", "a.toml", "--time", "1 min", "-o", "a.png"}, "--time 1 min: the film lasts from 0 to 4 s"},
+      {{"still", "a.toml", "--time", "2 m", "-o", "a.png"}, "--time '2 m': expected a time in one of s, "},
+      {{"still", "a.toml", "--time", "soon", "-o", "a.png"}, "--time 'soon': expected a time"},
+      {{"still", "a.toml", "--time", "", "-o", "a.png"}, "--time '': expected a time"},
       {{"still", "a.toml", "--time", "nan", "-o", "a.png"}, "--time nan"},
       {{"still", "a.toml", "-o", "a.mp4"}, "a still is one NAME.png"},
       {{"check"}, "SCENE is required"},
@@ -103,6 +113,16 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
     EXPECT_THAT(result.out, IsEmpty()) << bad.says;
   }
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a.toml"});
+}
+
+TEST(Usage, TimesMayHaveAUnit) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);  // lasts 4 s
+  for (const char* time : {"4", "4 s", "4000ms", "0.05 min"}) {
+    const auto result = run(folder, {"still", "a.toml", "--time", time, "--dry-run"});
+    EXPECT_EQ(result.exitCode, 0) << time << "\n" << result.err;
+  }
+  EXPECT_EQ(run(folder, {"still", "a.toml", "--time", "4001 ms", "--dry-run"}).exitCode, 2);
 }
 
 TEST(Usage, MessagesCarryNoControlCharacters) {
