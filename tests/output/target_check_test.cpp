@@ -37,7 +37,9 @@ TEST_F(TargetCheckTest, TakesANewFileAndLeavesNoTrace) {
 }
 
 TEST_F(TargetCheckTest, RefusesWhatIsNoPlaceForAFile) {
-  EXPECT_EQ(refusal(in("none/a.png")), in("none").native() + ": no such folder; create it first");
+  EXPECT_EQ(refusal(in("none/a.png")),
+            in("none").native() + ": no such folder; make it with: mkdir -p " + in("none").native());
+  EXPECT_THAT(refusal(in("it's new/a.png")), testing::EndsWith("/it'\\''s new'"));
   save("file", "x");
   EXPECT_THAT(refusal(in("file/a.png")), HasSubstr("file: not a folder"));
   EXPECT_THAT(sequenceRefusal("no/such/f_{frame}.png"), HasSubstr("no: no such folder"));
