@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 // Above about a turn a second the eye loses the rolling, below a twelfth nothing seems to move.
 constexpr double kCalmestSpin = 0.5, kFastestSpin = 6.5, kPleasantSpin = 2.1;  // rad per film second
 
-constexpr double kPathStep_rad = 0.06;  // 105 points a turn: 0.1 px off a circle of 200 px
+constexpr double kPathStep = 0.06;  // of a circle's radius: 105 points a turn, 0.1 px off a circle of 200 px
 constexpr int kOutlinePoints = 600;
 
 int spinAxis(const Vector3d& omega_B) {
@@ -84,10 +84,21 @@ Matrix3d standingBody(const scene::Scene& scene) {
   return Quaterniond::FromTwoVectors(sign * Vector3d::Unit(axis), up).toRotationMatrix();
 }
 
-// Film time in which the tip of omega turns about L by one step; it does so at most at |L| / (smallest moment).
-double pathStep(const physics::FreeMotion& motion, double speed, double duration_s) {
-  const double fastest = std::abs(speed) * motion.L_W().norm() / motion.moments().values().minCoeff();
-  return std::min(fastest > 0 ? kPathStep_rad / fastest : duration_s, duration_s / 64);
+// Rate of change of omega in the body, and so in space too (eq 30, 31): I⁻¹ (I omega x omega).
+double tipSpeed(const physics::PrincipalMoments& moments, const Vector3d& omega_B) {
+  return moments.angularMomentum(omega_B).cross(omega_B).cwiseQuotient(moments.values()).norm();
+}
+
+// Film time in which the tip of omega goes, where it is fastest, by a small part of its greatest distance from L.
+double pathStep(const PictureMotion& motion) {
+  const Vector3d up = motion.motion().L_W().normalized();
+  double fastest = 0, farthest = 0;
+  for (const PathPoint& p : motion.outline()) {
+    fastest = std::max(fastest, std::abs(motion.speed()) * tipSpeed(motion.motion().moments(), p.omega_B));
+    farthest = std::max(farthest, up.cross(p.omega_W).norm());
+  }
+  const double coarsest = motion.duration_s() / 64;
+  return fastest > 0 && farthest > 0 ? std::min(kPathStep * farthest / fastest, coarsest) : coarsest;
 }
 
 }  // namespace
@@ -99,7 +110,7 @@ PictureMotion::PictureMotion(const scene::Scene& scene)
       duration_s_(scene.time.duration_s),
       bodyStandsStill_(scene.camera.frame == scene::CameraFrame::kBody),
       R_VB_(standingBody(scene)),
-      pathStep_s_(pathStep(motion_, speed_, duration_s_)) {}
+      pathStep_s_(pathStep(*this)) {}
 
 PathPoint PictureMotion::pathPoint(double filmTime_s) const {
   const auto state = motion_.at(start_s_ + speed_ * filmTime_s);

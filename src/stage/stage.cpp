@@ -184,7 +184,7 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
       const Vector3d tip = axisLength(axis) * state.R_VB.col(axis);
       const glm::vec2 out = project(list.camera, toPicture(tip)) - centre_px;
       // An axis that points at the eye has no direction in the picture: its label leans upwards.
-      add(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), tip, out + glm::vec2(0, -0.3f * size_px),
+      add(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), tip, out + glm::vec2(0, -1.2f * size_px),
           colors.axis, 0.85f * size_px);
       if (scene.show.body.visible)
         labels.back().opacity = seenPast(body, scales.body, state.R_VB, tip, fromPicture(list.camera.eye_W));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <numbers>
 
 #include "core/error.h"
@@ -180,6 +181,27 @@ TEST(Stage, LongFilmsDrawTheNearestTurns) {
   for (const auto& curve : stage.compose(1800, kSize).curves)
     for (std::size_t i = 0; i + 1 < curve.points_W.size(); ++i)
       ASSERT_LT(glm::distance(curve.points_W[i], curve.points_W[i + 1]), curve.points_W.size() > 8 ? 0.1f : 10.0f);
+}
+
+// From frame to frame labels glide. The fastest are those of the racket's axes, which swing through 8 degrees a
+// frame.
+TEST(Stage, LabelsDoNotJumpInAnyFilmOfTheGallery) {
+  for (const char* name : {"tennis_racket", "poinsot_rolling", "football", "chandler_wobble"}) {
+    const Stage stage(scene::loadScene(std::string(POINSOT_SOURCE_DIR "/scenes/") + name + ".toml"));
+    std::map<std::string, vec2> before;
+    for (int k = 0; k < 360; ++k) {
+      std::map<std::string, vec2> now;
+      for (const auto& text : stage.compose(k / 30.0, kSize).texts) {
+        now[text.tex] = text.baseline_px;
+        if (!before.count(text.tex) || text.opacity < 0.1f) continue;
+        const float most = text.tex.find("omega") != std::string::npos ? 0.04f : 0.12f;
+        EXPECT_LT(glm::distance(before[text.tex], text.baseline_px), most * kSize.y)
+            << name << " frame " << k << " " << text.tex << " by "
+            << glm::distance(before[text.tex], text.baseline_px) / kSize.y;
+      }
+      before = now;
+    }
+  }
 }
 
 TEST(Stage, WhatIsNotShownIsNotThere) {
