@@ -89,6 +89,7 @@ struct Stage::Plan {
   BodyFigure body;
   Scales scales;
   std::optional<ConstructionFigure> construction;
+  Extent extent;  // of the whole motion
 
   explicit Plan(scene::Scene s)
       : scene(std::move(s)),
@@ -99,6 +100,7 @@ struct Stage::Plan {
     checkTex("show.title", scene.show.title, scene.show.titlePlace);
     checkTex("show.subtitle", scene.show.subtitle, scene.show.subtitlePlace);
     if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
+    extent = wholeExtent();
   }
 
   // One principal axis, from the centre to inside the ellipsoid or beyond the body.
@@ -108,6 +110,7 @@ struct Stage::Plan {
     return scene.show.principalAxes.scale * kAxisInEllipsoid * construction->semiAxes()[axis];
   }
 
+  Extent wholeExtent() const;
   draw::Camera camera(glm::vec2 size_px) const;
   void addVectors(draw::DrawList& list, const PictureState& state) const;
   void addAxes(draw::DrawList& list, const PictureState& state) const;
@@ -117,20 +120,24 @@ struct Stage::Plan {
   void addTitle(draw::DrawList& list) const;
 };
 
-draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
-  Extent extent;
-  if (construction) extent.points_V = construction->outermostPoints();
+Extent Stage::Plan::wholeExtent() const {
+  Extent whole;
+  if (construction) whole.points_V = construction->outermostPoints();
   const PictureState start = motion.at(0);
   if (scene.show.L.visible && start.L_V.norm() > 0)
-    extent.points_V.push_back(scales.lengthOfL * start.L_V.normalized());
-  if (scene.show.body.visible) extent.ballRadius = scales.body * body.radius();
+    whole.points_V.push_back(scales.lengthOfL * start.L_V.normalized());
+  if (scene.show.body.visible) whole.ballRadius = scales.body * body.radius();
   const bool inside = construction && scene.show.ellipsoid.visible && scene.show.principalAxes.scale <= 1;
   for (int axis = 0; axis < 3 && scene.show.principalAxes.visible && !inside; ++axis)
-    extent.ballRadius = std::max(extent.ballRadius, kMostAxes * axisLength(axis));
+    whole.ballRadius = std::max(whole.ballRadius, kMostAxes * axisLength(axis));
   if (scene.show.omega.visible)
     for (const PathPoint& p : motion.outline())
-      extent.points_V.push_back(scales.omega * (motion.R_VW(p.filmTime_s) * p.omega_W));
-  if (extent.points_V.empty() && extent.ballRadius == 0) extent.ballRadius = scales.reach;
+      whole.points_V.push_back(scales.omega * (motion.R_VW(p.filmTime_s) * p.omega_W));
+  if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
+  return whole;
+}
+
+draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
   Margins margins;
   // The title's lines stand over the picture, not in it.
   if (!scene.show.title.empty()) margins.top = 0.1;
