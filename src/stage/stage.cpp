@@ -4,23 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "core/error.h"
 #include "stage/arrow.h"
 #include "stage/body_figure.h"
 #include "stage/construction_figure.h"
 #include "stage/framing.h"
 #include "stage/label_layout.h"
+#include "stage/lettering.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
 #include "stage/scales.h"
 #include "stage/to_picture.h"
-#include "text/math_setter.h"
 
 namespace poinsot::stage {
 namespace {
@@ -32,30 +30,14 @@ constexpr double kVectorRadius = 0.019, kAxisRadius = 0.0125;
 constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
 constexpr double kMostAxes =
     0.8;  // of an axis is framed: labels keep themselves inside, and few axes point outwards
-constexpr double kLine = 2.0 / 1080, kLabel = 0.044, kTitle = 0.042, kSubtitle = 0.03, kNote = 0.025,
-                 kEdge = 0.055;
-// In em.
-constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
+// In shares of the reference height.
+constexpr double kLine = 2.0 / 1080, kLabel = 0.044;
 
 bool showsConstruction(const scene::Scene& scene) {
   const auto& show = scene.show;
   return scene.motion.omega_B.norm() > 0 &&
          (show.ellipsoid.visible || show.plane.visible || show.polhode.visible || show.herpolhode.visible ||
           show.contact.visible);
-}
-
-// What type and lines are sized by: the height of the largest 16:9 picture inside this one.
-double referenceHeight(glm::vec2 size_px) {
-  return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
-}
-
-// 200000 as "200 000"; a number with decimals stays as it is.
-std::string grouped(double x) {
-  std::string digits = fmt::format("{:.15g}", x);
-  if (digits.find_first_not_of("0123456789") != std::string::npos) return digits;
-  for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-    digits.insert(static_cast<std::size_t>(i), "\u2009");
-  return digits;
 }
 
 // How much of a point is seen past the body: 0 behind it or inside, 1 clear of it, smooth between. The sight line
@@ -68,16 +50,6 @@ float seenPast(const BodyFigure& body, double scale, const Eigen::Matrix3d& R_VB
   for (int i = 0; i <= kSteps; ++i)
     nearest = std::min(nearest, body.gauge(R_VB.transpose() * (point_V + towardEye * i / kSteps) / scale));
   return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
-}
-
-// Bad TeX is found before the first frame, and named by its key and place.
-void checkTex(const std::string& key, const std::string& tex, const core::SourceLocation& place) {
-  try {
-    text::setTex(tex);
-  } catch (const core::Error& error) {
-    throw core::Error(core::ErrorKind::kScene, key + ": " + error.message(),
-                      place.file.empty() ? std::nullopt : std::optional(place));
-  }
 }
 
 }  // namespace
@@ -97,8 +69,7 @@ struct Stage::Plan {
         motion(scene),
         body(scene),
         scales(makeScales(scene, motion, body)) {
-    checkTex("show.title", scene.show.title, scene.show.titlePlace);
-    checkTex("show.subtitle", scene.show.subtitle, scene.show.subtitlePlace);
+    checkLettering(scene.show);
     if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
     extent = wholeExtent();
   }
@@ -116,8 +87,6 @@ struct Stage::Plan {
   void addAxes(draw::DrawList& list, const PictureState& state) const;
   void addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const;
   std::vector<Label> labels(const draw::DrawList& list, const PictureState& state) const;
-  void addPlaneName(draw::DrawList& list, const PictureState& state) const;
-  void addTitle(draw::DrawList& list) const;
 };
 
 Extent Stage::Plan::wholeExtent() const {
@@ -230,48 +199,6 @@ void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std
   labels.push_back({"$2T/L$", middle, aside, 0.4f * size_px, size_px, colors.L});
 }
 
-// The plane's name: under the edge that runs to its lowest corner from the left, or over the one that runs to its
-// highest where the plane is above the body.
-void Stage::Plan::addPlaneName(draw::DrawList& list, const PictureState& state) const {
-  if (!construction || !scene.show.plane.visible || !scene.show.labels) return;
-  const auto corners_V = construction->planeCorners(state.R_VW);
-  std::array<glm::vec2, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
-  const bool above =
-      project(list.camera, toPicture(Vector3d(construction->planeHeight() * state.L_V.normalized()))).y <
-      project(list.camera, glm::vec3(0)).y;
-  const auto outer = [above](glm::vec2 a, glm::vec2 b) { return above ? a.y > b.y : a.y < b.y; };
-  const auto tip =
-      static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
-  const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
-  const auto size_px = static_cast<float>(kNote * referenceHeight(list.camera.size_px) * scene.style.textSize);
-  const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
-  const std::string tex = "invariable plane";
-  const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
-  const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + (above ? -1.2f : 2.0f) * size_px);
-  list.texts.push_back({tex, place, size_px, colors.L, 1, colors.paper, 0.1f * size_px});
-}
-
-void Stage::Plan::addTitle(draw::DrawList& list) const {
-  const double H = referenceHeight(list.camera.size_px) * scene.style.textSize;
-  const double left = kEdge * H, room = static_cast<double>(list.camera.size_px.x) - 2 * left;
-  double y = kEdge * H;
-  const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
-    const text::GlyphRun run = text::setTex(tex);
-    // A line too long for the picture is set smaller.
-    const double size_px = std::min(size * H, room / std::max(run.width_em, 1e-9));
-    y += size_px * std::max(run.inkTop_em, kCapHeight);
-    list.texts.push_back({tex, glm::vec2(left, y), static_cast<float>(size_px), color, 1, std::nullopt, 0});
-    y += size_px * (std::max(-run.inkBottom_em, kDescent) + kLeading);
-  };
-  if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
-  if (!scene.show.subtitle.empty()) addLine(scene.show.subtitle, kSubtitle, colors.quietInk);
-  // What is not to scale is said in the picture.
-  y = static_cast<double>(list.camera.size_px.y) - (kEdge + kNote) * H;
-  if (scene.show.exaggerateAngles > 1)
-    addLine("angles drawn " + grouped(scene.show.exaggerateAngles) + " times larger", kNote, colors.quietInk);
-}
-
 Stage::Stage(scene::Scene scene) : plan_(std::make_unique<Plan>(std::move(scene))) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
@@ -291,8 +218,9 @@ draw::DrawList Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
   if (plan.scene.show.labels) labels = plan.labels(list, state);
   plan.addHeight(list, state, labels);
   addLabels(list, labels, plan.colors.paper);
-  plan.addPlaneName(list, state);
-  plan.addTitle(list);
+  if (plan.construction && plan.scene.show.plane.visible && plan.scene.show.labels)
+    addPlaneName(list, *plan.construction, state, plan.scene.style, plan.colors);
+  addTitle(list, plan.scene, plan.colors);
   return list;
 }
 

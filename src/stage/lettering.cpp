@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/lettering.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/error.h"
+#include "stage/to_picture.h"
+#include "text/math_setter.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+// In shares of the reference height.
+constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.025, kEdge = 0.055;
+// In em.
+constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
+
+// 200000 as "200 000"; a number with decimals stays as it is.
+std::string grouped(double x) {
+  std::string digits = fmt::format("{:.15g}", x);
+  if (digits.find_first_not_of("0123456789") != std::string::npos) return digits;
+  for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), "\u2009");
+  return digits;
+}
+
+// Bad TeX is found before the first frame, and named by its key and place.
+void checkTex(const std::string& key, const std::string& tex, const core::SourceLocation& place) {
+  try {
+    text::setTex(tex);
+  } catch (const core::Error& error) {
+    throw core::Error(core::ErrorKind::kScene, key + ": " + error.message(),
+                      place.file.empty() ? std::nullopt : std::optional(place));
+  }
+}
+
+}  // namespace
+
+double referenceHeight(glm::vec2 size_px) {
+  return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
+}
+
+void checkLettering(const scene::Show& show) {
+  checkTex("show.title", show.title, show.titlePlace);
+  checkTex("show.subtitle", show.subtitle, show.subtitlePlace);
+}
+
+void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& colors) {
+  const double H = referenceHeight(list.camera.size_px) * scene.style.textSize;
+  const double left = kEdge * H, room = static_cast<double>(list.camera.size_px.x) - 2 * left;
+  double y = kEdge * H;
+  const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
+    const text::GlyphRun run = text::setTex(tex);
+    // A line too long for the picture is set smaller.
+    const double size_px = std::min(size * H, room / std::max(run.width_em, 1e-9));
+    y += size_px * std::max(run.inkTop_em, kCapHeight);
+    list.texts.push_back({tex, glm::vec2(left, y), static_cast<float>(size_px), color, 1, std::nullopt, 0});
+    y += size_px * (std::max(-run.inkBottom_em, kDescent) + kLeading);
+  };
+  if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
+  if (!scene.show.subtitle.empty()) addLine(scene.show.subtitle, kSubtitle, colors.quietInk);
+  // What is not to scale is said in the picture.
+  y = static_cast<double>(list.camera.size_px.y) - (kEdge + kNote) * H;
+  if (scene.show.exaggerateAngles > 1)
+    addLine("angles drawn " + grouped(scene.show.exaggerateAngles) + " times larger", kNote, colors.quietInk);
+}
+
+void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
+                  const scene::Style& style, const Palette& colors) {
+  const auto corners_V = construction.planeCorners(state.R_VW);
+  std::array<glm::vec2, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
+  const bool above =
+      project(list.camera, toPicture(Vector3d(construction.planeHeight() * state.L_V.normalized()))).y <
+      project(list.camera, glm::vec3(0)).y;
+  const auto outer = [above](glm::vec2 a, glm::vec2 b) { return above ? a.y > b.y : a.y < b.y; };
+  const auto tip =
+      static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
+  const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
+  const auto size_px = static_cast<float>(kNote * referenceHeight(list.camera.size_px) * style.textSize);
+  const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
+  const std::string tex = "invariable plane";
+  const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
+  const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + (above ? -1.2f : 2.0f) * size_px);
+  list.texts.push_back({tex, place, size_px, colors.L, 1, colors.paper, 0.1f * size_px});
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "draw/draw_list.h"
+#include "scene/scene.h"
+#include "stage/construction_figure.h"
+#include "stage/palette.h"
+
+/// Type that stands still in a picture: title, notes, the plane's name. (label_layout.h: type that follows its
+/// thing.)
+namespace poinsot::stage {
+
+/// What type and lines are sized by: the height of the largest 16:9 picture inside one of this size, in pixels.
+double referenceHeight(glm::vec2 size_px);
+
+/// @throws core::Error(kScene), with its place in the file, for a title or subtitle that cannot be set.
+void checkLettering(const scene::Show& show);
+
+/// Title and subtitle at the top left, set smaller where they would not fit; at the bottom, what is not to scale.
+void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& colors);
+
+/// "invariable plane": under the edge that runs to the plane's lowest corner from the left, or over the one that
+/// runs to its highest where the plane is above the body.
+void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
+                  const scene::Style& style, const Palette& colors);
+
+}  // namespace poinsot::stage
