@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // C: camera axes, x right, y up, looking along -z. Pixels count from the top left corner, y down, and row 0 of the
 // framebuffer is the top row, so that nothing is flipped on read-back.
 uniform vec2 pictureSize_px;

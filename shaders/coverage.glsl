@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Analytic coverage: how much of a pixel lies inside a boundary at signed distance d_px (positive inside).
 // 1 for pictures; large for the reference renderer, whose many samples see hard edges.
 uniform float sharpness;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One vertex of a curve's strip, placed by the CPU: straight in pixels, so that widths are exact.
 uniform vec2 pictureSize_px;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a solid's fragment is kept. EDGES 0 keeps what fills its pixel; EDGES 1 the nearest fragment that fills only part
 // of it and lies behind the edge found before (none in the first edge pass: nothing is bound then, which reads as 0).
 // The composite puts them together in order of depth.

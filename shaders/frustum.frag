@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "camera.glsl"
 #include "coverage.glsl"
 #include "shading.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines on a sphere s (unit vectors), drawn on whatever ellipsoid it was made from.
 
 float lineCover(float distance_px, float width_px) {

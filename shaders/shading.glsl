@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lighting in linear light. The light travels with the camera, so that a body looks alike from every side.
 uniform vec3 lightDirection_C;
 

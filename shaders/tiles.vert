@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tiles of the picture, two triangles each.
 uniform vec2 pictureSize_px;
 
