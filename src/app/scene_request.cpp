@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/scene_file.h"
+#include "text/math_setter.h"
 
 namespace poinsot::app {
 namespace {
@@ -52,6 +53,15 @@ std::string readText(const std::string& fileName) {
   fail(fileName, "too long for a scene");
 }
 
+std::string texProblem(std::string_view tex) {
+  try {
+    text::setTex(tex);
+    return "";
+  } catch (const core::Error& error) {
+    return error.message();
+  }
+}
+
 }  // namespace
 
 SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides) {
@@ -59,7 +69,7 @@ SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::stri
 }
 
 scene::Scene loadRequested(const SceneRequest& request) {
-  scene::Scene scene = scene::parseScene(request.text, request.fileName, request.overrides);
+  scene::Scene scene = scene::parseScene(request.text, request.fileName, request.overrides, texProblem);
   if (request.size) {
     scene.output.width = request.size->width;
     scene.output.height = request.size->height;

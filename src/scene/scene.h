@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "core/error.h"
 #include "core/rational.h"
 #include "physics/principal_moments.h"
 
@@ -64,9 +63,6 @@ struct Drawn {
 
 struct Show {
   std::string title, subtitle;  ///< the TeX subset of text/
-  /// Where their values stand, for messages about text that only the text layer can check; for -D the override is
-  /// the file, without a line; unknown where the file gives none.
-  core::SourceLocation titlePlace, subtitlePlace;
   double exaggerateAngles = 1;  ///< > 1: transverse omega is drawn that many times larger, and the picture says so
   bool labels = true;
   struct : Drawn {

@@ -144,15 +144,19 @@ Origins originsIn(const Node& document, const Source& file) {
   return {start, keyPlace(document, "body", start), keyPlace(document, "motion", start)};
 }
 
-/// Unknown where the value is the default.
-core::SourceLocation locationOfValue(const Leaves& leaves, std::string_view path) {
-  const auto leaf = leaves.find(path);
-  return leaf == leaves.end() ? core::SourceLocation() : locationOf(leaf->second.place);
+void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems) {
+  for (const char* path : {"show.title", "show.subtitle"}) {
+    const auto leaf = leaves.find(path);
+    const auto* text = leaf == leaves.end() ? nullptr : leaf->second.as<std::string>();
+    if (const std::string wrong = text && check ? check(*text) : ""; !wrong.empty())
+      problems.add(leaf->second.place, fmt::format("{}: {}", path, wrong));
+  }
 }
 
 }  // namespace
 
-Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides) {
+Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides,
+                 const TextCheck& textCheck) {
   std::deque<Source> sources;  // places point into it; a deque never moves what it holds
   const Source& file = sources.emplace_back(fileName, std::string(text));
   Leaves leaves;
@@ -162,15 +166,15 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   for (const std::string& word : overrides) addOverride(word, sources, leaves, problems);
   static const Draft defaults = defaultDraft();
   Scene scene = assemble(checkedDraft(leaves, defaults, problems), leaves, originsIn(document, file), problems);
+  checkTexts(leaves, textCheck, problems);
   problems.throwIfAny();
-  scene.show.titlePlace = locationOfValue(leaves, "show.title");
-  scene.show.subtitlePlace = locationOfValue(leaves, "show.subtitle");
   scene.name = std::filesystem::path(fileName).stem().string();
   return scene;
 }
 
-Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return parseScene(textOf(path), path.string(), overrides);
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                const TextCheck& textCheck) {
+  return parseScene(textOf(path), path.string(), overrides, textCheck);
 }
 
 }  // namespace poinsot::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,15 +12,20 @@
 
 namespace poinsot::scene {
 
+/// Says what is wrong with a title, or nothing: its TeX is known to the text layer only, which this one cannot
+/// see.
+using TextCheck = std::function<std::string(std::string_view)>;
+
 /// Reads a scene file. `overrides` are the words after -D, "key.path=value", where value is a TOML value or, when
 /// it is none, text; the last of several for one key wins.
 /// @throws SceneErrors with every problem of the file and the overrides at once;
 /// core::Error(kScene) for a file that is missing, unreadable, or not a regular file.
-Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
+                const TextCheck& textCheck = {});
 
 /// The same for text in memory. `fileName` stands in messages, and gives the scene its name.
 /// @throws SceneErrors, and nothing else, whatever the text.
 Scene parseScene(std::string_view text, const std::string& fileName,
-                 const std::vector<std::string>& overrides = {});
+                 const std::vector<std::string>& overrides = {}, const TextCheck& textCheck = {});
 
 }  // namespace poinsot::scene

@@ -7,7 +7,6 @@
 #include <array>
 #include <optional>
 
-#include "core/error.h"
 #include "stage/to_picture.h"
 #include "text/math_setter.h"
 
@@ -30,25 +29,10 @@ std::string grouped(double x) {
   return digits;
 }
 
-// Bad TeX is found before the first frame, and named by its key and place.
-void checkTex(const std::string& key, const std::string& tex, const core::SourceLocation& place) {
-  try {
-    text::setTex(tex);
-  } catch (const core::Error& error) {
-    throw core::Error(core::ErrorKind::kScene, key + ": " + error.message(),
-                      place.file.empty() ? std::nullopt : std::optional(place));
-  }
-}
-
 }  // namespace
 
 double referenceHeight(glm::vec2 size_px) {
   return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
-}
-
-void checkLettering(const scene::Show& show) {
-  checkTex("show.title", show.title, show.titlePlace);
-  checkTex("show.subtitle", show.subtitle, show.subtitlePlace);
 }
 
 void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& colors) {

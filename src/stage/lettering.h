@@ -13,9 +13,6 @@ namespace poinsot::stage {
 /// What type and lines are sized by: the height of the largest 16:9 picture inside one of this size, in pixels.
 double referenceHeight(glm::vec2 size_px);
 
-/// @throws core::Error(kScene), with its place in the file, for a title or subtitle that cannot be set.
-void checkLettering(const scene::Show& show);
-
 /// Title and subtitle at the top left, set smaller where they would not fit; at the bottom, what is not to scale.
 void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& colors);
 

@@ -69,7 +69,6 @@ struct Stage::Plan {
         motion(scene),
         body(scene),
         scales(makeScales(scene, motion, body)) {
-    checkLettering(scene.show);
     if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
     extent = wholeExtent();
   }

@@ -13,7 +13,7 @@ namespace poinsot::stage {
 class Stage {
  public:
   /// @throws core::Error(kPhysics) where the scene asks for something its motion does not have
-  /// (the invariable plane of a body at rest); core::Error(kScene) for a title that cannot be set.
+  /// (the invariable plane of a body at rest).
   explicit Stage(scene::Scene scene);
   ~Stage();
   Stage(Stage&&) noexcept;

@@ -37,6 +37,21 @@ TEST(SceneRequest, IsReadOnce) {
   EXPECT_EQ(scene.time.duration_s, 6.0);
 }
 
+TEST(SceneRequest, TexThatCannotBeSetIsAProblemOfTheScene) {
+  const ScratchFolder folder;
+  const auto file = folder.put("a.toml", std::string(kScene) + "[show]\ntitle = '$\\omgea$'\nsubtitle = '$x'\n");
+  try {
+    loadRequested(readSceneRequest(file.string(), {}));
+    FAIL() << "nothing was thrown";
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
+    const std::string report = error.what();
+    EXPECT_NE(report.find("a.toml:9:9: error: show.title"), std::string::npos) << report;
+    EXPECT_NE(report.find("did you mean \\omega"), std::string::npos) << report;
+    EXPECT_NE(report.find("a.toml:10:12: error: show.subtitle"), std::string::npos) << report;
+  }
+}
+
 TEST(SceneRequest, SizeReplacesTheScenesAndMayBeOdd) {
   const ScratchFolder folder;
   auto request = readSceneRequest(folder.put("a.toml", kScene).string(), {});

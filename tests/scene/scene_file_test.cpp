@@ -215,15 +215,20 @@ class NoScene : public testing::Test {
   std::string folder_;
 };
 
-// For messages of the text layer; the columns were counted by hand.
-TEST(TextPlaces, AreThoseOfTheValues) {
-  const std::string text = std::string(kMinimal) + "[show]\n  title = 'a $x$'\n";
-  const Show show = parseScene(text, "some.toml", {"show.subtitle=b"}).show;
-  EXPECT_EQ(core::toString(show.titlePlace), "some.toml:6:11");
-  EXPECT_EQ(core::toString(show.subtitlePlace), "-D show.subtitle=b");
-  EXPECT_EQ(core::toString(parseScene(text, "some.toml", {"show.title='$c$'"}).show.titlePlace),
-            "-D show.title='$c$'");
-  EXPECT_EQ(parseScene(text, "some.toml").show.subtitlePlace.file, "");
+// The columns were counted by hand.
+TEST(TextCheck, ItsComplaintsAreReportedWithTheRest) {
+  const std::string text = std::string(kMinimal) + "[show]\n  title = 'a'\n  subtitle = 'fine'\nzom = 1\n";
+  const auto check = [](std::string_view tex) { return tex == "fine" ? "" : "no " + std::string(tex); };
+  try {
+    parseScene(text, "some.toml", {"show.subtitle=b"}, check);
+    FAIL() << "nothing was thrown";
+  } catch (const SceneErrors& errors) {
+    const std::string report = errors.what();
+    EXPECT_NE(report.find("some.toml:6:11: error: show.title: no a"), std::string::npos) << report;
+    EXPECT_NE(report.find("-D show.subtitle=b: error: show.subtitle: no b"), std::string::npos) << report;
+    EXPECT_NE(report.find("some.toml:8:1: error: show.zom: unknown key"), std::string::npos) << report;
+  }
+  EXPECT_EQ(parseScene(std::string(kMinimal), "some.toml", {}, check).show.title, "");
 }
 
 TEST_F(NoScene, SaysWhyAFileCannotBeRead) {

@@ -213,19 +213,6 @@ TEST(Stage, WhatIsNotShownIsNotThere) {
   EXPECT_TRUE(list.glassEllipsoids.empty() && list.planes.empty() && list.texts.empty());
 }
 
-TEST(Stage, ATitleThatCannotBeSetIsAnErrorOfTheScene) {
-  try {
-    Stage(sample("[show]\ntitle = '$\\omgea$'\n"));
-    FAIL() << "nothing was thrown";
-  } catch (const core::Error& error) {
-    EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
-    EXPECT_NE(error.message().find("show.title"), std::string::npos) << error.message();
-    ASSERT_TRUE(error.where());
-    EXPECT_EQ(core::toString(*error.where()), "sample.toml:6:9");
-    EXPECT_NE(error.message().find("\\omega"), std::string::npos) << error.message();
-  }
-}
-
 // Half-way the travelled part of the herpolhode ends at the point of contact, and the faint part begins there.
 TEST(Stage, TheHerpolhodeIsCutAtThePointOfContact) {
   const DrawList list = Stage(sample()).compose(5, kSize);
