@@ -74,14 +74,14 @@ Rotor<DoubleDouble> unitRotor(const Eigen::Quaterniond& q) {
 }  // namespace
 
 struct FreeMotion::Solution {
-  Solution(const PrincipalMoments& moments_, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0);
+  Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0);
 
   RigidBodyState at(double t_s) const;
 
-  PrincipalMoments moments;
+  PrincipalAxes axes;
   FreeMotionConstants k;
   JacobiFunctions jacobi;
-  Rotor<double> q0_WB;
+  Rotor<double> q0_WP;
   Eigen::Vector3d L_W;
   double kineticEnergy = 0;
 
@@ -93,6 +93,7 @@ struct FreeMotion::Solution {
   };
 
   void setStart();
+  Eigen::Quaterniond attitude_B(Rotor<double> q_WP) const;
   Relative steadyAt(double tau) const;
   Relative movingAt(double tau) const;
   std::array<double, 3> momentum(const PolhodePoint& point) const;
@@ -107,18 +108,19 @@ struct FreeMotion::Solution {
   double N0_ = 0, H0_ = 0;             // half periods in u0, H of the rest
 };
 
-FreeMotion::Solution::Solution(const PrincipalMoments& moments_, const Eigen::Vector3d& omega0_B,
+FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B,
                                const Eigen::Quaterniond& q0)
-    : moments(moments_),
-      k(freeMotionConstants(moments_, omega0_B)),
+    : axes(axes_),
+      k(freeMotionConstants(axes_.moments(), axes_.toP(omega0_B))),
       jacobi(k.periodic() ? k.mc : DoubleDouble(0)) {
   using DD = DoubleDouble;
-  const Rotor<DD> q0_exact = unitRotor(q0);
-  q0_WB = toDouble(q0_exact);
-  std::array<DD, 3> m0_B;
+  Rotor<DD> q0_exact = unitRotor(q0);  // of P
+  if (!axes.aligned()) q0_exact = q0_exact * unitRotor(axes.q_BP());
+  q0_WP = toDouble(q0_exact);
+  std::array<DD, 3> m0_P;
   for (std::size_t i = 0; i < 3; ++i)
-    m0_B[static_cast<std::size_t>(k.start.axis[i])] = twoProduct(k.start.I[i], k.start.parity * k.start.omega[i]);
-  const std::array<DD, 3> m0_W = rotated(q0_exact, m0_B);
+    m0_P[static_cast<std::size_t>(k.start.axis[i])] = twoProduct(k.start.I[i], k.start.parity * k.start.omega[i]);
+  const std::array<DD, 3> m0_W = rotated(q0_exact, m0_P);
   const int exponent = k.start.momentExponent + k.start.rateExponent;
   for (int i = 0; i < 3; ++i) L_W[i] = std::ldexp(toDouble(m0_W[static_cast<std::size_t>(i)]), exponent);
   kineticEnergy = std::ldexp(toDouble(k.twoT), exponent + k.start.rateExponent - 1);
@@ -191,27 +193,37 @@ FreeMotion::Solution::Relative FreeMotion::Solution::steadyAt(double tau) const 
   return {{half.cosine, s * w[0] / rate, s * w[1] / rate, s * w[2] / rate}, w};
 }
 
+/// q_WB with w >= 0.
+Eigen::Quaterniond FreeMotion::Solution::attitude_B(Rotor<double> q) const {
+  if (!axes.aligned()) {
+    const Eigen::Quaterniond& q_BP = axes.q_BP();
+    q = normalized(q * Rotor<double>{q_BP.w(), -q_BP.x(), -q_BP.y(), -q_BP.z()});
+  }
+  if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
+  return {q.w, q.x, q.y, q.z};
+}
+
 RigidBodyState FreeMotion::Solution::at(double t_s) const {
   const double tau = std::ldexp(t_s, k.start.rateExponent);
   POINSOT_EXPECT(std::isfinite(tau));
   const Relative relative = k.regime == PolhodeRegime::kSteady ? steadyAt(tau) : movingAt(tau);
-  const Eigen::Vector3d axis_B = k.start.toBody({relative.q.x, relative.q.y, relative.q.z});
-  Rotor<double> q = normalized(q0_WB * Rotor<double>{relative.q.w, axis_B[0], axis_B[1], axis_B[2]});
-  if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
-  const Eigen::Vector3d omega_B = k.start.toBody(relative.omega);
-  const auto omega_W = rotated(q, std::array{omega_B[0], omega_B[1], omega_B[2]});
+  const Eigen::Vector3d axis_P = k.start.toP({relative.q.x, relative.q.y, relative.q.z});
+  const Rotor<double> q_WP = normalized(q0_WP * Rotor<double>{relative.q.w, axis_P[0], axis_P[1], axis_P[2]});
+  const Eigen::Vector3d omega_P = k.start.toP(relative.omega);
+  const auto omega_W = rotated(q_WP, std::array{omega_P[0], omega_P[1], omega_P[2]});
   const auto rescaled = [&](double v) { return std::ldexp(v, k.start.rateExponent); };
   RigidBodyState state;
   state.t_s = t_s;
-  state.q_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z);
-  state.omega_B = omega_B.unaryExpr(rescaled);
+  state.q_WB = attitude_B(q_WP);
+  state.omega_B = axes.toB(omega_P).unaryExpr(rescaled);
   state.omega_W = {rescaled(omega_W[0]), rescaled(omega_W[1]), rescaled(omega_W[2])};
+  state.L_W = L_W;
+  state.kineticEnergy = kineticEnergy;
   return state;
 }
 
-FreeMotion::FreeMotion(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B,
-                       const Eigen::Quaterniond& q0_WB)
-    : solution_(std::make_unique<const Solution>(moments, omega0_B, q0_WB)) {}
+FreeMotion::FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB)
+    : solution_(std::make_unique<const Solution>(axes, omega0_B, q0_WB)) {}
 
 FreeMotion::~FreeMotion() = default;
 FreeMotion::FreeMotion(FreeMotion&&) noexcept = default;
@@ -219,7 +231,7 @@ FreeMotion& FreeMotion::operator=(FreeMotion&&) noexcept = default;
 
 RigidBodyState FreeMotion::at(double t_s) const { return solution_->at(t_s); }
 
-const PrincipalMoments& FreeMotion::moments() const { return solution_->moments; }
+const PrincipalAxes& FreeMotion::axes() const { return solution_->axes; }
 const Eigen::Vector3d& FreeMotion::L_W() const { return solution_->L_W; }
 double FreeMotion::kineticEnergy() const { return solution_->kineticEnergy; }
 

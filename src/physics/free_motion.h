@@ -5,8 +5,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 
-#include "physics/principal_moments.h"
-#include "physics/rigid_body_state.h"
+#include "physics/motion.h"
 
 namespace poinsot::physics {
 
@@ -16,21 +15,21 @@ namespace poinsot::physics {
 ///
 /// Error, the inputs taken as the exact doubles given: attitude below 4e-15 rad, omega below 4e-15 of the largest
 /// |omega| of the motion, while |omega t| < 1e14 rad (measured: 1.1e-15 rad, 5e-16).
-class FreeMotion {
+class FreeMotion final : public Motion {
  public:
-  /// Start at t = 0. omega0_B in rad/s, in the body's principal axes; q0_WB takes B to W, any nonzero quaternion.
+  /// Start at t = 0. omega0_B in rad/s; q0_WB takes B to W, any nonzero quaternion.
   /// @throws core::Error(kPhysics) for a non-finite omega0_B, a zero or non-finite quaternion, or moments that
   /// differ by more than a factor of 1e20.
-  FreeMotion(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB);
-  ~FreeMotion();
+  FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB);
+  ~FreeMotion() override;
   FreeMotion(FreeMotion&&) noexcept;
   FreeMotion& operator=(FreeMotion&&) noexcept;
 
   /// State at motion time t_s (seconds, any sign). Of q and -q the one with w >= 0: the quaternion may jump to its
   /// negative from one time to the next, the rotation does not. @pre t_s and |omega| t_s are finite.
-  RigidBodyState at(double t_s) const;
+  RigidBodyState at(double t_s) const override;
 
-  const PrincipalMoments& moments() const;
+  const PrincipalAxes& axes() const override;
   /// Angular momentum in W, kg·m²/s: constant of the motion.
   const Eigen::Vector3d& L_W() const;
   /// Kinetic energy of rotation, J: constant of the motion (eq 12).

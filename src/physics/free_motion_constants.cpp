@@ -109,9 +109,9 @@ PolhodeRegime regimeOf(const DD& D) {
 
 }  // namespace
 
-FreeMotionConstants freeMotionConstants(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B) {
+FreeMotionConstants freeMotionConstants(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P) {
   FreeMotionConstants k;
-  k.start = scaledStart(moments, omega0_B);
+  k.start = scaledStart(moments, omega0_P);
   if (k.start.I[0] * kLargestRatioOfMoments < k.start.I[2])
     throw core::Error(core::ErrorKind::kPhysics, "principal moments differ by more than a factor of 1e20");
   setInvariants(k);

@@ -47,8 +47,8 @@ struct FreeMotionConstants {
   }
 };
 
-/// @throws core::Error(kPhysics) if omega0_B is not finite, or the moments differ by more than the range of
+/// @throws core::Error(kPhysics) if omega0_P is not finite, or the moments differ by more than the range of
 /// doubles allows (a factor of 1e20).
-FreeMotionConstants freeMotionConstants(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B);
+FreeMotionConstants freeMotionConstants(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P);
 
 }  // namespace poinsot::physics

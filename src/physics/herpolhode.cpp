@@ -21,8 +21,8 @@ double radius(const FreeMotionConstants& k, const DD& difference1, const DD& dif
 
 }  // namespace
 
-Herpolhode::Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B) {
-  const FreeMotionConstants k = freeMotionConstants(moments, omega0_B);
+Herpolhode::Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P) {
+  const FreeMotionConstants k = freeMotionConstants(moments, omega0_P);
   regime_ = k.regime;
   if (regime_ == PolhodeRegime::kSteady) return;
   const auto& I = k.start.I;

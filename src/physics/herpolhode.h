@@ -19,8 +19,8 @@ struct HerpolhodeClosure {
 /// two values, and every radial period is the last one turned about L by the same angle. Draw one, copy the rest.
 class Herpolhode {
  public:
-  /// omega0_B in rad/s, in principal axes. @throws core::Error(kPhysics) if it is not finite.
-  Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B);
+  /// omega0_P in rad/s, in principal axes. @throws core::Error(kPhysics) if it is not finite.
+  Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P);
 
   PolhodeRegime regime() const { return regime_; }
 

@@ -12,20 +12,20 @@ namespace poinsot::physics {
 /// (38) to (40).
 class PoinsotConstruction {
  public:
-  /// omega_B in rad/s at any one time of the motion.
-  /// @throws core::Error(kPhysics) if the body is at rest (no plane, no ellipsoid) or omega_B is not finite.
-  PoinsotConstruction(const PrincipalMoments& moments, const Eigen::Vector3d& omega_B);
+  /// omega_P in rad/s at any one time of the motion.
+  /// @throws core::Error(kPhysics) if the body is at rest (no plane, no ellipsoid) or omega_P is not finite.
+  PoinsotConstruction(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
 
   /// Distance of the invariable plane from the centre, rad/s, constant: h = omega·L/|L| = 2T/|L| (eq 40). The
   /// plane lies at h L/|L| and is normal to L.
   double planeHeight() const { return planeHeight_; }
 
   /// Semi-axes of the energy ellipsoid along the principal axes, rad/s: sqrt(2T/I_i) (eq 38).
-  const Eigen::Vector3d& semiAxes_B() const { return semiAxes_B_; }
+  const Eigen::Vector3d& semiAxes_P() const { return semiAxes_P_; }
 
  private:
   double planeHeight_ = 0;
-  Eigen::Vector3d semiAxes_B_;
+  Eigen::Vector3d semiAxes_P_;
 };
 
 }  // namespace poinsot::physics

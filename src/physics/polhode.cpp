@@ -35,7 +35,7 @@ Eigen::Vector3d omegaAt(const FreeMotionConstants& k, const Amplitude& a) {
   m[1] = k.sigma * k.sigmaA * toDouble(k.A_2) * a.sn;
   m[k.c] = k.sigma * toDouble(k.A_c) * dn;
   for (std::size_t i = 0; i < 3; ++i) m[i] = std::ldexp(m[i] / k.start.I[i], k.start.rateExponent);
-  return k.start.toBody(m);
+  return k.start.toP(m);
 }
 
 /// The integral of the first kind within the half period nearest to a = 0 or pi: u = 2 K N +- this.
@@ -78,8 +78,8 @@ std::vector<PolhodeSample> halfCurve(const FreeMotionConstants& k, int count) {
 
 }  // namespace
 
-Polhode::Polhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B)
-    : constants_(std::make_shared<const FreeMotionConstants>(freeMotionConstants(moments, omega0_B))) {}
+Polhode::Polhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P)
+    : constants_(std::make_shared<const FreeMotionConstants>(freeMotionConstants(moments, omega0_P))) {}
 
 PolhodeRegime Polhode::regime() const { return constants_->regime; }
 
@@ -97,7 +97,7 @@ std::vector<PolhodeSample> Polhode::samples(int count) const {
   if (k.regime == PolhodeRegime::kSeparatrix) return halfCurve(k, count);
   std::array<double, 3> omega{};
   for (std::size_t i = 0; i < 3; ++i) omega[i] = std::ldexp(k.start.omega[i], k.start.rateExponent);
-  return {{0, k.start.toBody(omega)}};
+  return {{0, k.start.toP(omega)}};
 }
 
 }  // namespace poinsot::physics

@@ -15,15 +15,15 @@ struct FreeMotionConstants;
 /// A point of the polhode and the first time at or after the start that omega is there.
 struct PolhodeSample {
   double t_s = 0;
-  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< rad/s
+  Eigen::Vector3d omega_P = Eigen::Vector3d::Zero();  ///< rad/s
 };
 
 /// The curve that omega draws in the body: where the energy ellipsoid meets the ellipsoid |I omega| = |L|.
 /// Immutable.
 class Polhode {
  public:
-  /// omega0_B in rad/s, in principal axes, at t = 0. @throws core::Error(kPhysics) if it is not finite.
-  Polhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B);
+  /// omega0_P in rad/s, in principal axes, at t = 0. @throws core::Error(kPhysics) if it is not finite.
+  Polhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P);
 
   PolhodeRegime regime() const;
 

@@ -6,12 +6,14 @@
 
 namespace poinsot::physics {
 
-/// All that varies of a rotating rigid body, at one time. B: principal axes of the body, W: inertial axes.
+/// All that varies of a rotating rigid body, at one time. B: the axes the body was described in, W: inertial axes.
 struct RigidBodyState {
   double t_s = 0;                                            ///< motion time, s
   Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();  ///< unit, takes B components to W components
   Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();         ///< angular velocity, rad/s
   Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();         ///< the same vector in W
+  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();             ///< angular momentum, kg·m²/s
+  double kineticEnergy = 0;                                  ///< of rotation, J (eq 12)
 };
 
 }  // namespace poinsot::physics

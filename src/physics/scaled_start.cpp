@@ -29,26 +29,26 @@ double flushed(double component) { return std::abs(component) < kSmallestCompone
 
 }  // namespace
 
-Eigen::Vector3d ScaledStart::toBody(const std::array<double, 3>& sorted) const {
+Eigen::Vector3d ScaledStart::toP(const std::array<double, 3>& sorted) const {
   Eigen::Vector3d body;
   for (std::size_t k = 0; k < 3; ++k) body[axis[k]] = parity * sorted[k];
   return body;
 }
 
-ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B) {
-  if (!omega0_B.allFinite())
+ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P) {
+  if (!omega0_P.allFinite())
     throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("angular velocity must be finite, got ({}, {}, {}) rad/s", omega0_B[0],
-                                  omega0_B[1], omega0_B[2]));
+                      fmt::format("angular velocity must be finite, got ({}, {}, {}) rad/s", omega0_P[0],
+                                  omega0_P[1], omega0_P[2]));
   ScaledStart s;
   s.axis = {0, 1, 2};
   std::stable_sort(s.axis.begin(), s.axis.end(), [&](int a, int b) { return moments[a] < moments[b]; });
   s.parity = isOdd(s.axis) ? -1 : 1;
   s.momentExponent = exponentOf(moments.values().maxCoeff());
-  s.rateExponent = exponentOf(omega0_B.cwiseAbs().maxCoeff());
+  s.rateExponent = exponentOf(omega0_P.cwiseAbs().maxCoeff());
   for (std::size_t k = 0; k < 3; ++k) {
     s.I[k] = std::ldexp(moments[s.axis[k]], -s.momentExponent);
-    s.omega[k] = flushed(std::ldexp(s.parity * omega0_B[s.axis[k]], -s.rateExponent));
+    s.omega[k] = flushed(std::ldexp(s.parity * omega0_P[s.axis[k]], -s.rateExponent));
   }
   return s;
 }

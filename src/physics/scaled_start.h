@@ -22,11 +22,11 @@ struct ScaledStart {
   int momentExponent = 0;
   int rateExponent = 0;
 
-  /// Sorted components to body components, still in scaled units.
-  Eigen::Vector3d toBody(const std::array<double, 3>& sorted) const;
+  /// Sorted components to those in the principal axes, still in scaled units.
+  Eigen::Vector3d toP(const std::array<double, 3>& sorted) const;
 };
 
-/// @throws core::Error(kPhysics) if omega0_B (rad/s) is not finite.
-ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_B);
+/// @throws core::Error(kPhysics) if omega0_P (rad/s) is not finite.
+ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P);
 
 }  // namespace poinsot::physics

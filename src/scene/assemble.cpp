@@ -135,7 +135,7 @@ class Assembly {
   void bareMoments() {
     if (!draft_.moments) return;
     try {
-      scene_.body.moments = physics::PrincipalMoments(*draft_.moments);
+      scene_.body.axes = physics::PrincipalMoments(*draft_.moments);
     } catch (const core::Error&) {
       return refuse("body.principal_moments", triangleMessage(*draft_.moments));  // the range was checked before
     }
@@ -157,12 +157,12 @@ class Assembly {
 
   void setBody(const Shape& shape, double mass_kg) {
     try {
-      scene_.body.moments = momentsOf(shape, mass_kg);
+      scene_.body.axes = momentsOf(shape, mass_kg);
       scene_.body.shape = shape;
     } catch (const core::Error& error) {
       return refuse("body.size", error.message());
     }
-    if (const std::string problem = outOfReach(scene_.body.moments.values()); !problem.empty())
+    if (const std::string problem = outOfReach(scene_.body.axes.moments().values()); !problem.empty())
       refuse("body.size", problem);
   }
 

@@ -3,11 +3,17 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <memory>
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "core/rational.h"
-#include "physics/principal_moments.h"
+#include "geometry/mesh.h"
+#include "physics/forcing.h"
+#include "physics/mass_properties.h"
+#include "physics/principal_axes.h"
 
 /// The whole request as values. Made by scene_file.h, never changed afterwards. SI units, radians.
 namespace poinsot::scene {
@@ -25,17 +31,47 @@ struct Shape {
   Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
 };
 
+/// A mass without extent; drawn as a small ball.
+struct PointMass {};
+
+/// One of the things a body is made of, or drawn as. S: its own axes.
+struct Part {
+  std::variant<physics::Solid, std::shared_ptr<const geometry::Mesh>, PointMass> figure;
+  double mass_kg = 1;
+  Eigen::Quaterniond q_BS = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< of S's origin, m
+};
+
+/// B: the axes the file describes the body in, origin where it says.
 struct Body {
-  physics::PrincipalMoments moments{Eigen::Vector3d::Ones()};
-  std::optional<Shape> shape;  ///< when the file gave a shape instead of bare moments
+  physics::PrincipalAxes axes{physics::PrincipalMoments(Eigen::Vector3d::Ones())};  ///< about the fixed point
+  std::optional<physics::MassProperties> mass;  ///< none for bare moments or a bare tensor
+  std::optional<Eigen::Vector3d> pivot_B;       ///< the point held fixed; none: the centre of mass
+  std::vector<Part> parts;                      ///< none for bare moments or a bare tensor
+  std::optional<Shape> shape;
+
+  /// The point that the body turns about, in B, m.
+  Eigen::Vector3d fixedPoint_B() const {
+    if (pivot_B) return *pivot_B;
+    return mass ? mass->centre_B() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
 };
 
 enum class LPoints { kAuto, kDown, kUp };
 
+/// Flight of the centre of mass (eq 1 to 10): position + velocity t + gravity t²/2.
+struct Flight {
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();         ///< at motion time 0, m
+  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();         ///< at motion time 0, m/s
+  Eigen::Vector3d gravity_W = Eigen::Vector3d(0, 0, -9.80665);  ///< m/s²
+};
+
 struct Motion {
-  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< at motion time 0, rad/s, principal axes
+  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< at motion time 0, rad/s
   std::optional<Eigen::Quaterniond> orientation_WB;   ///< unit; none: L turned onto the world's vertical
   LPoints lPoints = LPoints::kAuto;
+  physics::Forcing forcing;
+  std::optional<Flight> flight;
 };
 
 struct Time {
@@ -66,7 +102,8 @@ struct Show {
   double exaggerateAngles = 1;  ///< > 1: transverse omega is drawn that many times larger, and the picture says so
   bool labels = true;
   struct : Drawn {
-    std::optional<Shape> shape;  ///< drawn in place of what sets the inertia; only its proportions count
+    std::optional<Shape> shape;
+    std::vector<Part> parts;  ///< drawn in place of what sets the inertia; only their proportions count
   } body;
   Drawn principalAxes, L, omega;
   struct : Drawn {

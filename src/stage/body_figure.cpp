@@ -152,7 +152,7 @@ BodyFigure::BodyFigure(const scene::Scene& scene) {
   else if (scene.body.shape)
     shape_ = *scene.body.shape;
   else
-    shape_ = {scene::ShapeKind::kBox, 2 * equivalentBox(scene.body.moments)};
+    shape_ = {scene::ShapeKind::kBox, 2 * equivalentBox(scene.body.axes.moments())};
   halfExtents_ = 0.5 * shape_.size_m;
 }
 

@@ -42,22 +42,22 @@ std::pair<Vector3d, Vector3d> across(const Vector3d& normal) {
 ConstructionFigure::ConstructionFigure(const scene::Scene& scene, const PictureMotion& motion,
                                        const Scales& scales)
     : show_(scene.show), motion_(motion), scale_(scales.ellipsoid) {
-  const physics::PoinsotConstruction construction(motion.motion().moments(), motion.pathPoint(0).omega_B);
-  semiAxes_ = scale_ * construction.semiAxes_B();
+  const physics::PoinsotConstruction construction(motion.moments(), motion.pathPoint(0).omega_P);
+  semiAxes_ = scale_ * construction.semiAxes_P();
   height_ = scale_ * construction.planeHeight();
-  const Vector3d up = motion.motion().L_W().normalized();
+  const Vector3d up = motion.L_W().normalized();
   double radius = 0;
   for (const PathPoint& p : motion.outline()) radius = std::max(radius, up.cross(p.omega_W).norm());
   const double wanted = std::max(kPlaneBeyondEllipsoid * semiAxes_.maxCoeff(), 1.2 * scale_ * radius) / scale_;
   spacing_ = niceNumber(wanted / kCellsToEdge);
   halfWidth_ = std::ceil(wanted / spacing_ - 1e-9) * spacing_ * scale_;
-  const physics::Polhode polhode(motion.motion().moments(), motion.pathPoint(0).omega_B);
-  for (const auto& sample : polhode.samples(kPolhodePoints)) polhode_B_.push_back(sample.omega_B);
+  const physics::Polhode polhode(motion.moments(), motion.pathPoint(0).omega_P);
+  for (const auto& sample : polhode.samples(kPolhodePoints)) polhode_P_.push_back(sample.omega_P);
   polhodePeriod_s_ = polhode.period() / std::max(std::abs(motion.speed()), std::numeric_limits<double>::min());
 }
 
 std::array<Vector3d, 4> ConstructionFigure::planeCorners(const Matrix3d& R_VW) const {
-  const Vector3d down = motion_.motion().L_W().normalized();
+  const Vector3d down = motion_.L_W().normalized();
   const auto [u, v] = across(down);
   const auto corner = [&, u = u, v = v](double a, double b) {
     return Vector3d(R_VW * (height_ * down + halfWidth_ * (a * u + b * v)));
@@ -76,7 +76,7 @@ std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
     const PictureState state = motion_.at(motion_.duration_s() * i / kInstants);
     if (show_.plane.visible)
       for (const Vector3d& corner : planeCorners(state.R_VW)) points.push_back(corner);
-    const Matrix3d A = state.R_VB * semiAxes_.asDiagonal();
+    const Matrix3d A = state.R_VP * semiAxes_.asDiagonal();
     for (const Vector3d& direction : kDirections) {
       if (!show_.ellipsoid.visible) break;
       const Vector3d extreme = A * (A.transpose() * direction).normalized();
@@ -93,7 +93,7 @@ void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& 
   // The graticule's poles are the ends of the longest axis, where lines may crowd most naturally.
   int longest = 0;
   semiAxes_.maxCoeff(&longest);
-  const Matrix3d axes = state.R_VB * semiAxes_.asDiagonal();
+  const Matrix3d axes = state.R_VP * semiAxes_.asDiagonal();
   Matrix3d polar;
   polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
   glass.semiAxes_W = toPicture(polar);
@@ -114,7 +114,7 @@ void ConstructionFigure::addPlane(draw::DrawList& list, const PictureState& stat
                                   double width_px) const {
   const Vector3d normal = state.L_V.normalized();
   // The plane belongs to inertial space: its grid turns with W where the body stands still.
-  const auto [u_W, v_W] = across(motion_.motion().L_W().normalized());
+  const auto [u_W, v_W] = across(motion_.L_W().normalized());
   const Matrix3d R_VW = state.R_VW;
   draw::GridPlane plane;
   plane.centre_W = toPicture(Vector3d(height_ * normal));
@@ -143,7 +143,7 @@ draw::Curve ConstructionFigure::curveOn(const Matrix3d& axes_V, const std::vecto
 // The whole closed curve, faint, and over it what was travelled in the last period.
 void ConstructionFigure::addPolhode(draw::DrawList& list, double filmTime_s, const PictureState& state,
                                     const Palette& colors) const {
-  draw::Curve whole = curveOn(state.R_VB, polhode_B_);
+  draw::Curve whole = curveOn(state.R_VP, polhode_P_);
   whole.closed = std::isfinite(polhodePeriod_s_);
   whole.radius_W = 0.007f;
   whole.material.color = colors.futureTrail;
@@ -151,8 +151,8 @@ void ConstructionFigure::addPolhode(draw::DrawList& list, double filmTime_s, con
 
   const double span = std::min({filmTime_s, polhodePeriod_s_, motion_.longestPath_s()});
   std::vector<Vector3d> points;
-  for (const PathPoint& p : motion_.path(filmTime_s - span, filmTime_s)) points.push_back(p.omega_B);
-  draw::Curve travelled = curveOn(state.R_VB, points);
+  for (const PathPoint& p : motion_.path(filmTime_s - span, filmTime_s)) points.push_back(p.omega_P);
+  draw::Curve travelled = curveOn(state.R_VP, points);
   travelled.radius_W = 0.011f;
   travelled.material.color = colors.trail;
   list.curves.push_back(std::move(travelled));

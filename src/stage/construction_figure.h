@@ -43,7 +43,7 @@ class ConstructionFigure {
   const PictureMotion& motion_;
   double scale_;
   Eigen::Vector3d semiAxes_;                // in the picture
-  std::vector<Eigen::Vector3d> polhode_B_;  // the closed curve, rad/s
+  std::vector<Eigen::Vector3d> polhode_P_;  // the closed curve, rad/s
   double polhodePeriod_s_;                  // of film time; infinite on the separatrix
   double height_ = 0;
   double spacing_ = 1;

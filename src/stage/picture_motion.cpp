@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "scene/make_motion.h"
 
 namespace poinsot::stage {
 namespace {
@@ -19,55 +20,48 @@ constexpr double kCalmestSpin = 0.5, kFastestSpin = 6.5, kPleasantSpin = 2.1;  /
 constexpr double kPathStep = 0.06;  // of a circle's radius: 105 points a turn, 0.1 px off a circle of 200 px
 constexpr int kOutlinePoints = 600;
 
-int spinAxis(const Vector3d& omega_B) {
+int spinAxis(const Vector3d& omega_P) {
   int axis = 0;
-  omega_B.cwiseAbs().maxCoeff(&axis);
+  omega_P.cwiseAbs().maxCoeff(&axis);
   return axis;
 }
 
 // The motion of the same body with its small transverse omega drawn larger: an exact motion too.
-Vector3d exaggerated(const Vector3d& omega_B, double factor) {
-  Vector3d shown = factor * omega_B;
-  const int axis = spinAxis(omega_B);
-  shown[axis] = omega_B[axis];
+Vector3d exaggerated(const Vector3d& omega_P, double factor) {
+  Vector3d shown = factor * omega_P;
+  const int axis = spinAxis(omega_P);
+  shown[axis] = omega_P[axis];
   return shown;
 }
 
-bool planeIsShown(const scene::Scene& scene) { return scene.show.plane.visible; }
-
-Vector3d wantedDirectionOfL(const scene::Scene& scene) {
-  const bool down = scene.motion.lPoints == scene::LPoints::kDown ||
-                    (scene.motion.lPoints == scene::LPoints::kAuto && planeIsShown(scene));
-  return {0, 0, down ? -1.0 : 1.0};
-}
-
-Quaterniond startOrientation(const scene::Scene& scene, const Vector3d& omega_B) {
-  if (scene.motion.orientation_WB) return *scene.motion.orientation_WB;
-  return Quaterniond::FromTwoVectors(scene.body.moments.angularMomentum(omega_B), wantedDirectionOfL(scene));
-}
-
 // Which axis the polhode goes round: the sign of L² - 2T I2 (I2 the middle moment), in units of I2².
-bool roundLargest(const physics::PrincipalMoments& moments, const Vector3d& omega_B) {
+bool roundLargest(const physics::PrincipalMoments& moments, const Vector3d& omega_P) {
   const Vector3d& I = moments.values();
   const double middle = I.sum() - I.maxCoeff() - I.minCoeff();
-  const Vector3d m = I.cwiseProduct(omega_B) / middle;
-  return m.dot(m - omega_B) >= 0;
+  const Vector3d m = I.cwiseProduct(omega_P) / middle;
+  return m.dot(m - omega_P) >= 0;
 }
 
 // Larger angles must stay the same kind of motion, or the picture would not be true in any sense.
-void checkExaggeration(const scene::Scene& scene, const Vector3d& drawn_B) {
-  const Vector3d& omega_B = scene.motion.omega_B;
-  const bool sameAxis = spinAxis(drawn_B) == spinAxis(omega_B);
-  if (sameAxis && roundLargest(scene.body.moments, drawn_B) == roundLargest(scene.body.moments, omega_B)) return;
+void checkExaggeration(const physics::PrincipalMoments& moments, const Vector3d& omega_P,
+                       const Vector3d& drawn_P) {
+  const bool sameAxis = spinAxis(drawn_P) == spinAxis(omega_P);
+  if (sameAxis && roundLargest(moments, drawn_P) == roundLargest(moments, omega_P)) return;
   throw core::Error(
       core::ErrorKind::kScene,
       "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
 }
 
-physics::FreeMotion makeMotion(const scene::Scene& scene) {
-  const Vector3d omega_B = exaggerated(scene.motion.omega_B, scene.show.exaggerateAngles);
-  if (scene.show.exaggerateAngles > 1) checkExaggeration(scene, omega_B);
-  return {scene.body.moments, omega_B, startOrientation(scene, omega_B)};
+std::unique_ptr<const physics::Motion> makeMotion(const scene::Scene& scene, double speed) {
+  const double end = scene.time.start_s + speed * scene.time.duration_s;
+  const double factor = scene.show.exaggerateAngles;
+  if (factor == 1) return scene::makeMotion(scene, scene.time.start_s, end);
+  const physics::PrincipalAxes& axes = scene.body.axes;
+  const Vector3d omega_P = axes.toP(scene.motion.omega_B), drawn_P = exaggerated(omega_P, factor);
+  checkExaggeration(axes.moments(), omega_P, drawn_P);
+  scene::Scene drawn = scene;
+  drawn.motion.omega_B = axes.toB(drawn_P);
+  return scene::makeMotion(drawn, scene.time.start_s, end);
 }
 
 double chosenSpeed(const scene::Scene& scene) {
@@ -78,23 +72,23 @@ double chosenSpeed(const scene::Scene& scene) {
 
 // The body standing with its spin axis up (down where L points down).
 Matrix3d standingBody(const scene::Scene& scene) {
-  const int axis = spinAxis(scene.motion.omega_B);
-  const double sign = scene.motion.omega_B[axis] < 0 ? -1 : 1;
-  const Vector3d up = wantedDirectionOfL(scene);
-  return Quaterniond::FromTwoVectors(sign * Vector3d::Unit(axis), up).toRotationMatrix();
+  const Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  const int axis = spinAxis(omega_P);
+  const Vector3d spin_B = scene.body.axes.toB((omega_P[axis] < 0 ? -1 : 1) * Vector3d::Unit(axis));
+  return Quaterniond::FromTwoVectors(spin_B, scene::directionOfL(scene)).toRotationMatrix();
 }
 
 // Rate of change of omega in the body, and so in space too (eq 30, 31): I⁻¹ (I omega x omega).
-double tipSpeed(const physics::PrincipalMoments& moments, const Vector3d& omega_B) {
-  return moments.angularMomentum(omega_B).cross(omega_B).cwiseQuotient(moments.values()).norm();
+double tipSpeed(const physics::PrincipalMoments& moments, const Vector3d& omega_P) {
+  return moments.angularMomentum(omega_P).cross(omega_P).cwiseQuotient(moments.values()).norm();
 }
 
 // Film time in which the tip of omega goes, where it is fastest, by a small part of its greatest distance from L.
 double pathStep(const PictureMotion& motion) {
-  const Vector3d up = motion.motion().L_W().normalized();
+  const Vector3d up = motion.L_W().normalized();
   double fastest = 0, farthest = 0;
   for (const PathPoint& p : motion.outline()) {
-    fastest = std::max(fastest, std::abs(motion.speed()) * tipSpeed(motion.motion().moments(), p.omega_B));
+    fastest = std::max(fastest, std::abs(motion.speed()) * tipSpeed(motion.moments(), p.omega_P));
     farthest = std::max(farthest, up.cross(p.omega_W).norm());
   }
   const double coarsest = motion.duration_s() / 64;
@@ -104,17 +98,18 @@ double pathStep(const PictureMotion& motion) {
 }  // namespace
 
 PictureMotion::PictureMotion(const scene::Scene& scene)
-    : motion_(makeMotion(scene)),
+    : motion_(makeMotion(scene, chosenSpeed(scene))),
       start_s_(scene.time.start_s),
       speed_(chosenSpeed(scene)),
       duration_s_(scene.time.duration_s),
+      L_W_(stateAt(0).L_W),
       bodyStandsStill_(scene.camera.frame == scene::CameraFrame::kBody),
       R_VB_(standingBody(scene)),
       pathStep_s_(pathStep(*this)) {}
 
 PathPoint PictureMotion::pathPoint(double filmTime_s) const {
-  const auto state = motion_.at(start_s_ + speed_ * filmTime_s);
-  return {filmTime_s, state.omega_B, state.omega_W};
+  const physics::RigidBodyState state = stateAt(filmTime_s);
+  return {filmTime_s, axes().toP(state.omega_B), state.omega_W};
 }
 
 std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
@@ -134,14 +129,16 @@ std::vector<PathPoint> PictureMotion::outline() const {
 
 Matrix3d PictureMotion::R_VW(double filmTime_s) const {
   if (!bodyStandsStill_) return Matrix3d::Identity();
-  return R_VB_ * motion_.at(start_s_ + speed_ * filmTime_s).q_WB.toRotationMatrix().transpose();
+  return R_VB_ * stateAt(filmTime_s).q_WB.toRotationMatrix().transpose();
 }
 
 PictureState PictureMotion::at(double filmTime_s) const {
-  const auto state = motion_.at(start_s_ + speed_ * filmTime_s);
+  const physics::RigidBodyState state = stateAt(filmTime_s);
   const Matrix3d R_WB = state.q_WB.toRotationMatrix();
   const Matrix3d R_VW = bodyStandsStill_ ? Matrix3d(R_VB_ * R_WB.transpose()) : Matrix3d(Matrix3d::Identity());
-  return {R_VW * R_WB, R_VW, R_VW * state.omega_W, R_VW * motion_.L_W()};
+  const Matrix3d R_VB = R_VW * R_WB;
+  const Matrix3d R_VP = axes().aligned() ? R_VB : Matrix3d(R_VB * axes().q_BP().toRotationMatrix());
+  return {R_VB, R_VP, R_VW, R_VW * state.omega_W, R_VW * state.L_W};
 }
 
 }  // namespace poinsot::stage

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
-#include "physics/free_motion.h"
+#include "physics/motion.h"
 #include "scene/scene.h"
 
 namespace poinsot::stage {
@@ -13,6 +14,7 @@ namespace poinsot::stage {
 /// the axis it spins about points up. Still in rad/s and kg·m²/s; scaling comes later (scales.h).
 struct PictureState {
   Eigen::Matrix3d R_VB;
+  Eigen::Matrix3d R_VP;  ///< principal axes
   Eigen::Matrix3d R_VW;
   Eigen::Vector3d omega_V;
   Eigen::Vector3d L_V;
@@ -21,7 +23,7 @@ struct PictureState {
 /// One sample of the path of the tip of omega.
 struct PathPoint {
   double filmTime_s;
-  Eigen::Vector3d omega_B;
+  Eigen::Vector3d omega_P;  ///< in principal axes
   Eigen::Vector3d omega_W;
 };
 
@@ -43,17 +45,23 @@ class PictureMotion {
   /// A few hundred points of the path over the whole film: enough to know how far it reaches.
   std::vector<PathPoint> outline() const;
 
-  const physics::FreeMotion& motion() const { return motion_; }
+  const physics::PrincipalAxes& axes() const { return motion_->axes(); }
+  const physics::PrincipalMoments& moments() const { return axes().moments(); }
+  /// Angular momentum at the start, in W.
+  const Eigen::Vector3d& L_W() const { return L_W_; }
   double speed() const { return speed_; }
   double duration_s() const { return duration_s_; }
 
  private:
   static constexpr std::size_t kMostPathPoints = 6000;
 
-  physics::FreeMotion motion_;
+  physics::RigidBodyState stateAt(double filmTime_s) const { return motion_->at(start_s_ + speed_ * filmTime_s); }
+
+  std::unique_ptr<const physics::Motion> motion_;
   double start_s_;
   double speed_;
   double duration_s_;
+  Eigen::Vector3d L_W_;
   bool bodyStandsStill_;
   Eigen::Matrix3d R_VB_;  // where the body stands, when it does
   double pathStep_s_;     // of film time

@@ -17,7 +17,7 @@ constexpr double kLAbove = 1.5, kLBelowPlane = 0.42;
 
 double longestOmega(const PictureMotion& motion) {
   double longest = 0;
-  for (const PathPoint& p : motion.outline()) longest = std::max(longest, p.omega_B.norm());
+  for (const PathPoint& p : motion.outline()) longest = std::max(longest, p.omega_P.norm());
   return longest;
 }
 
@@ -29,8 +29,8 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
   const bool construction = show.ellipsoid.visible || show.plane.visible;
   const double omega = longestOmega(motion);
   if (construction && omega > 0) {
-    const physics::PoinsotConstruction construct(motion.motion().moments(), motion.pathPoint(0).omega_B);
-    const Eigen::Vector3d semiAxes = construct.semiAxes_B();
+    const physics::PoinsotConstruction construct(motion.moments(), motion.pathPoint(0).omega_P);
+    const Eigen::Vector3d semiAxes = construct.semiAxes_P();
     scales.ellipsoid = show.ellipsoid.scale / semiAxes.maxCoeff();
     const Eigen::Vector3d shown = scales.ellipsoid * semiAxes;
     scales.body = kBodyInEllipsoid * show.body.scale / body.reachIn(shown);

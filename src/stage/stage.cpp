@@ -123,7 +123,7 @@ void Stage::Plan::addVectors(draw::DrawList& list, const PictureState& state) co
 void Stage::Plan::addAxes(draw::DrawList& list, const PictureState& state) const {
   if (!scene.show.principalAxes.visible) return;
   for (int axis = 0; axis < 3; ++axis)
-    addArrow(list, Vector3d::Zero(), axisLength(axis) * state.R_VB.col(axis), kAxisRadius * scene.style.lineWidth,
+    addArrow(list, Vector3d::Zero(), axisLength(axis) * state.R_VP.col(axis), kAxisRadius * scene.style.lineWidth,
              colors.axis);
 }
 
@@ -156,7 +156,7 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
   }
   if (scene.show.principalAxes.visible) {
     for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d tip = axisLength(axis) * state.R_VB.col(axis);
+      const Vector3d tip = axisLength(axis) * state.R_VP.col(axis);
       const glm::vec2 out = project(list.camera, toPicture(tip)) - centre_px;
       // An axis that points at the eye has no direction in the picture: its label leans upwards.
       add(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), tip, out + glm::vec2(0, -1.2f * size_px),

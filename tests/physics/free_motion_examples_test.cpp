@@ -170,9 +170,9 @@ INSTANTIATE_TEST_SUITE_P(Physics, FreeMotionExample, testing::ValuesIn(kExamples
 TEST(FreeMotionExamples, SemiAxesOfTheEnergyEllipsoid) {
   const PoinsotConstruction construction(PrincipalMoments({2, 3, 4}), {.5, .25, 1});
   // sqrt(2T/I_i) with 2T = 4.6875 by hand.
-  EXPECT_NEAR(construction.semiAxes_B()[0], 1.530931089239486, 7e-16);
-  EXPECT_EQ(construction.semiAxes_B()[1], 1.25);
-  EXPECT_NEAR(construction.semiAxes_B()[2], 1.082531754730548, 7e-16);
+  EXPECT_NEAR(construction.semiAxes_P()[0], 1.530931089239486, 7e-16);
+  EXPECT_EQ(construction.semiAxes_P()[1], 1.25);
+  EXPECT_NEAR(construction.semiAxes_P()[2], 1.082531754730548, 7e-16);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(FreeMotionInvariants, ContactPointIsOnThePlaneAndOnTheEllipsoid) {
     const PoinsotConstruction construction(c.moments, c.omega0_B);
     const double height = s.omega_W.dot(motion.L_W()) / motion.L_W().norm();
     plane = std::max(plane, std::abs(height / construction.planeHeight() - 1));
-    const Vector3d scaled = s.omega_B.cwiseQuotient(construction.semiAxes_B());
+    const Vector3d scaled = s.omega_B.cwiseQuotient(construction.semiAxes_P());
     ellipsoid = std::max(ellipsoid, std::abs(scaled.squaredNorm() - 1));
   });
   expectResidual("height of the contact point, relative", plane, 4e-15);  // measured 1.3e-15
@@ -109,7 +109,7 @@ TEST(FreeMotionInvariants, ThePlaneTouchesTheEllipsoid) {
   double tilt = 0, support = 0;
   forRandomStates(46, [&](const Case& c, const FreeMotion& motion, const RigidBodyState& s) {
     const PoinsotConstruction construction(c.moments, c.omega0_B);
-    const Vector3d squares = construction.semiAxes_B().cwiseAbs2();
+    const Vector3d squares = construction.semiAxes_P().cwiseAbs2();
     const Vector3d normal_W = s.q_WB * s.omega_B.cwiseQuotient(squares);
     tilt = std::max(tilt, std::atan2(normal_W.cross(motion.L_W()).norm(), normal_W.dot(motion.L_W())));
     const Vector3d L_B = s.q_WB.conjugate() * motion.L_W();

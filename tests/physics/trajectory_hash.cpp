@@ -34,7 +34,7 @@ void addTrajectory(Hash& hash, const Eigen::Vector3d& I, const Eigen::Vector3d& 
     for (int i = 0; i < 3; ++i) hash.add(s.omega_B[i]), hash.add(s.omega_W[i]);
   }
   for (const PolhodeSample& sample : Polhode(moments, omega0).samples(100))
-    hash.add(sample.t_s + sample.omega_B[0]);
+    hash.add(sample.t_s + sample.omega_P[0]);
   hash.add(Herpolhode(moments, omega0).anglePerRadialPeriod());
 }
 

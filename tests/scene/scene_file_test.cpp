@@ -21,7 +21,7 @@ constexpr double kDegree = kPi / 180;
 TEST(SceneFile, NeedsABodyAndAStartOnly) {
   const Scene scene = loadScene(dataPath("minimal.toml"));
   EXPECT_EQ(scene.name, "minimal");
-  EXPECT_EQ(scene.body.moments.values(), Eigen::Vector3d(1, 2, 2.5));
+  EXPECT_EQ(scene.body.axes.moments().values(), Eigen::Vector3d(1, 2, 2.5));
   EXPECT_FALSE(scene.body.shape);
   EXPECT_EQ(scene.motion.omega_B, Eigen::Vector3d(0.01, 3, 0));
   EXPECT_FALSE(scene.motion.orientation_WB);
@@ -57,7 +57,7 @@ TEST_F(FullScene, HasItsBodyAndStart) {
   EXPECT_EQ(scene.body.shape->kind, ShapeKind::kRacket);
   EXPECT_TRUE(scene.body.shape->size_m.isApprox(Eigen::Vector3d(0.685, 0.26, 0.024)));
   // Hoop of radius 0.13 m and handle of 0.425 m, masses 17 : 16 of 0.33 kg: I_x = 0.17·0.13²/2, by hand.
-  EXPECT_NEAR(scene.body.moments[0], 1.4365e-3, 1e-12);
+  EXPECT_NEAR(scene.body.axes.moments()[0], 1.4365e-3, 1e-12);
   EXPECT_TRUE(scene.motion.omega_B.isApprox(Eigen::Vector3d(kPi / 300, 2 * kPi, -kPi / 2)));
   ASSERT_TRUE(scene.motion.orientation_WB);  // a quarter turn about z, normalised
   EXPECT_TRUE(
@@ -130,7 +130,7 @@ TEST(Shapes, SetTheMoments) {
     return parseScene("[body]\nshape = \"" + shape + "\"\nmass = 12\nsize = " + size +
                           "\n[motion]\nomega_body = [1, 0, 0]",
                       "test.toml")
-        .body.moments.values();
+        .body.axes.moments().values();
   };
   EXPECT_TRUE(moments("box", "[1, 2, 3]").isApprox(Eigen::Vector3d(13, 10, 5)));
   EXPECT_TRUE(moments("box", "2").isApprox(Eigen::Vector3d(8, 8, 8)));

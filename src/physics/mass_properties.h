@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "physics/solid.h"
+
+namespace poinsot::physics {
+
+/// Mass, centre of mass and inertia tensor of a piece of matter in some axes B. Valid by construction: a point, a
+/// rod and a plate are allowed (moments of zero), impossible matter is not.
+class MassProperties {
+ public:
+  /// inertia_B in kg·m² about the centre of mass, in B; mass_kg > 0; centre_B in m.
+  /// @throws core::Error(kPhysics) naming what cannot be: not finite, not symmetric, negative, I3 > I1 + I2.
+  MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B);
+
+  static MassProperties ofPoint(double mass_kg, const Eigen::Vector3d& position_B);
+
+  double mass_kg() const { return mass_kg_; }
+  const Eigen::Vector3d& centre_B() const { return centre_B_; }
+  /// About the centre of mass (eq 7).
+  const Eigen::Matrix3d& inertia_B() const { return inertia_B_; }
+  /// About another point: I_cm + M(a² - a a) for a from the centre of mass (eq 14).
+  Eigen::Matrix3d inertiaAbout(const Eigen::Vector3d& point_B) const;
+
+  /// The same matter turned by q about the origin, then moved by `offset_B` (eq 16).
+  MassProperties moved(const Eigen::Quaterniond& q, const Eigen::Vector3d& offset_B) const;
+
+  /// Both pieces together, each by the displaced-axis theorem (eq 14).
+  friend MassProperties operator+(const MassProperties& a, const MassProperties& b);
+
+ private:
+  double mass_kg_;
+  Eigen::Vector3d centre_B_;
+  Eigen::Matrix3d inertia_B_;
+};
+
+/// A solid of `mass_kg`, in its own axes S. @throws core::Error(kPhysics) for a mass or a length that is not
+/// positive and finite, or lengths that do not fit together.
+MassProperties massProperties(const Solid& solid, double mass_kg);
+
+/// Volume, m³; 0 of shells, plates, hoops and rods, which have no density per volume. @throws as massProperties.
+double volume(const Solid& solid);
+
+/// A solid placed in a body.
+struct SolidPart {
+  Solid solid;
+  double mass_kg = 1;
+  Eigen::Quaterniond q_BS = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< where S has its origin, m
+};
+
+/// The simple solids that a composite solid (L plate, T-handle, racket, wing nut) is made of, masses adding up to
+/// `mass_kg`; any other solid alone.
+std::vector<SolidPart> partsOf(const Solid& solid, double mass_kg);
+
+}  // namespace poinsot::physics

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/make_motion.h"
+
+#include "physics/free_motion.h"
+
+namespace poinsot::scene {
+
+Eigen::Vector3d directionOfL(const Scene& scene) {
+  const bool down = scene.motion.lPoints == LPoints::kDown ||
+                    (scene.motion.lPoints == LPoints::kAuto && scene.show.plane.visible);
+  return {0, 0, down ? -1.0 : 1.0};
+}
+
+Eigen::Quaterniond startOrientation(const Scene& scene) {
+  if (scene.motion.orientation_WB) return *scene.motion.orientation_WB;
+  return Eigen::Quaterniond::FromTwoVectors(scene.body.axes.angularMomentum(scene.motion.omega_B),
+                                            directionOfL(scene));
+}
+
+std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double, double) {
+  return std::make_unique<physics::FreeMotion>(scene.body.axes, scene.motion.omega_B, startOrientation(scene));
+}
+
+}  // namespace poinsot::scene
