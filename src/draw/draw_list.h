@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +60,27 @@ struct Box {
   Material material;
 };
 
+/// The surface of a body in axes of its own, M: closed, without cracks, each triangle counter-clockwise seen from
+/// outside. Neighbours share their vertices' indices. Lengths in any unit: Mesh::axes_W brings them to W.
+struct TriangleMesh {
+  std::vector<glm::vec3> vertices_M;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A solid with the surface `mesh`, at origin_W + axes_W x_M: the columns of `axes_W` are the M axes, scaled to W
+/// and right-handed. Edges whose faces meet at more than `crease_rad` are sharp: flat normals on either side and,
+/// with `edge_px` > 0, a line of that width in `edgeColor`. The others are shaded smoothly. No mesh (null) draws
+/// nothing.
+struct Mesh {
+  std::shared_ptr<const TriangleMesh> mesh;
+  glm::vec3 origin_W{0};
+  glm::mat3 axes_W{1};
+  float crease_rad = 0.6f;
+  Material material;
+  Color edgeColor{0};
+  float edge_px = 0;
+};
+
 /// A smooth line through points. With `radius_W` > 0 it is a round tube of that radius, shaded; else a flat line
 /// of constant width. `lift_W` moves it towards the viewer, so that a line on a surface is seen in front of it.
 struct Curve {
@@ -70,8 +94,8 @@ struct Curve {
 
 // ---- sheets: translucent, composed per pixel in the right order ---------------------------------------------
 
-/// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the sheet near the eye may be thinner than the
-/// far one, so that what is inside keeps its hue.
+/// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the sheet near the eye may be thinner than
+/// the far one, so that what is inside keeps its hue.
 struct GlassEllipsoid {
   glm::vec3 centre_W{0};
   glm::mat3 semiAxes_W{1};
@@ -120,6 +144,7 @@ struct DrawList {
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Frustum> frustums;
   std::vector<Box> boxes;
+  std::vector<Mesh> meshes;
   std::vector<Curve> curves;
   std::vector<GlassEllipsoid> glassEllipsoids;
   std::vector<GridPlane> planes;
