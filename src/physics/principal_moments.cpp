@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 
 namespace poinsot::physics {
@@ -25,6 +27,12 @@ PrincipalMoments::PrincipalMoments(const Eigen::Vector3d& moments) : moments_(mo
   const Eigen::Vector3d scaled = moments / largest;  // sums of these cannot overflow
   if (1.0 > (scaled.sum() - 1.0) * (1 + kTriangleSlack))
     refuse(moments, "no moment may exceed the sum of the other two (a solid body cannot have these values)");
+}
+
+std::array<int, 3> PrincipalMoments::ascendingAxes() const {
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return moments_[a] < moments_[b]; });
+  return axes;
 }
 
 }  // namespace poinsot::physics

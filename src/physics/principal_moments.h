@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace poinsot::physics {
 
@@ -14,6 +15,9 @@ class PrincipalMoments {
 
   const Eigen::Vector3d& values() const { return moments_; }
   double operator[](int axis) const { return moments_[axis]; }
+
+  /// The axes from the smallest moment to the largest; equal ones keep their order.
+  std::array<int, 3> ascendingAxes() const;
 
   /// I·omega in principal axes: body components of the angular momentum, in kg·m²/s.
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_B) const { return moments_.cwiseProduct(omega_B); }

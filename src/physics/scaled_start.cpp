@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -41,8 +40,7 @@ ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& 
                       fmt::format("angular velocity must be finite, got ({}, {}, {}) rad/s", omega0_P[0],
                                   omega0_P[1], omega0_P[2]));
   ScaledStart s;
-  s.axis = {0, 1, 2};
-  std::stable_sort(s.axis.begin(), s.axis.end(), [&](int a, int b) { return moments[a] < moments[b]; });
+  s.axis = moments.ascendingAxes();
   s.parity = isOdd(s.axis) ? -1 : 1;
   s.momentExponent = exponentOf(moments.values().maxCoeff());
   s.rateExponent = exponentOf(omega0_P.cwiseAbs().maxCoeff());

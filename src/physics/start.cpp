@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/start.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "physics/expansion.h"
+#include "physics/free_motion.h"
+#include "physics/polhode.h"
+#include "physics/rotor.h"
+#include "physics/transcendental.h"
+
+namespace poinsot::physics {
+namespace {
+
+using DD = DoubleDouble;
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
+
+void requireFinite(double value, const char* name) {
+  if (!std::isfinite(value)) refuse(fmt::format("{} must be finite, got {}", name, value));
+}
+
+Eigen::Vector3d toBody(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& v_W) {
+  const auto v =
+      rotated(Rotor<double>{q_WB.w(), -q_WB.x(), -q_WB.y(), -q_WB.z()}, std::array{v_W[0], v_W[1], v_W[2]});
+  return {v[0], v[1], v[2]};
+}
+
+int exponentOf(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// A given |L| and T, and the moments in ascending order, all divided by powers of two that leave |L| and I3 in
+/// [1/2, 1): squares stay in range whatever the units.
+struct ScaledEnergy {
+  double L = 0, T = 0;
+  std::array<double, 3> I{};
+  int rateExponent = 0;  ///< of omega = m/I
+};
+
+ScaledEnergy scaledEnergy(const PrincipalMoments& moments, const EnergyStart& start) {
+  ScaledEnergy s;
+  const auto axis = moments.ascendingAxes();
+  const int momentExponent = exponentOf(moments[axis[2]]), momentumExponent = exponentOf(start.angularMomentum);
+  s.rateExponent = momentumExponent - momentExponent;
+  s.L = std::ldexp(start.angularMomentum, -momentumExponent);
+  s.T = std::ldexp(start.kineticEnergy, -momentumExponent - s.rateExponent);
+  for (std::size_t i = 0; i < 3; ++i) s.I[i] = std::ldexp(moments[axis[i]], -momentExponent);
+  return s;
+}
+
+/// L² - 2 T I, exactly; 0 where that may be the rounding of decimals (a spin about the axis was meant).
+DD excess(const ScaledEnergy& s, double I) {
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();  // of T, L² and I, each given rounded
+  Expansion square, energy;
+  square.add(s.L);
+  square.scale(s.L);
+  energy.add(-2 * s.T);
+  energy.scale(I);
+  square.add(energy);
+  const DD difference = square.value();
+  return std::abs(difference.hi) <= kRounding * s.L * s.L ? DD(0) : difference;
+}
+
+/// That the polhode goes round the axis of smallest moment, or is a point on it.
+bool circlesSmallest(const ScaledEnergy& s) {
+  return excess(s, s.I[2]) < DD(0) && (excess(s, s.I[0]) == DD(0) || excess(s, s.I[1]) < DD(0));
+}
+
+[[noreturn]] void refuseMomentum(const PrincipalMoments& moments, const EnergyStart& start) {
+  const auto axis = moments.ascendingAxes();
+  const auto bound = [&](int i) { return std::sqrt(2 * start.kineticEnergy) * std::sqrt(moments[i]); };
+  refuse(fmt::format(
+      "with a kinetic energy of {} J the angular momentum must lie between {:.10g} and {:.10g} kg·m²/s "
+      "(sqrt(2 T I) of the smallest and the largest moment), got {}",
+      start.kineticEnergy, bound(axis[0]), bound(axis[2]), start.angularMomentum));
+}
+
+void requireValid(const PrincipalMoments& moments, const EnergyStart& start) {
+  requireFinite(start.kineticEnergy, "kinetic energy");
+  requireFinite(start.angularMomentum, "angular momentum");
+  if (start.kineticEnergy < 0)
+    refuse(fmt::format("kinetic energy must not be negative, got {} J", start.kineticEnergy));
+  if (start.angularMomentum < 0)
+    refuse(fmt::format("the magnitude of the angular momentum must not be negative, got {} kg·m²/s",
+                       start.angularMomentum));
+  if (!(start.phase >= 0 && start.phase < 1))
+    refuse(fmt::format("the phase must be at least 0 and below 1, got {}", start.phase));
+  if ((start.kineticEnergy == 0) != (start.angularMomentum == 0)) refuseMomentum(moments, start);
+}
+
+/// omega_P at phase 0. @throws core::Error(kPhysics) if no state has this energy and momentum.
+Eigen::Vector3d omegaAtPhaseZero(const PrincipalMoments& moments, const EnergyStart& start) {
+  const ScaledEnergy s = scaledEnergy(moments, start);
+  const auto axis = moments.ascendingAxes();
+  const DD D1 = excess(s, s.I[0]), D3 = -excess(s, s.I[2]), gap = twoSum(s.I[2], -s.I[0]);
+  constexpr double kBeyondAnyBody = 0x1p200;  // of T: the differences are no numbers where it overflows
+  if (s.T > kBeyondAnyBody || D1 < DD(0) || D3 < DD(0)) refuseMomentum(moments, start);
+  Eigen::Vector3d omega_P = Eigen::Vector3d::Zero();
+  const auto set = [&](std::size_t i, const DD& omega) {
+    omega_P[axis[i]] = std::ldexp(toDouble(omega), s.rateExponent);
+  };
+  if (D1 == DD(0) && D3 == DD(0)) {  // a sphere, as far as can be told
+    set(2, DD(s.L) / s.I[2]);
+  } else {
+    set(0, sqrt(D3 / (gap * s.I[0])));
+    set(2, sqrt(D1 / (gap * s.I[2])));
+  }
+  if (start.negative) omega_P[axis[circlesSmallest(s) ? 0 : 2]] *= -1;
+  return omega_P;
+}
+
+}  // namespace
+
+Eigen::Vector3d omegaFromSpace(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& omega_W) {
+  return toBody(q_WB, omega_W);
+}
+
+Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Eigen::Quaterniond& q_WB,
+                                  const Eigen::Vector3d& L_W) {
+  return axes.angularVelocity(toBody(q_WB, L_W));
+}
+
+Eigen::Vector3d omegaFromSpin(const PrincipalAxes& axes, const SpinStart& start) {
+  POINSOT_EXPECT(start.axis >= 0 && start.axis < 3);
+  requireFinite(start.spin, "spin");
+  requireFinite(start.towards_rad, "direction of the tilt");
+  if (!(start.tilt_rad >= 0 && start.tilt_rad < kHalfPi.hi))
+    refuse(fmt::format("the tilt of a spin must be at least 0 and below 90 deg, got {:.10g} deg",
+                       start.tilt_rad * 180 / kPi.hi));
+  const PrincipalMoments& I = axes.moments();
+  const int k = start.axis, next = (k + 1) % 3, last = (k + 2) % 3;
+  const SineCosine tilt = sineCosine(start.tilt_rad), side = sineCosine(start.towards_rad);
+  const double across = I[k] * std::abs(start.spin) * (tilt.sine / tilt.cosine);
+  Eigen::Vector3d omega_P;
+  omega_P[k] = start.spin;
+  omega_P[next] = across * side.cosine / I[next];
+  omega_P[last] = across * side.sine / I[last];
+  return axes.toB(omega_P);
+}
+
+Eigen::Vector3d omegaFromEnergy(const PrincipalAxes& axes, const EnergyStart& start) {
+  const PrincipalMoments& moments = axes.moments();
+  requireValid(moments, start);
+  if (start.angularMomentum == 0) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d omega0_P = omegaAtPhaseZero(moments, start);
+  const Polhode polhode(moments, omega0_P);
+  if (start.phase == 0 || polhode.regime() == PolhodeRegime::kSteady) return axes.toB(omega0_P);
+  const ScaledEnergy s = scaledEnergy(moments, start);
+  if (excess(s, s.I[1]) == DD(0))
+    refuse(
+        fmt::format("on the separatrix (L² = 2 T I of the middle moment) there is no period: the phase must be "
+                    "0, got {}",
+                    start.phase));
+  const FreeMotion motion(moments, omega0_P, Eigen::Quaterniond::Identity());
+  return axes.toB(motion.at(start.phase * polhode.period()).omega_B);
+}
+
+}  // namespace poinsot::physics
