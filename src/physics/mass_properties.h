@@ -29,14 +29,18 @@ class MassProperties {
   /// The same matter turned by q about the origin, then moved by `offset_B` (eq 16).
   MassProperties moved(const Eigen::Quaterniond& q, const Eigen::Vector3d& offset_B) const;
 
-  /// Both pieces together, each by the displaced-axis theorem (eq 14).
-  friend MassProperties operator+(const MassProperties& a, const MassProperties& b);
-
  private:
   double mass_kg_;
   Eigen::Vector3d centre_B_;
   Eigen::Matrix3d inertia_B_;
 };
+
+/// Both pieces together, each by the displaced-axis theorem (eq 14).
+MassProperties operator+(const MassProperties& a, const MassProperties& b);
+
+/// Several pieces as one. Summed in double-double, so that pieces in a symmetric arrangement give a symmetric body
+/// to the last bit. @pre at least one piece.
+MassProperties combined(const std::vector<MassProperties>& pieces);
 
 /// A solid of `mass_kg`, in its own axes S. @throws core::Error(kPhysics) for a mass or a length that is not
 /// positive and finite, or lengths that do not fit together.

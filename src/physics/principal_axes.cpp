@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/principal_axes.h"
 
-#include <array>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "physics/inertia_tensor.h"
 #include "physics/rotor.h"
+#include "physics/symmetric_eigen.h"
 
 namespace poinsot::physics {
 namespace {
+
+using Vector = std::array<DoubleDouble, 3>;
 
 // Not Eigen's rotation: its last bit depends on the vector unit compiled for.
 Eigen::Vector3d rotatedBy(const Eigen::Quaterniond& q, double sense, const Eigen::Vector3d& v) {
@@ -15,10 +26,133 @@ Eigen::Vector3d rotatedBy(const Eigen::Quaterniond& q, double sense, const Eigen
   return {r[0], r[1], r[2]};
 }
 
+Eigen::Quaterniond toQuaternion(const Rotor<DoubleDouble>& rotor) {
+  const Rotor<double> q = toDouble(normalized(rotor));
+  return {q.w, q.x, q.y, q.z};
+}
+
+Vector operator-(const Vector& v) { return {-v[0], -v[1], -v[2]}; }
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double offDiagonal(const Eigen::Matrix3d& I) {
+  return std::max({std::fabs(I(1, 0)), std::fabs(I(2, 0)), std::fabs(I(2, 1))});
+}
+
+/// Moments, ascending, with their axes.
+struct Sorted {
+  std::array<double, 3> moments;
+  std::array<Vector, 3> axes_B;
+};
+
+Sorted sorted(const SymmetricEigen& eigen) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) { return eigen.values[i] < eigen.values[j]; });
+  Sorted result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.moments[i] = toDouble(eigen.values[order[i]]);
+    result.axes_B[i] = eigen.vectors[order[i]];
+  }
+  return result;
+}
+
+/// Moments that differ by the rounding of a tensor only become one number. Ascending.
+void equalize(std::array<double, 3>& moments) {
+  auto& [a, b, c] = moments;
+  const bool low = b - a <= kTensorRounding * c, high = c - b <= kTensorRounding * c;
+  if (low && high)
+    a = b = c = a + ((b - a) + (c - a)) / 3;
+  else if (low)
+    a = b = a + (b - a) / 2;
+  else if (high)
+    b = c = b + (c - b) / 2;
+}
+
+/// The axes that three different moments have, each of the sign that leaves the smallest turn from B: of the four
+/// proper rotations, whose w are the four components of any one of them, that with the largest.
+Eigen::Quaterniond nearestOfFour(std::array<Vector, 3> axes_B) {
+  axes_B[2] = cross(axes_B[0], axes_B[1]);
+  const auto traceWith = [&](std::size_t kept) {  // the other two axes turned round; 3: none
+    DoubleDouble trace;
+    for (std::size_t i = 0; i < 3; ++i) trace += kept == 3 || kept == i ? axes_B[i][i] : -axes_B[i][i];
+    return trace;
+  };
+  std::size_t best = 3;
+  for (std::size_t kept = 0; kept < 3; ++kept)
+    if (traceWith(kept) > traceWith(best)) best = kept;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (best != 3 && best != i) axes_B[i] = -axes_B[i];
+  const auto& [x, y, z] = axes_B;  // columns of R_BP
+  const DoubleDouble w = sqrt(1 + x[0] + y[1] + z[2]) / 2, fourW = 4 * w;
+  return toQuaternion({w, (y[2] - z[1]) / fourW, (z[0] - x[2]) / fourW, (x[1] - y[0]) / fourW});
+}
+
+/// Only one axis exists: the shortest turn that brings B's axis number `which` to its line, and no other.
+Eigen::Quaterniond shortestTurn(std::size_t which, Vector axis_B) {
+  if (axis_B[which].hi < 0) axis_B = -axis_B;
+  Vector from{0, 0, 0};
+  from[which] = 1;
+  const Vector sine = cross(from, axis_B);
+  return toQuaternion({1 + axis_B[which], sine[0], sine[1], sine[2]});
+}
+
+PrincipalMoments momentsOf(const std::array<double, 3>& moments) {
+  return PrincipalMoments({moments[0], moments[1], moments[2]});
+}
+
+/// A thin rod's tensor, turned, has a moment of a few roundings in place of 0.
+void requireThickness(const Sorted& system) {
+  const auto& [low, middle, high] = system.moments;
+  if (low > 0 && low <= kTensorRounding * high)
+    throw core::Error(
+        core::ErrorKind::kPhysics,
+        fmt::format("principal moments must be positive; the least of ({}, {}, {}) kg·m² is nothing but "
+                    "rounding (a thin rod has no moment about its own line)",
+                    low, middle, high));
+}
+
+/// The axes are B's own up to rounding: moments in the order of B's axes.
+PrincipalMoments keptMoments(const Eigen::Matrix3d& inertia_B) {
+  const std::array<double, 3> diagonal{inertia_B(0, 0), inertia_B(1, 1), inertia_B(2, 2)};
+  if (offDiagonal(inertia_B) == 0) return momentsOf(diagonal);
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return diagonal[i]; });
+  std::array<double, 3> ascending{diagonal[order[0]], diagonal[order[1]], diagonal[order[2]]};
+  equalize(ascending);
+  std::array<double, 3> kept{};
+  for (std::size_t i = 0; i < 3; ++i) kept[order[i]] = ascending[i];
+  return momentsOf(kept);
+}
+
+PrincipalAxes turnedAxes(const Eigen::Matrix3d& inertia_B) {
+  const Sorted system = sorted(symmetricEigen(inertia_B));
+  requireThickness(system);
+  std::array<double, 3> moments = system.moments;
+  equalize(moments);
+  const PrincipalMoments checked = momentsOf(moments);
+  const bool low = moments[0] == moments[1], high = moments[1] == moments[2];
+  if (low && high) return checked;
+  if (low) return {checked, shortestTurn(2, system.axes_B[2])};
+  if (high) return {checked, shortestTurn(0, system.axes_B[0])};
+  return {checked, nearestOfFour(system.axes_B)};
+}
+
+PrincipalAxes axesOf(const Eigen::Matrix3d& given_B) {
+  const Eigen::Matrix3d inertia_B = symmetricTensor(given_B);
+  const bool diagonal = offDiagonal(inertia_B) <= kTensorRounding * inertia_B.cwiseAbs().maxCoeff();
+  return diagonal ? PrincipalAxes(keptMoments(inertia_B)) : turnedAxes(inertia_B);
+}
+
 }  // namespace
 
 PrincipalAxes::PrincipalAxes(const PrincipalMoments& moments, const Eigen::Quaterniond& q_BP)
-    : moments_(moments), q_BP_(q_BP), aligned_(q_BP.vec().isZero(0)) {}
+    : moments_(moments), q_BP_(q_BP), aligned_(q_BP.vec().isZero(0)) {
+  POINSOT_EXPECT(std::fabs(q_BP.squaredNorm() - 1) < 1e-12);
+}
+
+PrincipalAxes::PrincipalAxes(const Eigen::Matrix3d& inertia_B) : PrincipalAxes(axesOf(inertia_B)) {}
 
 Eigen::Vector3d PrincipalAxes::toP(const Eigen::Vector3d& v_B) const {
   return aligned_ ? v_B : rotatedBy(q_BP_, -1, v_B);
@@ -37,8 +171,7 @@ Eigen::Vector3d PrincipalAxes::angularVelocity(const Eigen::Vector3d& m_B) const
 }
 
 Eigen::Matrix3d PrincipalAxes::inertia_B() const {
-  const Eigen::Matrix3d R_BP = q_BP_.toRotationMatrix();
-  return R_BP * moments_.values().asDiagonal() * R_BP.transpose();
+  return turnedTensor(q_BP_, moments_.values().asDiagonal().toDenseMatrix());
 }
 
 }  // namespace poinsot::physics

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+// Tensors and vectors in arithmetic of a fixed order: the order of Eigen's own products depends on the vector unit
+// compiled for, and with it the last bit.
+namespace poinsot::physics {
+
+/// Largest excess of a moment over the sum of the other two, relative, and largest asymmetry: what computing in
+/// doubles leaves of an equality (a lamina has I3 = I1 + I2).
+inline constexpr double kTensorSlack = 1e-12;
+
+/// Twice the steps of a double that a computed tensor's entries are off by, relative to the largest: moments
+/// nearer to each other than this are equal.
+inline constexpr double kTensorRounding = 0x1p-49;  // 8 ulp of 1
+
+/// The tensor made exactly symmetric. @throws core::Error(kPhysics) naming an entry that is not finite, or a pair
+/// that differs.
+Eigen::Matrix3d symmetricTensor(const Eigen::Matrix3d& inertia);
+
+/// R I Rᵀ for the rotation R of q (eq 16), correctly rounded but for some 1e-30; exactly symmetric. The length of
+/// q does not matter; a quarter turn given as (1, 0, 0, 1)·0.7071... turns exactly.
+Eigen::Matrix3d turnedTensor(const Eigen::Quaterniond& q, const Eigen::Matrix3d& inertia);
+
+/// R v likewise.
+Eigen::Vector3d turnedVector(const Eigen::Quaterniond& q, const Eigen::Vector3d& v);
+
+}  // namespace poinsot::physics

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "physics/solid.h"
+
+namespace poinsot::physics {
+
+/// @throws core::Error(kPhysics) naming a length that is not positive and finite, or lengths that do not fit
+/// together.
+void requirePossible(const Solid& solid);
+
+/// @throws core::Error(kPhysics) "NAME must be positive and finite, got VALUE".
+void requirePositive(double value, const char* name);
+
+}  // namespace poinsot::physics
