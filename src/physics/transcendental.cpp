@@ -76,6 +76,9 @@ DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
   return {sum.hi, sum.lo + base.lo};
 }
 
+constexpr std::array<double, 11> kArcTanh = {1. / 3,  1. / 5,  1. / 7,  1. / 9,  1. / 11, 1. / 13,
+                                             1. / 15, 1. / 17, 1. / 19, 1. / 21, 1. / 23};  // |x| <= 3 - sqrt 8
+
 constexpr DoubleDouble kLn2{0.6931471805599453, 2.3190468138462996e-17};
 constexpr double kSmallestExponent = -746;  // e^-746 is below half the smallest subnormal
 
@@ -109,6 +112,21 @@ double exponential(double x) {
   const double r = rest.hi;
   const double power = 1 + (r + (r * r * polynomial(kExponential, r) + rest.lo));
   return std::ldexp(power, static_cast<int>(n));
+}
+
+// ln x = n ln 2 + 2 artanh t,  t = (f - 1)/(f + 1),  x = 2^n f,  f within sqrt 2 of 1.
+double logarithm(double x) {
+  constexpr double kRootHalf = 0.7071067811865476;
+  int n = 0;
+  double f = std::frexp(x, &n);
+  if (f < kRootHalf) {
+    f *= 2;
+    --n;
+  }
+  const DoubleDouble t = DoubleDouble(f - 1) / twoSum(f, 1);
+  const double square = t.hi * t.hi;
+  const DoubleDouble leading = kLn2 * DoubleDouble(n) + t * DoubleDouble(2);
+  return leading.hi + (leading.lo + 2 * t.hi * square * polynomial(kArcTanh, square));
 }
 
 HyperbolicPair hyperbolicPair(double u) {

@@ -23,6 +23,9 @@ double arcTangent(double x);
 /// e^x; 0 below the smallest double. @pre x <= 700.
 double exponential(double x);
 
+/// ln x. @pre x > 0.
+double logarithm(double x);
+
 /// tanh u and sech u = 1/cosh u, consistent with each other; sech underflows to 0, nothing overflows.
 struct HyperbolicPair {
   double tanh = 0;

@@ -74,6 +74,15 @@ TEST(Transcendental, Exponential) {
   EXPECT_EQ(exponential(-800), 0);
 }
 
+TEST(Transcendental, Logarithm) {
+  const auto any = [](Draw& draw) { return draw.decade(-300, 300); };
+  const auto near1 = [](Draw& draw) { return 1 + draw.sign() * draw.decade(-15, -0.5); };
+  const auto log50 = [](const Real& x) { return Real(log(x)); };
+  expectResidual("log, ulp", worstUlps(21, any, logarithm, log50), 1);           // measured 0.5
+  expectResidual("log near 1, ulp", worstUlps(22, near1, logarithm, log50), 1);  // measured 0.501
+  EXPECT_EQ(logarithm(1), 0);
+}
+
 TEST(Transcendental, HyperbolicPair) {
   const auto range = [](Draw& draw) { return draw.between(-40, 40); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0.5); };
