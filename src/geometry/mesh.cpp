@@ -1,2 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "core/expect.h"
+
+namespace poinsot::geometry {
+namespace {
+
+/// For each vertex the first one at its place. By sorting, not hashing: a file cannot choose a slow case.
+std::vector<std::uint32_t> firstAtEachPlace(const std::vector<Eigen::Vector3d>& vertices_M) {
+  std::vector<std::uint32_t> order(vertices_M.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t i) {
+    const Eigen::Vector3d& v = vertices_M[i];
+    return std::tuple(v[0], v[1], v[2]);
+  };
+  std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
+    return std::tuple_cat(key(i), std::tuple(i)) < std::tuple_cat(key(j), std::tuple(j));
+  });
+  std::vector<std::uint32_t> first(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+}  // namespace
+
+Bounds boundsOf(const Mesh& mesh) {
+  POINSOT_EXPECT(!mesh.vertices_M.empty());
+  Bounds bounds{mesh.vertices_M[0], mesh.vertices_M[0]};
+  for (const Eigen::Vector3d& v : mesh.vertices_M) {
+    bounds.low_M = bounds.low_M.cwiseMin(v);
+    bounds.high_M = bounds.high_M.cwiseMax(v);
+  }
+  return bounds;
+}
+
+Mesh flipped(Mesh mesh) {
+  for (Mesh::Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  return mesh;
+}
+
+Mesh joined(Mesh a, const Mesh& b) {
+  const auto shift = static_cast<std::uint32_t>(a.vertices_M.size());
+  a.vertices_M.insert(a.vertices_M.end(), b.vertices_M.begin(), b.vertices_M.end());
+  for (const Mesh::Triangle& t : b.triangles) a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  return a;
+}
+
+Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& offset_M) {
+  for (Eigen::Vector3d& v : mesh.vertices_M) v = A.col(0) * v[0] + A.col(1) * v[1] + A.col(2) * v[2] + offset_M;
+  return mesh;
+}
+
+Mesh welded(const Mesh& mesh) {
+  constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+  const std::vector<std::uint32_t> first = firstAtEachPlace(mesh.vertices_M);
+  std::vector<bool> used(first.size());
+  for (const Mesh::Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t i : triangle) used[first[i]] = true;
+  Mesh result;
+  std::vector<std::uint32_t> number(first.size(), kUnused);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!used[i]) continue;
+    number[i] = static_cast<std::uint32_t>(result.vertices_M.size());
+    result.vertices_M.push_back(mesh.vertices_M[i]);
+  }
+  result.triangles.reserve(mesh.triangles.size());
+  for (const Mesh::Triangle& t : mesh.triangles)
+    result.triangles.push_back({number[first[t[0]]], number[first[t[1]]], number[first[t[2]]]});
+  return result;
+}
+
+}  // namespace poinsot::geometry

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/mesh.h"
+
+namespace poinsot::geometry {
+
+/// Integrals over the inside of a closed surface, in the mesh's axes M; of a homogeneous body of mass m they are
+/// everything: mass m, centre `centre_M`, inertia m·inertiaPerMass_M.
+struct MeshIntegrals {
+  double volume_m3 = 0;
+  Eigen::Vector3d centre_M = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inertiaPerMass_M = Eigen::Matrix3d::Zero();  ///< about the centre, m² (eq 13); exactly symmetric
+};
+
+/// By the divergence theorem: the signed tetrahedra from a point to each triangle (a, b, c), det = a·(b × c):
+///   V = Σ det/6,   V centre = Σ det (a + b + c)/24,   ∫r r = Σ det (s s + a a + b b + c c)/120,  s = a + b + c
+/// The point is the centre of the bounding box, then, in a second pass, the computed centre: a mesh 1e6 of its
+/// lengths from the origin keeps its digits. Sums are compensated and of fixed order: the same bits everywhere.
+/// Source: the integrals of r and r r over a tetrahedron; B. Mirtich, J. Graphics Tools 1 (1996) 31.
+/// @pre closed (checkClosed), coordinates finite.
+MeshIntegrals integrals(const Mesh& mesh);
+
+/// @throws core::Error(kScene) unless the mesh bounds a volume: every edge of its triangles is shared by exactly
+/// two, which run along it in opposite directions, and their outsides face outward. Names an offending edge by its
+/// ends. Triangles with a corner repeated or without area do no harm.
+/// @pre indices in range, coordinates finite.
+void checkClosed(const Mesh& mesh);
+
+}  // namespace poinsot::geometry

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "geometry/mesh.h"
+
+// Closed meshes, outside outward. Lengths in m; solids of revolution are about z. Curved surfaces are inscribed:
+// their vertices lie on the true surface, and their volume grows to the true one as 1/segments².
+namespace poinsot::geometry {
+
+/// The solid swept by a polygon in the half plane (r, z), r >= 0, turning about z in `segments` steps. The polygon
+/// is closed by its last corner to its first, counter-clockwise; corners on the axis (r = 0) become one vertex,
+/// and an edge along the axis sweeps nothing.
+/// @pre segments >= 3, three corners or more, none with r < 0.
+Mesh turnedMesh(std::span<const Eigen::Vector2d> outline_rz, int segments);
+
+/// A polygon in the xy plane, counter-clockwise, thickened from z = -thickness/2 to +thickness/2.
+/// @pre its first corner sees every other.
+Mesh prismMesh(std::span<const Eigen::Vector2d> outline_xy, double thickness_m);
+
+/// Edges along the axes, centred at the origin.
+Mesh boxMesh(const Eigen::Vector3d& edges_m);
+
+/// An ellipsoid as an icosahedron whose 20 faces are split in four `subdivisions` times, vertices on the surface.
+/// @pre 0 <= subdivisions <= 8.
+Mesh ellipsoidMesh(const Eigen::Vector3d& semiAxes_m, int subdivisions);
+
+/// The circle of radius_m in the xy plane with a tube round it, as many segments round the tube as round the
+/// circle.
+Mesh torusMesh(double radius_m, double tubeRadius_m, int segments);
+
+/// Centre of the flat face at the origin, dome towards +z.
+Mesh hemisphereMesh(double radius_m, int segments);
+
+/// Circles of the two radii at z = low_m and high_m; a radius of 0 is an apex. @pre low_m < high_m.
+Mesh frustumMesh(double lowRadius_m, double highRadius_m, double low_m, double high_m, int segments);
+
+/// A cylinder with a hole along its axis, centred at the origin. @pre 0 < innerRadius_m < radius_m.
+Mesh tubeMesh(double radius_m, double innerRadius_m, double height_m, int segments);
+
+/// A cylinder of height_m with half balls on its ends, centred at the origin.
+Mesh capsuleMesh(double radius_m, double height_m, int segments);
+
+/// Two arms along +x and +y, outer corner at the origin, in the xy plane, thickened as a prism.
+Mesh lPrismMesh(const Eigen::Vector2d& edges_m, double arm_m, double thickness_m);
+
+// Regular polyhedra, centred at the origin.
+Mesh tetrahedronMesh(double edge_m);
+Mesh cubeMesh(double edge_m);
+Mesh octahedronMesh(double edge_m);
+Mesh dodecahedronMesh(double edge_m);
+Mesh icosahedronMesh(double edge_m);
+
+}  // namespace poinsot::geometry

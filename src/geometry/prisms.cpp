@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include "core/expect.h"
+#include "geometry/primitives.h"
+
+namespace poinsot::geometry {
+
+using Eigen::Vector2d;
+
+Mesh prismMesh(std::span<const Vector2d> outline_xy, double thickness_m) {
+  POINSOT_EXPECT(outline_xy.size() >= 3);
+  const auto count = static_cast<std::uint32_t>(outline_xy.size());
+  Mesh mesh;
+  for (const double z : {-thickness_m / 2, thickness_m / 2})
+    for (const Vector2d& corner : outline_xy) mesh.vertices_M.emplace_back(corner[0], corner[1], z);
+  for (std::uint32_t i = 2; i < count; ++i) {
+    mesh.triangles.push_back({0, i, i - 1});
+    mesh.triangles.push_back({count, count + i - 1, count + i});
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t next = (i + 1) % count;
+    mesh.triangles.push_back({i, next, count + next});
+    mesh.triangles.push_back({i, count + next, count + i});
+  }
+  return mesh;
+}
+
+Mesh lPrismMesh(const Vector2d& edges_m, double arm_m, double thickness_m) {
+  POINSOT_EXPECT(0 < arm_m && arm_m < edges_m.minCoeff());
+  const double x = edges_m[0], y = edges_m[1];
+  return prismMesh(std::array<Vector2d, 6>{Vector2d(0, 0), Vector2d(x, 0), Vector2d(x, arm_m),
+                                           Vector2d(arm_m, arm_m), Vector2d(arm_m, y), Vector2d(0, y)},
+                   thickness_m);
+}
+
+}  // namespace poinsot::geometry
