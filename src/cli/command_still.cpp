@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/rendering.h"
+#include "cli/time_word.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "scene/units.h"
 
 namespace poinsot::cli {
 namespace {
@@ -25,19 +24,9 @@ void checkIsPicture(const std::string& name) {
   refuse(fmt::format("output '{}': a still is one NAME.png", core::printable(name)));
 }
 
-/// A number of seconds, or a number with a unit of time as scene files have it.
-double parseTime_s(const std::string& text) {
-  double seconds = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-  if (status == std::errc() && end == text.data() + text.size()) return seconds;
-  const auto quantity = scene::parseQuantity(text, scene::Dimension::kTime);
-  if (!quantity.ok()) refuse(fmt::format("--time '{}': {}", core::printable(text), quantity.problem));
-  return quantity.value;
-}
-
 int still(const StillOptions& options) {
   if (!options.output.empty()) checkIsPicture(options.output);
-  const double time_s = parseTime_s(options.time);
+  const double time_s = parseTime_s("--time", options.time);
   auto [request, scene] = requestedScene(options);
   if (!(time_s >= 0 && time_s <= scene.time.duration_s))
     refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(options.time),

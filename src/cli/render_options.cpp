@@ -58,17 +58,8 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
 
 }  // namespace
 
-CLI::Validator notEmpty() {
-  return {[](std::string& word) -> std::string { return word.empty() ? "is empty" : ""; }, "", ""};
-}
-
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
-  command.add_option("-D", options.overrides, "set a key of the scene, above what the file says")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addSceneOptions(command, options);
   command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH")->check(notEmpty());
   command.add_option("-q,--quality", options.quality, "size and quality: preview, 720p, 1080p or 4k")
       ->type_name("NAME")

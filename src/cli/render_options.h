@@ -3,25 +3,19 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/output_target.h"
 #include "app/progress.h"
 #include "app/scene_request.h"
+#include "cli/scene_options.h"
 #include "gl/offscreen_context.h"
 #include "image/image.h"
-
-namespace CLI {
-class App;
-class Validator;
-}  // namespace CLI
 
 namespace poinsot::cli {
 
 /// Words of the command line common to `render` and `still`, as typed.
-struct RenderOptions {
-  std::string scene, output, size, quality, fps;
-  std::vector<std::string> overrides;
+struct RenderOptions : SceneOptions {
+  std::string output, size, quality, fps;
   int jobs = 0;
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false;
   std::string progress = "auto", backend = "auto";
@@ -29,9 +23,6 @@ struct RenderOptions {
 
 /// Declares them, except for the output and --fps.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
-
-/// Refuses '' as a value, most often a shell variable without one, which would else count as not given.
-CLI::Validator notEmpty();
 
 /// "640x360".
 /// @throws core::Error(kUsage) when it is no such thing, core::Error(kLimit) beyond the limits of a picture.

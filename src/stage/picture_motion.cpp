@@ -64,12 +64,6 @@ std::unique_ptr<const physics::Motion> makeMotion(const scene::Scene& scene, dou
   return scene::makeMotion(drawn, scene.time.start_s, end);
 }
 
-double chosenSpeed(const scene::Scene& scene) {
-  if (scene.time.speed) return *scene.time.speed;
-  const double spin = scene.motion.omega_B.norm();
-  return spin == 0 || (spin >= kCalmestSpin && spin <= kFastestSpin) ? 1.0 : kPleasantSpin / spin;
-}
-
 // The body standing with its spin axis up (down where L points down).
 Matrix3d standingBody(const scene::Scene& scene) {
   const Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
@@ -96,6 +90,12 @@ double pathStep(const PictureMotion& motion) {
 }
 
 }  // namespace
+
+double chosenSpeed(const scene::Scene& scene) {
+  if (scene.time.speed) return *scene.time.speed;
+  const double spin = scene.motion.omega_B.norm();
+  return spin == 0 || (spin >= kCalmestSpin && spin <= kFastestSpin) ? 1.0 : kPleasantSpin / spin;
+}
 
 PictureMotion::PictureMotion(const scene::Scene& scene)
     : motion_(makeMotion(scene, chosenSpeed(scene))),

@@ -20,6 +20,9 @@ struct PictureState {
   Eigen::Vector3d L_V;
 };
 
+/// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.
+double chosenSpeed(const scene::Scene& scene);
+
 /// One sample of the path of the tip of omega.
 struct PathPoint {
   double filmTime_s;

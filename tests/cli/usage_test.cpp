@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kCommands{"render", "still", "check", "schema", "backends"};
+const std::vector<std::string> kCommands{"render", "still", "trajectory", "check", "schema", "backends"};
 
 TEST(Usage, HelpListsTheCommandsThatPeopleType) {
   const ScratchFolder folder;

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory_row.h"
+
+namespace poinsot::app {
+
+TrajectoryRow trajectoryRow(const physics::RigidBodyState& s) {
+  return {s.t_s,         s.q_WB.w(),    s.q_WB.x(),    s.q_WB.y(),    s.q_WB.z(),
+          s.omega_B.x(), s.omega_B.y(), s.omega_B.z(), s.omega_W.x(), s.omega_W.y(),
+          s.omega_W.z(), s.L_W.x(),     s.L_W.y(),     s.L_W.z(),     s.kineticEnergy};
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/interrupt.h"
+#include "app/trajectory_number.h"
+#include "app/trajectory_row.h"
+#include "core/error.h"
+
+namespace poinsot::app {
+namespace {
+
+constexpr std::size_t kPiece = 1 << 16;       // a pipe's capacity
+constexpr std::size_t kLongestRow = 15 * 32;  // reserved beyond a piece, so that it never grows
+
+constexpr const char* kJsonFormat = "poinsot trajectory 1";
+constexpr const char* kAxes =
+    "q takes components along the body's axes B, as the scene gives them, to the inertial axes W";
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string jsonHead(const std::string& sceneName) {
+  std::string columns, units;
+  for (const TrajectoryColumn& column : kTrajectoryColumns) {
+    columns += fmt::format("{}\"{}\"", columns.empty() ? "" : ",", column.name);
+    units += fmt::format("{}\"{}\":\"{}\"", units.empty() ? "" : ",", column.name, column.unit);
+  }
+  return fmt::format("{},\n\"scene\":{},\n\"axes\":\"{}\",\n\"units\":{{{}}},\n\"columns\":[{}],\n\"rows\":[",
+                     trajectoryMark(TrajectoryFormat::kJson), quoted(sceneName), kAxes, units, columns);
+}
+
+void appendNumbers(std::string& text, const TrajectoryRow& row) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i > 0) text += ',';
+    appendNumber(text, row[i]);
+  }
+}
+
+/// The state, where there is one: omega t of the longest runs may have no double.
+TrajectoryRow checkedRow(const physics::Motion& motion, double t_s) {
+  constexpr double kFarthest = 1e300;  // room for the factors of a phase
+  if (std::abs(t_s) < kFarthest) {
+    const TrajectoryRow row = trajectoryRow(motion.at(t_s));
+    if (std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) return row;
+  }
+  throw core::Error(core::ErrorKind::kLimit,
+                    fmt::format("t = {} s: so far from the start that the motion has no phase", t_s));
+}
+
+}  // namespace
+
+std::string trajectoryHeader() {
+  std::string header;
+  for (const TrajectoryColumn& column : kTrajectoryColumns) {
+    if (!header.empty()) header += ',';
+    header += column.name;
+  }
+  return header;
+}
+
+std::string trajectoryMark(TrajectoryFormat format) {
+  return format == TrajectoryFormat::kCsv ? trajectoryHeader() : fmt::format("{{\"format\":\"{}\"", kJsonFormat);
+}
+
+void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times, TrajectoryFormat format,
+                     const std::string& sceneName, const TextSink& sink) {
+  const bool json = format == TrajectoryFormat::kJson;
+  std::string piece = json ? jsonHead(sceneName) : trajectoryHeader() + '\n';
+  piece.reserve(kPiece + kLongestRow);
+  for (std::int64_t k = 0; k < times.count(); ++k) {
+    if (json) piece += k == 0 ? "\n[" : ",\n[";
+    appendNumbers(piece, checkedRow(motion, times[k]));
+    piece += json ? ']' : '\n';
+    if (piece.size() < kPiece) continue;
+    throwIfInterrupted();
+    sink(piece);
+    piece.clear();
+  }
+  if (json) piece += "\n]}\n";
+  sink(piece);
+}
+
+}  // namespace poinsot::app

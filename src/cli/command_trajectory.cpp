@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "app/interrupt.h"
+#include "app/trajectory_target.h"
+#include "app/trajectory_text.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+#include "cli/time_word.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+#include "scene/make_motion.h"
+#include "stage/picture_motion.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct TrajectoryOptions : SceneOptions {
+  std::vector<std::string> at;
+  std::string rate, output = "-";
+  bool force = false;
+};
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+app::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
+  std::vector<double> times_s;
+  for (const std::string& word : words)
+    for (const double t_s : parseTimes_s("--at", word)) times_s.push_back(t_s);
+  return app::TrajectoryTimes(std::move(times_s));
+}
+
+core::Rational parsedRate(const std::string& word) {
+  const auto rate_hz = core::parseRational(word);
+  if (!rate_hz)
+    refuse(fmt::format("--rate '{}': rows per second of motion, such as 100, 0.5 or 30000/1001",
+                       core::printable(word)));
+  return *rate_hz;
+}
+
+app::TrajectoryTimes requestedTimes(const TrajectoryOptions& options, const scene::Scene& scene) {
+  if (options.rate.empty()) return listedTimes(options.at);
+  return {parsedRate(options.rate), scene.time.start_s, stage::chosenSpeed(scene) * scene.time.duration_s};
+}
+
+std::span<const std::uint8_t> bytes(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+void writeToFile(const TrajectoryOptions& options, const app::TrajectoryTarget& target,
+                 const std::function<void(const app::TextSink&)>& write) {
+  app::checkTrajectoryTarget(target, options.force);
+  output::AtomicFile file(target.path);
+  write([&](std::string_view text) { file.write(bytes(text)); });
+  file.commit();
+}
+
+void checkTimesGiven(const TrajectoryOptions& options) {
+  if (options.at.empty() == options.rate.empty())
+    refuse("say at which times: --at T1,T2,... or --rate HZ, one of them");
+}
+
+int trajectory(const TrajectoryOptions& options) {
+  checkTimesGiven(options);
+  const auto target = app::parseTrajectoryTarget(options.output);
+  const scene::Scene scene = loadScene(options);
+  const app::TrajectoryTimes times = requestedTimes(options, scene);
+  app::watchInterrupts();
+  const auto motion = scene::makeMotion(scene, times.earliest_s(), times.latest_s());
+  const auto write = [&](const app::TextSink& sink) {
+    app::writeTrajectory(*motion, times, target.format, scene.name, sink);
+  };
+  if (target.isStream())
+    write(writeOut);
+  else
+    writeToFile(options, target, write);
+  return kDone;
+}
+
+}  // namespace
+
+void addTrajectory(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<TrajectoryOptions>();
+  CLI::App* command =
+      program.add_subcommand("trajectory", "write the motion as numbers, to test an engine against");
+  addSceneOptions(*command, *options);
+  command->add_option("--at", options->at, "motion times in s, any order, such as 0,-3.5,1e9")
+      ->type_name("T1,T2,...")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
+  command
+      ->add_option("--rate", options->rate, "rows per second of motion, over the film's span, both ends included")
+      ->type_name("HZ")
+      ->check(notEmpty());
+  command->add_option("-o,--output", options->output, "NAME.csv, NAME.json, or - for CSV on stdout (default)")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_flag("--force", options->force, "replace a file that this program did not write");
+  command->footer(
+      "Examples:\n"
+      "  poinsot trajectory scenes/football.toml --rate 100 -o out/football.csv\n"
+      "  poinsot trajectory scenes/football.toml --at=-3.5,0,1e6");
+  command->callback([options, &chosen] { chosen = [options] { return trajectory(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/scene_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/scene_request.h"
+
+namespace poinsot::cli {
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+  command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
+  command.add_option("-D", options.overrides, "set a key of the scene, above what the file says")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Validator notEmpty() {
+  return {[](std::string& word) -> std::string { return word.empty() ? "is empty" : ""; }, "", ""};
+}
+
+scene::Scene loadScene(const SceneOptions& options) {
+  return app::loadRequested(app::readSceneRequest(options.scene, options.overrides));
+}
+
+}  // namespace poinsot::cli

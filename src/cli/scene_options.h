@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace CLI {
+class App;
+class Validator;
+}  // namespace CLI
+
+namespace poinsot::cli {
+
+/// Words of the command line common to every command that reads one scene, as typed.
+struct SceneOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+};
+
+/// Declares SCENE and -D.
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+
+/// Refuses '' as a value, most often a shell variable without one, which would else count as not given.
+CLI::Validator notEmpty();
+
+/// Reads and checks the scene file, with -D above it.
+/// @throws scene::SceneErrors, core::Error(kScene)
+scene::Scene loadScene(const SceneOptions& options);
+
+}  // namespace poinsot::cli

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// What other programs read: columns, order, digits, exit codes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/program_run.h"
+#include "support/development_examples.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string kHeader =
+    "t,q_w,q_x,q_y,q_z,omega_B_x,omega_B_y,omega_B_z,omega_W_x,omega_W_y,omega_W_z,L_W_x,L_W_y,L_W_z,T";
+
+/// Rows as text, without the header; fails the test where the file is not rectangular.
+std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, kHeader);
+  std::vector<std::vector<std::string>> rows;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    auto& row = rows.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
+    EXPECT_EQ(row.size(), 15u) << line;
+  }
+  return rows;
+}
+
+std::vector<std::string> timesOf(const std::string& csv) {
+  std::vector<std::string> times;
+  for (const auto& row : rowsOf(csv)) times.push_back(row.at(0));
+  return times;
+}
+
+template <typename Vector>
+std::string listed(const Vector& v) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int i = 0; i < v.size(); ++i) text << (i ? ", " : "[") << v[i];
+  return text.str() + "]";
+}
+
+std::string sceneOf(const physics::Example& e) {
+  const Eigen::Vector4d q(e.q0.w(), e.q0.x(), e.q0.y(), e.q0.z());
+  return "[body]\nprincipal_moments = " + listed(e.I) + "\n[motion]\nomega_body = " + listed(e.omega0) +
+         "\norientation = " + listed(q) + "\n";
+}
+
+/// Angle between two unit quaternions, rad, of either sign, in extended precision: 2 atan2(|vector|, |scalar|) of
+/// conj(a) b.
+double angle(const std::vector<std::string>& row, const Eigen::Quaterniond& expected) {
+  using Q = Eigen::Quaternion<long double>;
+  const Q a(std::stod(row[1]), std::stod(row[2]), std::stod(row[3]), std::stod(row[4]));
+  const Q d = a.conjugate() * expected.cast<long double>();
+  return static_cast<double>(2 * std::atan2(d.vec().norm(), std::abs(d.w())));
+}
+
+TEST(TrajectoryCommand, DevelopmentExamples) {
+  const ScratchFolder folder;
+  for (const physics::Example& e : physics::kExamples) {
+    folder.put("e.toml", sceneOf(e));
+    std::ostringstream at;
+    at << "--at=" << e.t_s;
+    const auto result = run(folder, {"trajectory", "e.toml", at.str()});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.err, IsEmpty());
+    const auto row = rowsOf(result.out).at(0);
+    EXPECT_LE(angle(row, e.q_WB), 4e-15) << e.name;  // measured: at most 3.1e-16
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(std::stod(row[5 + static_cast<std::size_t>(i)]), e.omega_B[i], 1e-15) << e.name;
+    const double L = std::hypot(std::stod(row[11]), std::stod(row[12]), std::stod(row[13]));
+    EXPECT_NEAR(L, e.L, 1e-15 * e.L);
+    EXPECT_NEAR(2 * std::stod(row[14]) / L, e.planeHeight, 1e-15 * e.planeHeight);
+  }
+}
+
+TEST(TrajectoryCommand, OneRowPerTimeInTheOrderAsked) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  EXPECT_EQ(timesOf(run(folder, {"trajectory", "a.toml", "--at", "-3.5,2"}).out),
+            (std::vector<std::string>{"-3.5", "2"}));
+  EXPECT_EQ(timesOf(run(folder, {"trajectory", "a.toml", "--at=-3.5"}).out), std::vector<std::string>{"-3.5"});
+  EXPECT_EQ(timesOf(run(folder, {"trajectory", "--at", "-.5", "a.toml"}).out), std::vector<std::string>{"-0.5"});
+  EXPECT_EQ(timesOf(run(folder, {"trajectory", "a.toml", "--at", "2,0,2, 90 ms ,1e9"}).out),
+            (std::vector<std::string>{"2", "0", "2", "0.09", "1e+09"}));
+  EXPECT_EQ(timesOf(run(folder, {"trajectory", "a.toml", "--at", "1", "--at", "0"}).out),
+            (std::vector<std::string>{"1", "0"}));
+  EXPECT_EQ(timesOf(run(folder, {"trajectory", "a.toml", "--at",
+                                 "0.1000000000000000055511151231257827021181583404541015625"})
+                        .out),
+            std::vector<std::string>{"0.1"});
+}
+
+TEST(TrajectoryCommand, NegativeTimesGoBackwards) {
+  // From the state at -3.5 as the start, 3.5 s later is the start of the scene.
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const auto before = rowsOf(run(folder, {"trajectory", "a.toml", "--at", "-3.5,0"}).out);
+  const auto& b = before[0];
+  const auto after =
+      rowsOf(run(folder, {"trajectory", "a.toml", "--at=3.5", "-D",
+                          "motion.omega_body=[" + b[5] + "," + b[6] + "," + b[7] + "]", "-D",
+                          "motion.orientation=[" + b[1] + "," + b[2] + "," + b[3] + "," + b[4] + "]"})
+                 .out);
+  for (std::size_t i = 1; i < 15; ++i)
+    EXPECT_NEAR(std::stod(after[0][i]), std::stod(before[1][i]), 1e-12)
+        << i;  // 35 rad of turning; measured 2e-14, of 20
+}
+
+TEST(TrajectoryCommand, ARateCoversTheFilmInMotionTime) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);  // 4 s of film
+  const auto out =
+      run(folder, {"trajectory", "a.toml", "--rate", "4", "-D", "time.speed=0.5", "-D", "time.start=\"-1 s\""});
+  EXPECT_EQ(timesOf(out.out),
+            (std::vector<std::string>{"-1", "-0.75", "-0.5", "-0.25", "0", "0.25", "0.5", "0.75", "1"}));
+}
+
+TEST(TrajectoryCommand, FilesAreWhatStdoutIs) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const auto out = run(folder, {"trajectory", "a.toml", "--at", "0,1", "-o", "-"});
+  EXPECT_EQ(run(folder, {"trajectory", "a.toml", "--at", "0,1"}).out, out.out);
+  const auto file = run(folder, {"trajectory", "a.toml", "--at", "0,1", "-o", "a.csv"});
+  EXPECT_EQ(file.exitCode, 0);
+  EXPECT_THAT(file.out, IsEmpty());
+  EXPECT_EQ(bytesOf(folder / "a.csv"), out.out);
+  EXPECT_EQ(run(folder, {"trajectory", "a.toml", "--at", "0", "-o", "a.csv"}).exitCode, 0);  // its own is replaced
+  EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"a.csv", "a.toml"}));
+}
+
+TEST(TrajectoryCommand, JsonHoldsTheSameNumbers) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const auto rows = rowsOf(run(folder, {"trajectory", "a.toml", "--at", "0.3,-7"}).out);
+  ASSERT_EQ(run(folder, {"trajectory", "a.toml", "--at", "0.3,-7", "-o", "a.json"}).exitCode, 0);
+  const auto json = nlohmann::json::parse(bytesOf(folder / "a.json"));
+  EXPECT_EQ(json.at("scene"), "a");
+  std::string header;
+  for (const std::string name : json.at("columns")) {
+    header += (header.empty() ? "" : ",") + name;
+    EXPECT_TRUE(json.at("units").contains(name));
+  }
+  EXPECT_EQ(header, kHeader);
+  EXPECT_EQ(json.at("units").at("L_W_x"), "kg m^2/s");
+  ASSERT_EQ(json.at("rows").size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 15; ++j)
+      EXPECT_EQ(json.at("rows")[i][j].get<double>(), std::stod(rows[i][j])) << i << " " << j;
+}
+
+struct BadRequest {
+  std::vector<std::string> words;
+  int exitCode;
+  std::string says;
+};
+
+TEST(TrajectoryCommand, Mistakes) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  folder.put("theirs.csv", "precious\n");
+  const BadRequest cases[] = {
+      {{}, 2, "--at T1,T2,... or --rate HZ"},
+      {{"--at", "1", "--rate", "2"}, 2, "one of them"},
+      {{"--at", "1,,2"}, 2, "--at '': expected a time"},
+      {{"--at", "soon"}, 2, "--at 'soon'"},
+      {{"--at", "nan"}, 2, "no motion time: nan"},
+      {{"--at", "1e400"}, 2, "no motion time: inf"},
+      {{"--at", "1e308"}, 2, "so far from the start"},
+      {{"--at", ""}, 2, "--at: is empty"},
+      {{"--rate", "0"}, 2, "--rate '0'"},
+      {{"--rate", "-5"}, 2, "--rate '-5'"},
+      {{"--at", "1", "-o", "a.txt"}, 2, "output 'a.txt': works: NAME.csv, NAME.json, -"},
+      {{"--at", "1", "-o", "no/a.csv"}, 4, "no such folder"},
+      {{"--at", "1", "-o", "theirs.csv"}, 4, "exists and was not written by poinsot"},
+      {{"--at", "1", "-D", "body.principal_moments=[1,2,9]"}, 2, "I3 must not exceed I1 + I2"},
+  };
+  for (const BadRequest& bad : cases) {
+    std::vector<std::string> words{"trajectory", "a.toml"};
+    words.insert(words.end(), bad.words.begin(), bad.words.end());
+    const auto result = run(folder, words);
+    EXPECT_EQ(result.exitCode, bad.exitCode) << bad.says << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr(bad.says));
+    EXPECT_THAT(result.err, testing::Not(HasSubstr("logic")));
+  }
+  EXPECT_EQ(bytesOf(folder / "theirs.csv"), "precious\n");
+  EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"a.toml", "theirs.csv"}));
+}
+
+TEST(TrajectoryCommand, LostBytesAreAnError) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const std::vector<std::string> words{"trajectory", "a.toml", "--rate", "1000"};  // more than a pipe holds
+  EXPECT_EQ(run(folder, words, Stdout::kFull).exitCode, 4);
+  EXPECT_EQ(run(folder, words, Stdout::kClosed).exitCode, 4);
+  EXPECT_EQ(run(folder, words, Stdout::kBrokenPipe).exitCode, 141);
+}
+
+}  // namespace
+}  // namespace poinsot
