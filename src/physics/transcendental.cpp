@@ -33,9 +33,19 @@ constexpr std::array<double, N> inverseFactorials(int first, int step, double si
 // The first term left out is below 1e-19 of the result on the interval named.
 constexpr auto kSine = inverseFactorials<8>(3, 2, -1);         // (x - sin x)/x^3, |x| <= pi/4
 constexpr auto kCosine = inverseFactorials<8>(4, 2, -1);       // (cos x - 1 + x^2/2)/x^4, |x| <= pi/4
-constexpr auto kExponential = inverseFactorials<13>(2, 1, 1);  // (e^x - 1 - x)/x^2, |x| <= ln2/2
-constexpr auto kSinh = inverseFactorials<9>(3, 2, 1);          // (sinh x - x)/x^3, |x| <= 1
-constexpr std::array<double, 7> kArcTangent = {-1. / 3, 1. / 5, -1. / 7, 1. / 9, -1. / 11, 1. / 13, -1. / 15};
+constexpr auto kExponential = inverseFactorials<12>(3, 1, 1);  // (e^x - 1 - x - x^2/2)/x^3, |x| <= ln2/2
+constexpr auto kSinh = inverseFactorials<6>(3, 2, 1);          // (sinh x - x)/x^3, |x| <= 1/4
+
+/// 1/3, sign/5, 1/7, ...: of the arc tangent and its hyperbolic brother.
+template <std::size_t N>
+constexpr std::array<double, N> oddInverses(double first, double sign) {
+  std::array<double, N> c{};
+  double signed1 = first;
+  for (std::size_t k = 0; k < N; ++k, signed1 *= sign) c[k] = signed1 / (2.0 * static_cast<double>(k) + 3);
+  return c;
+}
+constexpr auto kArcTangent = oddInverses<11>(-1, -1);  // (atan t - t)/t^3, |t| <= 3/16
+constexpr auto kArcTanh = oddInverses<11>(1, 1);       // (artanh t - t)/t^3, |t| <= 3 - sqrt 8
 
 /// sin(x + tail), |x| <= pi/4; the tail enters to first order.
 double sineNearZero(double x, double tail) {
@@ -64,23 +74,50 @@ constexpr std::array<DoubleDouble, 9> kArcTangentOfEighths = {{{0, 0},
                                                                {0.7188299996216245, -2.1478388444456983e-17},
                                                                {0.7853981633974483, 3.061616997868383e-17}}};
 
-/// atan of numerator/denominator in [0, 1] as hi + lo: atan(k/8) plus the series of what is left, at most 1/16.
+/// atan of numerator/denominator in [0, 1] as hi + lo: atan(k/8) plus the series of what is left. That is at most
+/// 1/16, or 3/16 where k would be 1 and the two would cancel.
 DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
-  const double nearest = std::round(8 * numerator / denominator);
+  double nearest = std::round(8 * numerator / denominator);
+  if (nearest == 1) nearest = 0;
   const double c = nearest / 8;
-  const double t = (numerator - c * denominator) / (denominator + c * numerator);
+  const DoubleDouble halves = splitInHalves(denominator);
+  const double rest = (numerator - c * halves.hi) - c * halves.lo;  // c has 4 bits: both products are exact
+  const double sum = denominator + c * numerator;
+  const double lost = (denominator - sum) + c * numerator;  // what rounding took from the sum
+  const double t = rest / sum;
   const double square = t * t;
-  const double series = t + t * square * polynomial(kArcTangent, square);
+  const double series = t * square * polynomial(kArcTangent, square) - t * (lost / sum);
   const DoubleDouble& base = kArcTangentOfEighths[static_cast<std::size_t>(nearest)];
-  const DoubleDouble sum = twoSum(base.hi, series);
-  return {sum.hi, sum.lo + base.lo};
+  const DoubleDouble leading = twoSum(base.hi, t);
+  return quickTwoSum(leading.hi, leading.lo + (series + base.lo));
 }
-
-constexpr std::array<double, 11> kArcTanh = {1. / 3,  1. / 5,  1. / 7,  1. / 9,  1. / 11, 1. / 13,
-                                             1. / 15, 1. / 17, 1. / 19, 1. / 21, 1. / 23};  // |x| <= 3 - sqrt 8
 
 constexpr DoubleDouble kLn2{0.6931471805599453, 2.3190468138462996e-17};
 constexpr double kSmallestExponent = -746;  // e^-746 is below half the smallest subnormal
+
+/// 2^exponent (hi + lo), hi + lo between 0.7 and 1.42.
+struct ScaledValue {
+  DoubleDouble significand;
+  int exponent = 0;
+};
+
+/// e^x to 2^-60. @pre |x| < 2^30.
+ScaledValue scaledExponential(double x) {
+  const double n = std::round(x / kLn2.hi);
+  const DoubleDouble r = DoubleDouble(x) - kLn2 * DoubleDouble(n);
+  const DoubleDouble square = twoProduct(r.hi, r.hi);
+  const double tail = r.hi * square.hi * polynomial(kExponential, r.hi) + (0.5 * square.lo + r.hi * r.lo);
+  return {DoubleDouble(1) + (r + (DoubleDouble(0.5 * square.hi) + tail)), static_cast<int>(n)};
+}
+
+DoubleDouble scaled(const DoubleDouble& x, int exponent) {
+  return {std::ldexp(x.hi, exponent), std::ldexp(x.lo, exponent)};
+}
+
+// Beyond it e^-2|u| is below half an ulp of 1: tanh is 1, sech is 2 e^-|u|.
+constexpr double kTanhIsOne = 20;
+// Below it sinh is a series: 1 - e^-2|u| would cancel.
+constexpr double kSinhIsASeries = 0.25;
 
 }  // namespace
 
@@ -96,22 +133,23 @@ SineCosine sineCosine(const DoubleDouble& angle) {
 
 double arcTangent(double x) {
   const double size = std::abs(x);
-  if (size <= 1) {
-    const DoubleDouble angle = arcTangentOfFraction(size, 1);
-    return std::copysign(angle.hi + angle.lo, x);
-  }
-  const DoubleDouble complement = std::isinf(size) ? DoubleDouble(0) : arcTangentOfFraction(1, size);
-  const DoubleDouble angle = kHalfPi - complement;
-  return std::copysign(angle.hi + angle.lo, x);
+  if (size <= 1) return std::copysign(arcTangentOfFraction(size, 1).hi, x);
+  // Beyond 2^60 the complement is below half an ulp of pi/2 (and its halves would overflow in the end).
+  const DoubleDouble complement = size > 0x1p60 ? DoubleDouble(0) : arcTangentOfFraction(1, size);
+  return std::copysign((kHalfPi - complement).hi, x);
 }
 
 double exponential(double x) {
   if (x < kSmallestExponent) return 0;
-  const double n = std::round(x / kLn2.hi);
-  const DoubleDouble rest = DoubleDouble(x) - kLn2 * DoubleDouble(n);
-  const double r = rest.hi;
-  const double power = 1 + (r + (r * r * polynomial(kExponential, r) + rest.lo));
-  return std::ldexp(power, static_cast<int>(n));
+  const ScaledValue e = scaledExponential(x);
+  return std::ldexp(e.significand.hi, e.exponent);
+}
+
+double exponentialLessOne(double x) {
+  constexpr double kNothingLeft = -80;  // e^x is below half an ulp of 1
+  if (x < kNothingLeft) return -1;
+  const ScaledValue e = scaledExponential(x);
+  return (scaled(e.significand, e.exponent) - DoubleDouble(1)).hi;
 }
 
 // ln x = n ln 2 + 2 artanh t,  t = (f - 1)/(f + 1),  x = 2^n f,  f within sqrt 2 of 1.
@@ -131,12 +169,14 @@ double logarithm(double x) {
 
 HyperbolicPair hyperbolicPair(double u) {
   const double size = std::abs(u);
-  const double e = exponential(-size);
-  const double sech = 2 * e / (1 + e * e);
-  if (size > 1) return {std::copysign((1 - e * e) / (1 + e * e), u), sech};
-  // 1 - e^2 would cancel.
-  const double square = u * u;
-  return {(u + u * square * polynomial(kSinh, square)) * sech, sech};
+  if (size > kTanhIsOne) return {std::copysign(1, u), 2 * exponential(-size)};
+  const ScaledValue factor = scaledExponential(-size);
+  const DoubleDouble e = scaled(factor.significand, factor.exponent), square = e * e;
+  const DoubleDouble sech = e * 2.0 / (DoubleDouble(1) + square);
+  if (size > kSinhIsASeries)
+    return {std::copysign(((DoubleDouble(1) - square) / (DoubleDouble(1) + square)).hi, u), sech.hi};
+  const DoubleDouble sinh = quickTwoSum(u, u * (u * u) * polynomial(kSinh, u * u));
+  return {(sinh * sech).hi, sech.hi};
 }
 
 }  // namespace poinsot::physics

@@ -6,22 +6,27 @@
 namespace poinsot::physics {
 
 // The transcendental functions of the motion, from + - * / sqrt only. The C library's choose their code (and so
-// their last bit) by the CPU they find; these give one trajectory on every machine. Within 1 ulp, the hyperbolic
-// pair within 2.5; the measured errors stand in tests/physics/transcendental_test.cpp.
+// their last bit) by the CPU they find; these give one trajectory on every machine. Within 1 ulp; the measured
+// errors stand in tests/physics/transcendental_test.cpp.
 
 struct SineCosine {
   double sine = 0;
   double cosine = 1;
 };
 
-/// Of an angle in radians. @pre |angle| < 2^53.
+/// Of an angle in radians: to 1 ulp, or, where the result is near 0, to 2^-103 of the angle. @pre |angle| < 2^53.
 SineCosine sineCosine(const DoubleDouble& angle);
 
 /// In radians, within [-pi/2, pi/2]; atan(+-inf) = +-pi/2.
 double arcTangent(double x);
 
-/// e^x; 0 below the smallest double. @pre x <= 700.
+inline constexpr double kLargestExponent = 700;
+
+/// e^x; 0 below the smallest double. @pre x <= kLargestExponent.
 double exponential(double x);
+
+/// e^x - 1, all digits kept near 0. @pre x <= kLargestExponent.
+double exponentialLessOne(double x);
 
 /// ln x. @pre x > 0.
 double logarithm(double x);

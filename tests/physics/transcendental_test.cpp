@@ -42,6 +42,8 @@ const auto cosine = [](double x) { return sineCosine(x).cosine; };
 const auto tanhOf = [](double x) { return hyperbolicPair(x).tanh; };
 const auto sechOf = [](double x) { return hyperbolicPair(x).sech; };
 
+Real exact(const DoubleDouble& x) { return Real(x.hi) + Real(x.lo); }
+
 TEST(Transcendental, SineAndCosine) {
   const auto turns = [](Draw& draw) { return draw.between(-7, 7); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };
@@ -53,23 +55,60 @@ TEST(Transcendental, SineAndCosine) {
   expectResidual("cos small, ulp", worstUlps(4, small, cosine, cos50), 1);  // measured 0.68
 }
 
+TEST(Transcendental, SineAndCosineOfADoubleDouble) {
+  Draw draw(13);
+  double worst = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const double hi = draw.sign() * draw.decade(-3, 9);
+    const DoubleDouble angle = twoSum(hi, hi * draw.between(-1, 1) * 0x1p-54);
+    const SineCosine measured = sineCosine(angle);
+    worst = std::max(
+        {worst, ulps(measured.sine, Real(sin(exact(angle)))), ulps(measured.cosine, Real(cos(exact(angle))))});
+  }
+  expectResidual("sin and cos to 1e9 rad, ulp", worst, 1);  // measured 0.75
+}
+
+/// The doubles nearest to multiples of pi/2, where 106 bits of pi/2 limit what is left of the angle.
+TEST(Transcendental, SineAndCosineAtTheirZeros) {
+  double worst = 0;
+  for (int k = 1; k < 2000000; k = 3 * k + 1) {
+    const double angle = (kHalfPi * DoubleDouble(k)).hi;
+    const SineCosine measured = sineCosine(angle);
+    const Real error =
+        k % 2 == 0 ? Real(Real(measured.sine) - sin(Real(angle))) : Real(Real(measured.cosine) - cos(Real(angle)));
+    worst = std::max(worst, std::abs(static_cast<double>(error)) / angle);
+  }
+  expectResidual("sin and cos at their zeros, of the angle", worst, 0x1p-103);  // measured 5.6e-33
+}
+
 TEST(Transcendental, ArcTangent) {
   const auto any = [](Draw& draw) { return draw.sign() * draw.decade(-20, 20); };
   const auto near1 = [](Draw& draw) { return draw.between(-3, 3); };
+  // Where a term of the table takes over from its neighbour, and where the result is just below a power of two.
+  const auto seams = [](Draw& draw) {
+    const double seam = std::round(draw.between(0, 17)) / 16 * (1 + draw.between(-1, 1) * 0x1p-8);
+    return draw.sign() > 0 ? seam : 1 / (seam + 0x1p-40);
+  };
   const auto atan50 = [](const Real& x) { return Real(atan(x)); };
-  expectResidual("atan, ulp", worstUlps(5, any, arcTangent, atan50), 1);           // measured 0.88
-  expectResidual("atan near 1, ulp", worstUlps(6, near1, arcTangent, atan50), 1);  // measured 0.98
+  expectResidual("atan, ulp", worstUlps(5, any, arcTangent, atan50), 1);                  // measured 0.55
+  expectResidual("atan near 1, ulp", worstUlps(6, near1, arcTangent, atan50), 1);         // measured 0.60
+  expectResidual("atan at its seams, ulp", worstUlps(14, seams, arcTangent, atan50), 1);  // measured 0.60
   EXPECT_EQ(arcTangent(std::numeric_limits<double>::infinity()), kHalfPi.hi);
   EXPECT_EQ(arcTangent(-std::numeric_limits<double>::infinity()), -kHalfPi.hi);
+  EXPECT_EQ(arcTangent(std::numeric_limits<double>::max()), kHalfPi.hi);
   EXPECT_EQ(arcTangent(0), 0);
 }
 
 TEST(Transcendental, Exponential) {
   const auto range = [](Draw& draw) { return draw.between(-700, 700); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };
+  const auto moderate = [](Draw& draw) { return draw.between(-5, 5); };
+  const auto subnormal = [](Draw& draw) { return draw.between(-745, -708); };
   const auto exp50 = [](const Real& x) { return Real(exp(x)); };
-  expectResidual("exp, ulp", worstUlps(7, range, exponential, exp50), 1);        // measured 0.85
-  expectResidual("exp small, ulp", worstUlps(8, small, exponential, exp50), 1);  // measured 0.73
+  expectResidual("exp, ulp", worstUlps(7, range, exponential, exp50), 1);                 // measured 0.51
+  expectResidual("exp small, ulp", worstUlps(8, small, exponential, exp50), 1);           // measured 0.51
+  expectResidual("exp moderate, ulp", worstUlps(15, moderate, exponential, exp50), 1);    // measured 0.51
+  expectResidual("exp subnormal, ulp", worstUlps(16, subnormal, exponential, exp50), 1);  // measured 0.75
   EXPECT_EQ(exponential(0), 1);
   EXPECT_EQ(exponential(-800), 0);
 }
@@ -85,13 +124,20 @@ TEST(Transcendental, Logarithm) {
 
 TEST(Transcendental, HyperbolicPair) {
   const auto range = [](Draw& draw) { return draw.between(-40, 40); };
+  const auto middle = [](Draw& draw) { return draw.between(-2, 2); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0.5); };
+  const auto large = [](Draw& draw) { return draw.sign() * draw.decade(1, 2.85); };
   const auto tanh50 = [](const Real& x) { return Real(tanh(x)); };
   const auto sech50 = [](const Real& x) { return Real(1 / cosh(x)); };
-  expectResidual("tanh, ulp", worstUlps(9, range, tanhOf, tanh50), 3);         // measured 2.2
-  expectResidual("tanh small, ulp", worstUlps(10, small, tanhOf, tanh50), 3);  // measured 2.2
-  expectResidual("sech, ulp", worstUlps(11, range, sechOf, sech50), 3);        // measured 1.9
-  expectResidual("sech small, ulp", worstUlps(12, small, sechOf, sech50), 3);  // measured 1.8
+  expectResidual("tanh, ulp", worstUlps(9, range, tanhOf, tanh50), 1);           // measured 0.51
+  expectResidual("tanh middle, ulp", worstUlps(17, middle, tanhOf, tanh50), 1);  // measured 0.53
+  expectResidual("tanh small, ulp", worstUlps(10, small, tanhOf, tanh50), 1);    // measured 0.52
+  expectResidual("sech, ulp", worstUlps(11, range, sechOf, sech50), 1);          // measured 0.51
+  expectResidual("sech middle, ulp", worstUlps(18, middle, sechOf, sech50), 1);  // measured 0.51
+  expectResidual("sech small, ulp", worstUlps(12, small, sechOf, sech50), 1);    // measured 0.51
+  expectResidual("sech large, ulp", worstUlps(19, large, sechOf, sech50), 1);    // measured 0.52
+  EXPECT_EQ(hyperbolicPair(0).tanh, 0);
+  EXPECT_EQ(hyperbolicPair(0).sech, 1);
   EXPECT_EQ(hyperbolicPair(-1e4).tanh, -1);
   EXPECT_EQ(hyperbolicPair(1e4).sech, 0);
 }
