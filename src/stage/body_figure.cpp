@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numbers>
 
-#include "stage/to_picture.h"
+#include "stage/parts_figure.h"
+#include "stage/round_sketch.h"
 
 namespace poinsot::stage {
 namespace {
@@ -17,123 +16,53 @@ using Eigen::Vector3d;
 
 constexpr double kThinnest = 0.07;  // of the longest half edge: what is drawn of a lamina
 
-/// Puts points given in body axes, in metres, into the picture.
-struct Placement {
-  Matrix3d R_VB;
-  double scale;
-  glm::vec3 operator()(const Vector3d& p_B) const { return toPicture(Vector3d(scale * (R_VB * p_B))); }
-  float length(double metres) const { return static_cast<float>(scale * metres); }
-};
-
-struct Pen {
-  draw::DrawList& list;
-  Placement place;
-  const Palette& colors;
-  double lineWidth_px;
-
-  void line(const std::vector<Vector3d>& points_B, bool closed, double width = 1) const {
-    draw::Curve curve;
-    for (const Vector3d& p : points_B) curve.points_W.push_back(place(p));
-    curve.closed = closed;
-    curve.width_px = static_cast<float>(width * lineWidth_px);
-    curve.lift_W = 0.02f;
-    curve.material.color = colors.bodyEdge;
-    list.curves.push_back(std::move(curve));
+/// The largest |A p| on a piece. |A p| is convex, so it is greatest at a support point; from a start one climbs to
+/// the nearest such summit, p -> the support point in the direction of Aᵀ A p.
+double farthest(const Piece& piece, const Matrix3d& A) {
+  constexpr int kSteps = 40;  // a step gains least on a nearly round body, where little is to be gained
+  double most = 0;
+  for (const Vector3d& start : cubeDirections()) {
+    Vector3d direction = A.transpose() * start;
+    double reached = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const Vector3d image = A * supportPoint(piece, direction);
+      if (!(image.norm() > reached)) break;
+      reached = image.norm();
+      direction = A.transpose() * image;
+    }
+    most = std::max(most, reached);
   }
-
-  void tube(const std::vector<Vector3d>& points_B, bool closed, double radius_m) const {
-    draw::Curve curve;
-    for (const Vector3d& p : points_B) curve.points_W.push_back(place(p));
-    curve.closed = closed;
-    curve.radius_W = place.length(radius_m);
-    curve.material.color = colors.body;
-    list.curves.push_back(std::move(curve));
-  }
-
-  void frustum(const Vector3d& from_B, const Vector3d& to_B, double fromRadius, double toRadius) const {
-    list.frustums.push_back(
-        {place(from_B), place(to_B), place.length(fromRadius), place.length(toRadius), {colors.body, 0.35f}});
-  }
-};
-
-std::vector<Vector3d> loop(int points, const std::function<Vector3d(double)>& at) {
-  std::vector<Vector3d> result;
-  for (int i = 0; i < points; ++i) result.push_back(at(2 * std::numbers::pi * i / points));
-  return result;
+  return most;
 }
 
-void addBox(const Pen& pen, const Vector3d& h) {
-  pen.list.boxes.push_back({glm::vec3(0),
-                            toPicture(Matrix3d(pen.place.scale * pen.place.R_VB * h.asDiagonal())),
-                            {pen.colors.body, 0.15f}});
-  for (const double z : {-h.z(), h.z()})
-    pen.line({{-h.x(), -h.y(), z}, {h.x(), -h.y(), z}, {h.x(), h.y(), z}, {-h.x(), h.y(), z}}, true);
-  for (const double x : {-h.x(), h.x()})
-    for (const double y : {-h.y(), h.y()}) pen.line({{x, y, -h.z()}, {x, y, h.z()}}, false);
+Figure equivalentBoxFigure(const physics::PrincipalAxes& axes) {
+  Figure figure;
+  const Sketch sketch(figure, axes.q_BP().toRotationMatrix(), Vector3d::Zero());
+  sketch.box(Vector3d::Zero(), equivalentBox(axes.moments()));
+  return figure;
 }
 
-// Its rings go about the longest axis, or about z where it is nearly a ball.
-void addEllipsoid(const Pen& pen, const Vector3d& h) {
-  int longest = 2;
-  if (h.maxCoeff() > 1.1 * h.minCoeff()) h.maxCoeff(&longest);
-  const Matrix3d axes = pen.place.scale * pen.place.R_VB * h.asDiagonal();
-  Matrix3d polar;
-  polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
-  pen.list.ellipsoids.push_back({glm::vec3(0),
-                                 toPicture(polar),
-                                 {pen.colors.body, 0.5f},
-                                 pen.colors.bodyEdge,
-                                 static_cast<float>(pen.lineWidth_px)});
+/// Standing on the fixed point, about the principal axis nearest to the centre of mass.
+Figure equivalentConeFigure(const physics::PrincipalAxes& axes, const Vector3d& gravity_B) {
+  const Vector3d gravity_P = axes.toP(gravity_B);
+  int axis = 2;
+  gravity_P.cwiseAbs().maxCoeff(&axis);
+  const Vector3d lengths = equivalentCone(axes.moments(), axis);
+  const double way = gravity_P[axis] < 0 ? -1 : 1;
+  Matrix3d R_PS;  // S: the cone's, z from apex to base
+  R_PS << Vector3d::Unit((axis + 1) % 3), way * Vector3d::Unit((axis + 2) % 3), way * Vector3d::Unit(axis);
+  Figure figure;
+  const Sketch sketch(figure, axes.q_BP().toRotationMatrix() * R_PS, Vector3d::Zero());
+  addTop(sketch, {lengths[(axis + 1) % 3], lengths[(axis + 2) % 3], lengths[axis]});
+  return figure;
 }
 
-void addCylinder(const Pen& pen, const Vector3d& h) {
-  pen.frustum({0, 0, -h.z()}, {0, 0, h.z()}, h.x(), h.x());
-  const auto rim = [&](double z) {
-    return loop(96, [&, z](double s) { return Vector3d(h.x() * std::cos(s), h.x() * std::sin(s), z); });
-  };
-  pen.line(rim(-h.z()), true);
-  pen.line(rim(h.z()), true);
-  for (const double angle : {0.0, 2.0944, 4.1888}) {
-    const double x = h.x() * std::cos(angle), y = h.x() * std::sin(angle);
-    pen.line({{x, y, -h.z()}, {x, y, h.z()}}, false, angle == 0 ? 1.8 : 1);
-    pen.line({{0, 0, h.z()}, {x, y, h.z()}}, false, angle == 0 ? 1.8 : 1);
-    pen.line({{0, 0, -h.z()}, {x, y, -h.z()}}, false, angle == 0 ? 1.8 : 1);
-  }
-}
-
-// Where the racket's parts are along its axis x, from the centre of mass (table 3.1 of the inertia: masses of hoop
-// and handle rod 0.17 : 0.16).
-struct RacketPlan {
-  double hoopRadius, hoopCentre, butt, throat;
-  explicit RacketPlan(const Vector3d& size) {
-    const double handle = size.x() - size.y();
-    hoopRadius = 0.5 * size.y();
-    const double centre = (0.16 * 0.5 * handle + 0.17 * (handle + hoopRadius)) / 0.33;
-    butt = -centre;
-    throat = handle - centre;
-    hoopCentre = throat + hoopRadius;
-  }
-};
-
-void addRacket(const Pen& pen, const Vector3d& size) {
-  const RacketPlan plan(size);
-  const double frame = 0.035 * size.y(), R = plan.hoopRadius;
-  const auto onHoop = [&](double angle) {
-    return Vector3d(plan.hoopCentre + R * std::cos(angle), R * std::sin(angle), 0);
-  };
-  pen.tube(loop(128, onHoop), true, frame);
-  constexpr int kStrings = 9;
-  for (int i = 1; i < kStrings; ++i) {
-    const double c = R * (2.0 * i / kStrings - 1), half = std::sqrt(R * R - c * c) - 0.8 * frame;
-    pen.line({{plan.hoopCentre + c, -half, 0}, {plan.hoopCentre + c, half, 0}}, false, 0.7);
-    pen.line({{plan.hoopCentre - half, c, 0}, {plan.hoopCentre + half, c, 0}}, false, 0.7);
-  }
-  const double handle = plan.throat - plan.butt;
-  const Vector3d fork(plan.butt + 0.62 * handle, 0, 0), grip(plan.butt + 0.5 * handle, 0, 0);
-  for (const double angle : {0.78 * std::numbers::pi, -0.78 * std::numbers::pi})
-    pen.tube({fork, onHoop(angle)}, false, 0.8 * frame);
-  pen.tube({grip, fork}, false, 1.1 * frame);
-  pen.frustum({plan.butt, 0, 0}, grip, 1.75 * frame, 1.55 * frame);
+Figure figureOf(const scene::Scene& scene) {
+  const std::vector<scene::Part> shown = partsToShow(scene);
+  if (!shown.empty()) return partsFigure(shown, originOfFigure(scene, shown));
+  const Vector3d& gravity_B = scene.motion.forcing.gravity_B;
+  if (!gravity_B.isZero(0)) return equivalentConeFigure(scene.body.axes, gravity_B);
+  return equivalentBoxFigure(scene.body.axes);
 }
 
 }  // namespace
@@ -146,79 +75,49 @@ Vector3d equivalentBox(const physics::PrincipalMoments& moments) {
   return h.cwiseMax(kThinnest * h.maxCoeff()) / h.maxCoeff();
 }
 
-BodyFigure::BodyFigure(const scene::Scene& scene) {
-  if (scene.show.body.shape)
-    shape_ = *scene.show.body.shape;
-  else if (scene.body.shape)
-    shape_ = *scene.body.shape;
-  else
-    shape_ = {scene::ShapeKind::kBox, 2 * equivalentBox(scene.body.axes.moments())};
-  halfExtents_ = 0.5 * shape_.size_m;
+Vector3d equivalentCone(const physics::PrincipalMoments& moments, int axis) {
+  // About the apex of a cone with base semi-axes a, b and height h, ∫xx = 3/20 m a², ∫yy = 3/20 m b², ∫zz = 3/5 m
+  // h²; I1 = ∫yy + ∫zz and cyclic, so that ∫xx = (I2 + I3 - I1)/2.
+  const Vector3d I = moments.values() / moments.values().maxCoeff();
+  const Vector3d second = 0.5 * (Vector3d::Constant(I.sum()) - 2 * I).cwiseMax(0);
+  Vector3d lengths = (20.0 / 3 * second).cwiseSqrt();
+  lengths[axis] *= 0.5;
+  return lengths.cwiseMax(kThinnest * lengths.maxCoeff()) / lengths.maxCoeff();
 }
 
-std::vector<Vector3d> BodyFigure::outermostPoints() const {
-  const Vector3d& h = halfExtents_;
-  std::vector<Vector3d> points;
-  if (shape_.kind == scene::ShapeKind::kRacket) {
-    const RacketPlan plan(shape_.size_m);
-    points.emplace_back(plan.butt, 0, 0);
-    for (int i = -6; i <= 6; ++i) {
-      const double angle = std::numbers::pi * i / 6;
-      points.emplace_back(plan.hoopCentre + plan.hoopRadius * std::cos(angle), plan.hoopRadius * std::sin(angle),
-                          0);
-    }
-  } else if (shape_.kind == scene::ShapeKind::kEllipsoid) {
-    for (int axis = 0; axis < 3; ++axis) points.push_back(h[axis] * Vector3d::Unit(axis));
-  } else if (shape_.kind == scene::ShapeKind::kCylinder) {
-    for (const double angle : {0.0, 0.25, 0.5, 0.75})
-      points.emplace_back(h.x() * std::cos(2 * std::numbers::pi * angle),
-                          h.y() * std::sin(2 * std::numbers::pi * angle), h.z());
-  } else {
-    points.push_back(h);
+BodyFigure::BodyFigure(const scene::Scene& scene)
+    : figure_(figureOf(scene)), R_PB_(scene.body.axes.q_BP().toRotationMatrix().transpose()) {
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d axis_B = R_PB_.row(i).transpose();
+    reachAlongAxes_[i] = std::max(axis_B.dot(supportPoint(axis_B)), -axis_B.dot(supportPoint(-axis_B)));
   }
-  return points;
+}
+
+Vector3d BodyFigure::supportPoint(const Vector3d& direction_B) const {
+  Vector3d best = Vector3d::Zero();
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Piece& piece : figure_.pieces) {
+    const Vector3d point = stage::supportPoint(piece, direction_B);
+    if (point.dot(direction_B) <= most) continue;
+    most = point.dot(direction_B);
+    best = point;
+  }
+  return best;
 }
 
 double BodyFigure::gauge(const Vector3d& p_B) const {
-  const Vector3d q = p_B.cwiseAbs().cwiseQuotient(halfExtents_);
-  switch (shape_.kind) {
-    case scene::ShapeKind::kBox:
-      return q.maxCoeff();
-    case scene::ShapeKind::kEllipsoid:
-      return q.norm();
-    case scene::ShapeKind::kCylinder:
-      return std::max(std::hypot(q.x(), q.y()), q.z());
-    case scene::ShapeKind::kRacket:
-      return std::numeric_limits<double>::infinity();  // one sees through it
-  }
-  return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : figure_.pieces) least = std::min(least, stage::gauge(piece, p_B));
+  return least;
 }
 
-double BodyFigure::radius() const {
-  double farthest = 0;
-  for (const Vector3d& p : outermostPoints()) farthest = std::max(farthest, p.norm());
-  return farthest;
-}
+double BodyFigure::radius() const { return reachIn(Vector3d::Ones()); }
 
-double BodyFigure::reachIn(const Vector3d& semiAxes) const {
-  double farthest = 0;
-  for (const Vector3d& p : outermostPoints()) farthest = std::max(farthest, p.cwiseQuotient(semiAxes).norm());
-  return farthest;
-}
-
-void BodyFigure::add(draw::DrawList& list, const Matrix3d& R_VB, double scale, const Palette& colors,
-                     double lineWidth_px) const {
-  const Pen pen{list, {R_VB, scale}, colors, lineWidth_px};
-  switch (shape_.kind) {
-    case scene::ShapeKind::kBox:
-      return addBox(pen, halfExtents_);
-    case scene::ShapeKind::kEllipsoid:
-      return addEllipsoid(pen, halfExtents_);
-    case scene::ShapeKind::kCylinder:
-      return addCylinder(pen, halfExtents_);
-    case scene::ShapeKind::kRacket:
-      return addRacket(pen, shape_.size_m);
-  }
+double BodyFigure::reachIn(const Vector3d& semiAxes_P) const {
+  const Matrix3d A = semiAxes_P.cwiseInverse().asDiagonal() * R_PB_;
+  double most = 0;
+  for (const Piece& piece : figure_.pieces) most = std::max(most, farthest(piece, A));
+  return most;
 }
 
 }  // namespace poinsot::stage

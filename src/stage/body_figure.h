@@ -2,42 +2,52 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "draw/draw_list.h"
 #include "scene/scene.h"
+#include "stage/figure.h"
 #include "stage/palette.h"
 
 namespace poinsot::stage {
 
-/// The body as it is drawn: the shape to show, else the shape that set the inertia, else the uniform box that has
-/// the moments given.
+/// The body as it is drawn, its fixed point at the origin: the parts to show, else the parts that set the inertia,
+/// else what has the moments given: the uniform box, or under gravity the uniform cone on its apex.
 class BodyFigure {
  public:
   explicit BodyFigure(const scene::Scene& scene);
 
-  /// Half the extents along the body's axes, in m, about the centre of mass.
-  const Eigen::Vector3d& halfExtents() const { return halfExtents_; }
-  /// Distance of the farthest point from the centre of mass, in m.
+  /// How far it reaches from the fixed point along each principal axis, the farther of both ways, in m.
+  const Eigen::Vector3d& reachAlongAxes() const { return reachAlongAxes_; }
+  /// Distance of the farthest point from the fixed point, in m.
   double radius() const;
-  /// The factor by which an ellipsoid with these semi-axes must grow to hold the body.
-  double reachIn(const Eigen::Vector3d& semiAxes) const;
+  /// The factor by which an ellipsoid with these semi-axes along the principal axes must grow to hold the body.
+  double reachIn(const Eigen::Vector3d& semiAxes_P) const;
+  /// The farthest point in a direction of B, in m.
+  Eigen::Vector3d supportPoint(const Eigen::Vector3d& direction_B) const;
 
   /// How far out a point in metres lies: 1 on the body's surface, less inside, infinite where it hides nothing.
   double gauge(const Eigen::Vector3d& p_B) const;
 
   /// Adds the body at the origin of V; `scale` is picture lengths per metre.
   void add(draw::DrawList& list, const Eigen::Matrix3d& R_VB, double scale, const Palette& colors,
-           double lineWidth_px) const;
+           double lineWidth_px) const {
+    addFigure(list, figure_, {R_VB, scale}, colors, lineWidth_px);
+  }
 
  private:
-  std::vector<Eigen::Vector3d> outermostPoints() const;
-
-  scene::Shape shape_;
-  Eigen::Vector3d halfExtents_;
+  Figure figure_;
+  Eigen::Matrix3d R_PB_;
+  Eigen::Vector3d reachAlongAxes_;
 };
 
 /// Half the edges of the uniform box, of any mass, that has moments in these proportions; the smallest edge is
 /// kept visible where the body is a lamina. In arbitrary units: only the proportions count.
 Eigen::Vector3d equivalentBox(const physics::PrincipalMoments& moments);
+
+/// The uniform elliptic cone about principal axis `axis` (0 to 2), of any mass, that has moments in these
+/// proportions about its apex: its height along that axis, the semi-axes of its base along the others. In
+/// arbitrary units; flat cones are kept visible.
+Eigen::Vector3d equivalentCone(const physics::PrincipalMoments& moments, int axis);
 
 }  // namespace poinsot::stage

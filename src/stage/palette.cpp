@@ -22,6 +22,7 @@ Palette light() {
           .body = fromSrgb(0x2FB58C),
           .bodyEdge = fromSrgb(0x00543D),
           .axis = fromSrgb(0x009E73),
+          .rod = fromSrgb(0x9AA1AC),
           .sheetOpacity = 1};
 }
 
@@ -40,6 +41,7 @@ Palette dark() {
           .body = fromSrgb(0x2FB58C),
           .bodyEdge = fromSrgb(0x00382A),
           .axis = fromSrgb(0x2FCB9B),
+          .rod = fromSrgb(0x6B7280),
           .sheetOpacity = 0.3};
 }
 

@@ -13,6 +13,7 @@ struct Palette {
   draw::Color L, plane, planeLine;
   draw::Color omega, trail, futureTrail, ellipsoid, graticule;
   draw::Color body, bodyEdge, axis;
+  draw::Color rod;      ///< what holds a body together or up and has no mass
   double sheetOpacity;  ///< factor: in linear light a tint shows far more on dark paper than on white
 };
 

@@ -38,7 +38,7 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
     scales.lengthOfL = show.L.scale * (show.plane.visible ? height + kLBelowPlane : kLAbove);
     scales.reach = std::max(shown.maxCoeff(), scales.body * body.radius());
   } else {
-    scales.body = kBodyAlone * show.body.scale / body.halfExtents().maxCoeff();
+    scales.body = kBodyAlone * show.body.scale / body.reachAlongAxes().maxCoeff();
     scales.ellipsoid = omega > 0 ? kOmegaAlone / omega : 1;
     scales.lengthOfL = kLAbove * show.L.scale;
     scales.reach = scales.body * body.radius();

@@ -75,7 +75,7 @@ struct Stage::Plan {
 
   // One principal axis, from the centre to inside the ellipsoid or beyond the body.
   double axisLength(int axis) const {
-    const double body_length = kAxisBeyondBody * scales.body * body.halfExtents()[axis] + 0.12;
+    const double body_length = kAxisBeyondBody * scales.body * body.reachAlongAxes()[axis] + 0.12;
     if (!construction || !scene.show.ellipsoid.visible) return scene.show.principalAxes.scale * body_length;
     return scene.show.principalAxes.scale * kAxisInEllipsoid * construction->semiAxes()[axis];
   }

@@ -26,8 +26,8 @@ TEST(BodyFigure, FitsInsideTheEllipsoidItIsScaledTo) {
   const BodyFigure figure(sample());
   const Vector3d semiAxes(1, 0.8, 0.6);
   // A box touches first with its corner.
-  EXPECT_DOUBLE_EQ(figure.reachIn(semiAxes), figure.halfExtents().cwiseQuotient(semiAxes).norm());
-  EXPECT_DOUBLE_EQ(figure.radius(), figure.halfExtents().norm());
+  EXPECT_DOUBLE_EQ(figure.reachIn(semiAxes), figure.reachAlongAxes().cwiseQuotient(semiAxes).norm());
+  EXPECT_DOUBLE_EQ(figure.radius(), figure.reachAlongAxes().norm());
 }
 
 TEST(BodyFigure, DrawsTheShapeAskedFor) {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/mesh.h"
+
+namespace poinsot::stage {
+
+/// A box with walls of thickness `wall`, and windows in the faces across z, so that it is seen to be hollow.
+/// @pre 0 < 2 wall < each edge.
+geometry::Mesh hollowBoxMesh(const Eigen::Vector3d& edges, double wall);
+
+}  // namespace poinsot::stage

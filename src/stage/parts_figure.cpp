@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/parts_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/mesh_integrals.h"
+#include "physics/mass_properties.h"
+#include "stage/solid_sketch.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using MeshPointer = std::shared_ptr<const geometry::Mesh>;
+
+// In the greatest distance of a part from the centre of mass.
+constexpr double kLargestBall = 0.15, kRod = 0.013;
+
+struct CentreInS {
+  Vector3d operator()(const physics::Solid& solid) const { return physics::massProperties(solid, 1).centre_B(); }
+  Vector3d operator()(const MeshPointer& mesh) const { return geometry::integrals(*mesh).centre_M; }
+  Vector3d operator()(const scene::PointMass&) const { return Vector3d::Zero(); }
+};
+
+Vector3d centreOf(const scene::Part& part) {
+  return part.offset_B + part.q_BS * std::visit(CentreInS{}, part.figure);
+}
+
+Vector3d centreOfMass(const std::vector<scene::Part>& parts) {
+  Vector3d moment = Vector3d::Zero();
+  double mass = 0;
+  for (const scene::Part& part : parts) {
+    moment += part.mass_kg * centreOf(part);
+    mass += part.mass_kg;
+  }
+  return moment / mass;
+}
+
+bool isPoint(const scene::Part& part) { return std::holds_alternative<scene::PointMass>(part.figure); }
+
+double heaviestPoint(const std::vector<scene::Part>& parts) {
+  double heaviest = 0;
+  for (const scene::Part& part : parts)
+    if (isPoint(part)) heaviest = std::max(heaviest, part.mass_kg);
+  return heaviest;
+}
+
+/// Balls of one density, the heaviest of a fixed size, so that five masses read as one body.
+void addPointMasses(Figure& figure, const std::vector<scene::Part>& parts, const Vector3d& origin_B) {
+  const double heaviest = heaviestPoint(parts);
+  if (heaviest == 0) return;
+  const Vector3d centre_B = centreOfMass(parts);
+  double extent = 0;
+  for (const scene::Part& part : parts) extent = std::max(extent, (centreOf(part) - centre_B).norm());
+  if (extent == 0) extent = 1;
+  const Sketch sketch(figure, Matrix3d::Identity(), -origin_B);
+  for (const scene::Part& part : parts) {
+    if (!isPoint(part)) continue;
+    sketch.ball(part.offset_B, kLargestBall * extent * std::cbrt(part.mass_kg / heaviest));
+    if ((part.offset_B - centre_B).norm() > 1e-9 * extent)
+      sketch.frustum(centre_B, part.offset_B, kRod * extent, kRod * extent, Paint::kRod);
+  }
+  sketch.ball(centre_B, 1.6 * kRod * extent, Paint::kRod);
+}
+
+physics::Solid solidOf(const scene::Shape& shape) {
+  const Vector3d& size = shape.size_m;
+  switch (shape.kind) {
+    case scene::ShapeKind::kBox:
+      break;
+    case scene::ShapeKind::kEllipsoid:
+      return physics::Ellipsoid{0.5 * size};
+    case scene::ShapeKind::kCylinder:
+      return physics::Cylinder{0.5 * size.x(), size.z()};
+    case scene::ShapeKind::kRacket:
+      return physics::Racket{size.x(), size.y()};
+  }
+  return physics::Box{size};
+}
+
+/// A body of one solid about its centre of mass.
+std::vector<scene::Part> partsOf(const scene::Shape& shape) {
+  scene::Part part{.figure = solidOf(shape)};
+  part.offset_B = -centreOf(part);
+  return {part};
+}
+
+bool showsOther(const scene::Scene& scene) { return !scene.show.body.parts.empty() || scene.show.body.shape; }
+
+}  // namespace
+
+std::vector<scene::Part> partsToShow(const scene::Scene& scene) {
+  if (!scene.show.body.parts.empty()) return scene.show.body.parts;
+  if (scene.show.body.shape) return partsOf(*scene.show.body.shape);
+  if (!scene.body.parts.empty()) return scene.body.parts;
+  return scene.body.shape ? partsOf(*scene.body.shape) : std::vector<scene::Part>{};
+}
+
+Vector3d originOfFigure(const scene::Scene& scene, const std::vector<scene::Part>& shown) {
+  const bool pivoted = scene.body.pivot_B || !scene.motion.forcing.gravity_B.isZero(0);
+  return showsOther(scene) && !pivoted ? centreOfMass(shown) : scene.body.fixedPoint_B();
+}
+
+Figure partsFigure(const std::vector<scene::Part>& parts, const Vector3d& origin_B) {
+  Figure figure;
+  for (const scene::Part& part : parts) {
+    const Sketch sketch(figure, part.q_BS.toRotationMatrix(), part.offset_B - origin_B);
+    if (const auto* solid = std::get_if<physics::Solid>(&part.figure)) addSolid(sketch, *solid);
+    if (const auto* mesh = std::get_if<MeshPointer>(&part.figure)) sketch.mesh(**mesh, true);
+  }
+  addPointMasses(figure, parts, origin_B);
+  return figure;
+}
+
+}  // namespace poinsot::stage
