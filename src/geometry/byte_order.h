@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <string_view>
+
+namespace poinsot::geometry {
+
+/// The number whose bytes, in `order`, begin `bytes`. @pre enough of them.
+template <typename T>
+T fromBytes(std::string_view bytes, std::endian order) {
+  std::array<char, sizeof(T)> own;
+  for (std::size_t i = 0; i < sizeof(T); ++i) own[i] = bytes[order == std::endian::native ? i : sizeof(T) - 1 - i];
+  return std::bit_cast<T>(own);
+}
+
+}  // namespace poinsot::geometry

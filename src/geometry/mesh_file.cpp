@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "geometry/mesh_readers.h"
+
+namespace poinsot::geometry {
+
+MeshFormat meshFormatOf(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (ending == ".obj") return MeshFormat::kObj;
+  if (ending == ".stl") return MeshFormat::kStl;
+  if (ending == ".ply") return MeshFormat::kPly;
+  throw core::Error(core::ErrorKind::kScene,
+                    fmt::format("the name of a mesh file must end in .obj, .stl or .ply, got {}",
+                                core::printable(path.filename().string())));
+}
+
+Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+  const std::string shown = core::printable(name);
+  if (bytes.size() > kMostMeshBytes)
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("{} has more than {} bytes, the most that are read", shown, kMostMeshBytes));
+  MeshBuilder builder(shown);
+  switch (format) {
+    case MeshFormat::kObj:
+      readObj(bytes, builder);
+      break;
+    case MeshFormat::kStl:
+      readStl(bytes, builder);
+      break;
+    case MeshFormat::kPly:
+      readPly(bytes, builder);
+      break;
+  }
+  return builder.finished();
+}
+
+Mesh readMesh(const std::filesystem::path& path) {
+  const MeshFormat format = meshFormatOf(path);
+  return parseMesh(core::readRegularFile(path, kMostMeshBytes, core::ErrorKind::kScene), format, path.string());
+}
+
+}  // namespace poinsot::geometry

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/mesh.h"
+
+// The readers behind parseMesh(). Internal to this layer.
+namespace poinsot::geometry {
+
+/// Where in the bytes something stands: a line of a text, or the number of a byte (from 0) of a binary.
+struct FilePlace {
+  int line = 0;  ///< from 1; 0: in a binary
+  std::size_t byte = 0;
+};
+
+/// Takes what a reader finds, checks it, and says where it is wrong.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(std::string name) : name_(std::move(name)) {}
+
+  std::size_t vertexCount() const { return mesh_.vertices_M.size(); }
+
+  /// @throws core::Error at `place` unless finite; beyond the limit.
+  void addVertex(const Eigen::Vector3d& v, const FilePlace& place);
+
+  /// A polygon, as the fan from its first corner. @throws core::Error at `place` for fewer than three corners or
+  /// one that is no vertex so far; beyond the limit.
+  void addFace(std::span<const std::int64_t> corners, const FilePlace& place);
+
+  /// Refuses a count that a header claims, before anything is read by it.
+  void expectTriangles(std::uint64_t count, const FilePlace& place) const;
+  void expectVertices(std::uint64_t count, const FilePlace& place) const;
+
+  /// The mesh, welded. @throws core::Error if it has no triangle.
+  Mesh finished() const;
+
+  [[noreturn]] void refuse(const FilePlace& place, const std::string& message) const;
+
+ private:
+  [[noreturn]] void refuseAmount(const FilePlace& place, const std::string& message) const;
+
+  std::string name_;
+  Mesh mesh_;
+};
+
+void readObj(std::string_view text, MeshBuilder& builder);
+void readStl(std::string_view bytes, MeshBuilder& builder);
+void readPly(std::string_view bytes, MeshBuilder& builder);
+
+/// Lines of a text and the words of each. A line ends at \n; \r before it is white space.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text) : rest_(text) {}
+
+  /// Goes to the next line; false at the end.
+  bool next();
+  std::string_view line() const { return line_; }
+  FilePlace place() const { return {number_, 0}; }
+  std::string_view rest() const { return rest_; }  ///< what follows the line
+
+ private:
+  std::string_view rest_, line_;
+  int number_ = 0;
+};
+
+/// Cuts the first word off a line; empty if there is none.
+std::string_view takeWord(std::string_view& line);
+
+/// The number that a word is, finite. @throws core::Error at `place`.
+double toNumber(std::string_view word, const FilePlace& place, const MeshBuilder& builder);
+/// Likewise, whole.
+std::int64_t toWhole(std::string_view word, const FilePlace& place, const MeshBuilder& builder);
+
+}  // namespace poinsot::geometry

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/mesh_readers.h"
+
+namespace poinsot::geometry {
+
+enum class PlyScalar { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
+
+inline bool isWhole(PlyScalar type) { return type != PlyScalar::kFloat32 && type != PlyScalar::kFloat64; }
+
+/// A number of each row of an element, or a list of numbers after their count.
+struct PlyProperty {
+  std::string name;
+  PlyScalar type = PlyScalar::kFloat32;
+  std::optional<PlyScalar> countType;  ///< of a list
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+  FilePlace place;
+};
+
+enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::kAscii;
+  std::vector<PlyElement> elements;
+};
+
+/// The header; `lines` is then at its last line, end_header.
+PlyHeader readPlyHeader(LineReader& lines, const MeshBuilder& builder);
+
+}  // namespace poinsot::geometry

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/text.h"
+#include "geometry/byte_order.h"
+#include "geometry/mesh_file.h"
+#include "geometry/ply_header.h"
+
+namespace poinsot::geometry {
+namespace {
+
+/// The numbers of the body, one after another.
+class Values {
+ public:
+  virtual ~Values() = default;
+  virtual double next(PlyScalar type) = 0;
+  virtual FilePlace place() const = 0;  ///< of the last one
+};
+
+class AsciiValues : public Values {
+ public:
+  AsciiValues(const LineReader& lines, const MeshBuilder& builder) : lines_(lines), builder_(builder) {}
+
+  double next(PlyScalar type) override {
+    std::string_view word = takeWord(line_);
+    while (word.empty()) {
+      if (!lines_.next()) builder_.refuse(place(), "the file ends before the last row that its header counts");
+      line_ = lines_.line();
+      word = takeWord(line_);
+    }
+    return isWhole(type) ? static_cast<double>(toWhole(word, place(), builder_))
+                         : toNumber(word, place(), builder_);
+  }
+  FilePlace place() const override { return lines_.place(); }
+
+ private:
+  LineReader lines_;
+  std::string_view line_;
+  const MeshBuilder& builder_;
+};
+
+class BinaryValues : public Values {
+ public:
+  BinaryValues(std::string_view bytes, std::size_t begin, std::endian order, const MeshBuilder& builder)
+      : bytes_(bytes), at_(begin), order_(order), builder_(builder) {}
+
+  double next(PlyScalar type) override {
+    switch (type) {
+      case PlyScalar::kInt8:
+        return take<std::int8_t>();
+      case PlyScalar::kUint8:
+        return take<std::uint8_t>();
+      case PlyScalar::kInt16:
+        return take<std::int16_t>();
+      case PlyScalar::kUint16:
+        return take<std::uint16_t>();
+      case PlyScalar::kInt32:
+        return take<std::int32_t>();
+      case PlyScalar::kUint32:
+        return take<std::uint32_t>();
+      case PlyScalar::kFloat32:
+        return static_cast<double>(take<float>());
+      case PlyScalar::kFloat64:
+        break;
+    }
+    return take<double>();
+  }
+  FilePlace place() const override { return {0, last_}; }
+
+ private:
+  template <typename T>
+  T take() {
+    last_ = at_;
+    if (bytes_.size() - at_ < sizeof(T))
+      builder_.refuse(place(), "the file ends before the last row that its header counts");
+    const T value = fromBytes<T>(bytes_.substr(at_), order_);
+    at_ += sizeof(T);
+    return value;
+  }
+
+  std::string_view bytes_;
+  std::size_t at_, last_ = 0;
+  std::endian order_;
+  const MeshBuilder& builder_;
+};
+
+/// Reads the rows of the elements in their order.
+class BodyReader {
+ public:
+  BodyReader(Values& values, MeshBuilder& builder) : values_(values), builder_(builder) {}
+
+  void read(const PlyElement& element) {
+    if (element.name == "vertex") return readVertices(element);
+    if (element.name == "face") return readFaces(element);
+    for (std::uint64_t row = 0; row < element.count; ++row)
+      for (const PlyProperty& property : element.properties) skip(property);
+  }
+
+ private:
+  void readVertices(const PlyElement& element) {
+    builder_.expectVertices(element.count, element.place);
+    std::vector<int> axes;  // of each property; -1: of no interest
+    for (const PlyProperty& p : element.properties)
+      axes.push_back(p.countType ? -1 : p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1);
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::ranges::count(axes, axis) != 1)
+        builder_.refuse(element.place, fmt::format("element vertex must have one number {}", "xyz"[axis]));
+    for (std::uint64_t row = 0; row < element.count; ++row) readVertex(element, axes);
+  }
+
+  void readVertex(const PlyElement& element, const std::vector<int>& axes) {
+    Eigen::Vector3d v;
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      if (axes[i] < 0)
+        skip(element.properties[i]);
+      else
+        v[axes[i]] = values_.next(element.properties[i].type);
+    builder_.addVertex(v, values_.place());
+  }
+
+  void readFaces(const PlyElement& element) {
+    builder_.expectTriangles(element.count, element.place);
+    const auto isCorners = [](const PlyProperty& p) {
+      return p.countType && isWhole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
+    };
+    if (std::ranges::count_if(element.properties, isCorners) != 1)
+      builder_.refuse(element.place, "element face must have one list vertex_indices of a whole type");
+    for (std::uint64_t row = 0; row < element.count; ++row)
+      for (const PlyProperty& property : element.properties)
+        if (isCorners(property))
+          readFace(property);
+        else
+          skip(property);
+  }
+
+  void readFace(const PlyProperty& property) {
+    const std::uint64_t count = countOf(property);
+    const FilePlace place = values_.place();
+    builder_.expectTriangles(count, place);  // before so many corners are kept
+    std::vector<std::int64_t> corners;
+    for (std::uint64_t i = 0; i < count; ++i)
+      corners.push_back(static_cast<std::int64_t>(values_.next(property.type)));
+    builder_.addFace(corners, place);
+  }
+
+  void skip(const PlyProperty& property) {
+    const std::uint64_t count = property.countType ? countOf(property) : 1;
+    for (std::uint64_t i = 0; i < count; ++i) values_.next(property.type);
+  }
+
+  std::uint64_t countOf(const PlyProperty& list) {
+    const double count = values_.next(*list.countType);
+    if (count < 0) builder_.refuse(values_.place(), fmt::format("a list has 0 numbers or more, got {}", count));
+    return static_cast<std::uint64_t>(count);
+  }
+
+  Values& values_;
+  MeshBuilder& builder_;
+};
+
+std::unique_ptr<Values> valuesOf(const PlyHeader& header, const LineReader& lines, std::string_view bytes,
+                                 const MeshBuilder& builder) {
+  if (header.encoding == PlyEncoding::kAscii) return std::make_unique<AsciiValues>(lines, builder);
+  const std::endian order = header.encoding == PlyEncoding::kLittleEndian ? std::endian::little : std::endian::big;
+  return std::make_unique<BinaryValues>(bytes, bytes.size() - lines.rest().size(), order, builder);
+}
+
+}  // namespace
+
+void readPly(std::string_view bytes, MeshBuilder& builder) {
+  LineReader lines(bytes);
+  const PlyHeader header = readPlyHeader(lines, builder);
+  const std::unique_ptr<Values> values = valuesOf(header, lines, bytes, builder);
+  BodyReader body(*values, builder);
+  for (const PlyElement& element : header.elements) body.read(element);
+}
+
+}  // namespace poinsot::geometry
