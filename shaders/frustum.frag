@@ -41,8 +41,7 @@ void main() {
   float tSide = nearIsOn ? near : far;
   float height = clamp(ou + tSide * du, 0.0, radii.z);
   vec3 radial = o + tSide * ray - (ou + tSide * du) * axis_C;
-  vec3 nSide_C = normalize(normalize(radial + 1e-12 * towardEye_C) - slope * axis_C);
-  if (dot(nSide_C, towardEye_C) < 0.0) nSide_C = normalize(nSide_C - dot(nSide_C, towardEye_C) * towardEye_C);
+  vec3 nSide_C = turnedToEye(normalize(normalize(radial + 1e-12 * towardEye_C) - slope * axis_C), towardEye_C);
 
   float capHeight = visibleCap == 2 ? radii.z : 0.0;
   float tCap = (capHeight - ou) / (abs(du) > 1e-6 ? du : 1e-6);

@@ -19,3 +19,9 @@ vec3 shade(Material m, vec3 n_C, vec3 towardEye_C) {
   float h8 = h2 * h2 * h2 * h2, highlight = h8 * h8 * h8 * h8 * h8;  // to the 40th; pow costs a logarithm
   return diffuse + vec3(0.45 * m.gloss * highlight);
 }
+
+// An interpolated normal that has turned away from the eye, bent back to the rim.
+vec3 turnedToEye(vec3 n_C, vec3 towardEye_C) {
+  float facing = dot(n_C, towardEye_C);
+  return facing < 0.0 ? normalize(n_C - facing * towardEye_C) : n_C;
+}

@@ -10,7 +10,7 @@
 
 #include "render/cells.h"
 #include "render/shader_source.h"
-#include "render/solid_painter.h"
+#include "render/solid_pass.h"
 
 namespace poinsot::render {
 namespace {

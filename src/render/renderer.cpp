@@ -7,6 +7,7 @@
 #include "core/expect.h"
 #include "gl/framebuffer.h"
 #include "render/compositor.h"
+#include "render/mesh_painter.h"
 #include "render/solid_painter.h"
 #include "render/text_painter.h"
 
@@ -65,6 +66,7 @@ image::Image withoutAlpha(const std::vector<std::uint8_t>& rgba, image::PixelSiz
 struct Renderer::Passes {
   std::optional<Buffers> buffers;
   SolidPainter solids;
+  MeshPainter meshes;
   Compositor compositor;
   TextPainter text;
   RenderTimes times;
@@ -80,7 +82,9 @@ struct Renderer::Passes {
       target.bind();
       glClearColor(0, 0, 0, 0);
       glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      if (tiles.any()) solids.draw(which, depth);
+      if (!tiles.any()) return;
+      solids.draw(which, depth);
+      meshes.draw(which, depth);
     };
     pass(buffers->full, SolidPass::kFull, 0);
     pass(buffers->edge, SolidPass::kEdges, 0);
@@ -99,7 +103,9 @@ struct Renderer::Passes {
   void draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
     prepareBuffers(size);
     glViewport(0, 0, size.x, size.y);
-    const TileMask tiles = solids.prepare(list, options.sharpness);
+    TileMask tiles(list.camera.size_px);
+    const auto meshEdges = meshes.prepare(list, options.sharpness, tiles);
+    solids.prepare(list, meshEdges, options.sharpness, tiles);
     drawSolids(tiles);
     clearPicture(list, options.transparent);
     compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, options.sharpness,

@@ -14,46 +14,12 @@ namespace {
 
 using gl::ShaderProgram;
 
-ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
-                           const std::string& defines = "") {
-  const std::string passDefine = "#define EDGES " + std::to_string(static_cast<int>(pass)) + "\n";
-  return {fragment, shaderSource(vertex), shaderSource(fragment, passDefine + defines)};
-}
-
-void setMaterial(const ShaderProgram& program, const draw::Material& material) {
-  program.set("color", material.color);
-  program.set("gloss", material.gloss);
-}
-
-void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-}
-
-template <typename Vertex>
-void upload(const gl::BufferName& buffer, const std::vector<Vertex>& vertices) {
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
-               GL_STREAM_DRAW);
-}
-
 template <std::size_t N>
 std::vector<glm::vec3> asVector(const std::array<glm::vec3, N>& values) {
   return {values.begin(), values.end()};
 }
 
 }  // namespace
-
-void setPicture(const ShaderProgram& program, const draw::DrawList& list, float sharpness) {
-  program.use();
-  program.set("pictureSize_px", list.camera.size_px);
-  program.set("opticalCentre_px", list.camera.centre_px);
-  program.set("focal_px", list.camera.focal_px());
-  program.set("depthRange", glm::vec2(list.camera.near, list.camera.far));
-  program.set("sharpness", sharpness);
-  program.set("lightDirection_C", glm::normalize(list.lightDirection_C));
-}
 
 SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   Programs programs;  // in the order of Kind
@@ -76,10 +42,11 @@ SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePro
   floatAttribute(2, 4, sizeof(StripVertex), offsetof(StripVertex, tangent_C));
 }
 
-TileMask SolidPainter::prepare(const draw::DrawList& list, float sharpness) {
+void SolidPainter::prepare(const draw::DrawList& list, const std::vector<draw::Curve>& meshEdges, float sharpness,
+                           TileMask& tiles) {
   list_ = &list;
   sharpness_ = sharpness;
-  tiles_ = TileMask(list.camera.size_px);
+  tiles_ = &tiles;
   items_.clear();
   cells_.clear();
   strips_.clear();
@@ -87,13 +54,13 @@ TileMask SolidPainter::prepare(const draw::DrawList& list, float sharpness) {
   for (const draw::Frustum& f : list.frustums) prepareFrustum(list.camera, f);
   for (const draw::Box& b : list.boxes) prepareBox(list.camera, b);
   for (const draw::Curve& c : list.curves) prepareCurve(list.camera, c);
-  upload(cellBuffer_, cells_);
-  upload(curveBuffer_, strips_);
-  return tiles_;
+  for (const draw::Curve& c : meshEdges) prepareCurve(list.camera, c);
+  upload(GL_ARRAY_BUFFER, cellBuffer_, cells_, GL_STREAM_DRAW);
+  upload(GL_ARRAY_BUFFER, curveBuffer_, strips_, GL_STREAM_DRAW);
 }
 
 Cells SolidPainter::markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside) {
-  tiles_.mark(bounds);
+  tiles_->mark(bounds);
   return cutIntoCells(bounds.clipped(list_->camera.size_px), inside);
 }
 
@@ -158,7 +125,7 @@ void SolidPainter::prepareCurve(const draw::Camera& camera, const draw::Curve& c
   for (std::size_t i = 0; i + 2 < strip.triangles.size(); i += 3) {
     PixelBounds bounds;
     for (std::size_t k = i; k < i + 3; ++k) bounds.include(strip.triangles[k].position_px);
-    tiles_.mark(bounds);
+    tiles_->mark(bounds);
   }
   const auto count = static_cast<GLsizei>(strip.triangles.size());
   const auto setUniforms = [material = curve.material, lift = curve.lift_W](const ShaderProgram& program) {

@@ -8,24 +8,20 @@
 #include "gl/shader_program.h"
 #include "render/cells.h"
 #include "render/curve_strip.h"
+#include "render/solid_pass.h"
 #include "render/tile_mask.h"
 
 namespace poinsot::render {
 
-/// Which fragments of the solids are kept; the numbers are EDGES in emit.glsl.
-enum class SolidPass { kFull = 0, kEdges = 1 };
-
-/// What all shaders are told about the picture.
-void setPicture(const gl::ShaderProgram& program, const draw::DrawList& list, float sharpness);
-
-/// Draws the opaque things of a draw list: ellipsoids, frustums, boxes and curves.
+/// Draws the opaque things of a draw list that need no mesh: ellipsoids, frustums, boxes and curves.
 class SolidPainter {
  public:
   SolidPainter();
 
-  /// Works out outlines and strips of this list, once for all passes.
-  /// @return the tiles that any solid may touch.
-  TileMask prepare(const draw::DrawList& list, float sharpness);
+  /// Works out outlines and strips of this list, once for all passes, and marks the tiles that they may touch.
+  /// @param meshEdges  drawn with the list's own curves
+  void prepare(const draw::DrawList& list, const std::vector<draw::Curve>& meshEdges, float sharpness,
+               TileMask& tiles);
 
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
   /// the texture `edgeBefore`, or the nearest of all when that is 0.
@@ -60,7 +56,7 @@ class SolidPainter {
   // Of the list last prepared.
   const draw::DrawList* list_ = nullptr;
   float sharpness_ = 1;
-  TileMask tiles_;
+  TileMask* tiles_ = nullptr;
   std::vector<Item> items_;
   std::vector<glm::vec2> cells_;
   std::vector<StripVertex> strips_;

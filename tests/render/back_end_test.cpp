@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "mesh_shapes.h"
 #include "picture_test.h"
 
 namespace poinsot::render {
@@ -16,6 +17,16 @@ draw::DrawList busyList(image::PixelSize size) {
   list.curves.push_back(curve);
   curve.radius_W = 0.05f;
   list.curves.push_back(curve);
+  draw::Mesh mesh;
+  mesh.mesh = torus(0.4f, 24, 12);
+  mesh.origin_W = {0.3f, 0.4f, 0.3f};
+  mesh.axes_W = glm::mat3(0.4f);
+  list.meshes.push_back(mesh);
+  mesh.mesh = lPrism();
+  mesh.origin_W = {0, -0.9f, 0.3f};
+  mesh.axes_W = glm::mat3(0.3f);
+  mesh.edge_px = 1.5f;
+  list.meshes.push_back(mesh);
   draw::GlassEllipsoid glass;
   glass.graticule = draw::Graticule{};
   list.glassEllipsoids.push_back(glass);

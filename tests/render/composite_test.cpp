@@ -51,7 +51,6 @@ class CompositeTest : public PictureTest {
   }
 };
 
-
 TEST_F(CompositeTest, EmptyListIsPaper) {
   DrawList list = emptyList();
   list.background = draw::fromSrgb(0x14171C);

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 #include "render/renderer.h"
 
 namespace poinsot::render {
@@ -32,6 +36,28 @@ class PictureTest : public testing::Test {
     for (std::size_t i = 0; i < picture.pixels.size(); i += 3)
       area += 1 - static_cast<double>(draw::linearFromSrgb8(picture.pixels[i]));
     return area;
+  }
+
+  /// How two pictures differ, in steps of 255 over all channels.
+  struct Difference {
+    int count = 0;    ///< values that differ at all
+    double mean = 0;  ///< over those
+    int worst = 0;
+    float worstLight = 0;  ///< the largest, in linear light
+  };
+  static Difference difference(const image::Image& a, const image::Image& b) {
+    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    Difference d;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+      const int step = std::abs(a.pixels[i] - b.pixels[i]);
+      d.count += step > 0;
+      d.mean += step;
+      d.worst = std::max(d.worst, step);
+      const float light = draw::linearFromSrgb8(a.pixels[i]) - draw::linearFromSrgb8(b.pixels[i]);
+      d.worstLight = std::max(d.worstLight, std::abs(light));
+    }
+    d.mean /= std::max(d.count, 1);
+    return d;
   }
 
   /// A material that no light brightens.

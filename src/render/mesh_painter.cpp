@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/mesh_painter.h"
+
+#include <cstddef>
+
+namespace poinsot::render {
+namespace {
+
+// The reference renderer's many samples see hard edges: nothing is resolved for it.
+bool hardEdges(float sharpness) { return sharpness > 1; }
+
+}  // namespace
+
+MeshPainter::MeshPainter()
+    : faces_(solidProgram("mesh.vert", "mesh.frag", SolidPass::kFull)),
+      pixels_{solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kFull),
+              solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kEdges)} {
+  glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindVertexArray(pixelVertices_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, pixelBuffer_.id());
+  constexpr GLuint kFacets = ResolvedPixel::kFacets;
+  floatAttribute(0, 4, sizeof(ResolvedPixel), offsetof(ResolvedPixel, place));
+  for (GLuint i = 0; i < kFacets; ++i) {
+    const std::size_t offset = i * sizeof(glm::vec4);
+    floatAttribute(1 + i, 4, sizeof(ResolvedPixel), offsetof(ResolvedPixel, normals_C) + offset);
+    floatAttribute(1 + kFacets + i, 4, sizeof(ResolvedPixel), offsetof(ResolvedPixel, materials) + offset);
+  }
+}
+
+MeshPainter::Kept MeshPainter::keep(const draw::Mesh& mesh) {
+  Kept made{mesh.mesh, meshTopology(*mesh.mesh, mesh.crease_rad), gl::VertexArrayName::make(),
+            gl::BufferName::make(), gl::BufferName::make()};
+  glBindVertexArray(made.vertexArray.id());
+  upload(GL_ARRAY_BUFFER, made.corners, made.topology.corners, GL_STATIC_DRAW);
+  upload(GL_ELEMENT_ARRAY_BUFFER, made.indices, made.topology.triangles, GL_STATIC_DRAW);
+  floatAttribute(0, 3, sizeof(MeshCorner), offsetof(MeshCorner, position_M));
+  floatAttribute(1, 3, sizeof(MeshCorner), offsetof(MeshCorner, normal_M));
+  return made;
+}
+
+const MeshPainter::Kept& MeshPainter::kept(const draw::Mesh& mesh) {
+  const Key key{mesh.mesh.get(), mesh.crease_rad};
+  if (const auto known = current_.find(key); known != current_.end()) return known->second;
+  if (auto old = last_.extract(key)) return current_.insert(std::move(old)).position->second;
+  return current_.emplace(key, keep(mesh)).first->second;
+}
+
+std::vector<draw::Curve> MeshPainter::prepare(const draw::DrawList& list, float sharpness, TileMask& tiles) {
+  list_ = &list;
+  sharpness_ = sharpness;
+  screens_.clear();
+  screensKept_.clear();
+  resolved_ = {};
+  std::swap(last_, current_);
+  current_.clear();
+  std::vector<draw::Curve> lines;
+  for (const draw::Mesh& mesh : list.meshes) {
+    if (!mesh.mesh || mesh.mesh->triangles.empty()) continue;
+    const Kept& own = kept(mesh);
+    ScreenMesh screen = screenMesh(list.camera, mesh, own.topology);
+    if (screen.bounds.empty()) continue;
+    tiles.mark(screen.bounds);
+    for (draw::Curve& line : edgeLines(list.camera, screen)) lines.push_back(std::move(line));
+    screens_.push_back(std::move(screen));
+    screensKept_.push_back(&own);
+  }
+  if (screens_.empty()) return lines;
+  marks_.reset(glm::ivec2(list.camera.size_px));
+  if (!hardEdges(sharpness)) markEdges();
+  marks_.finish();
+  resolved_ = resolveMeshes(screens_, marks_, list.camera.focal_px());
+  uploadMarks();
+  uploadPixels();
+  return lines;
+}
+
+void MeshPainter::markEdges() {
+  for (const ScreenMesh& screen : screens_)
+    for (const MeshEdge& e : screen.topology->edges)
+      if (screen.isSilhouette(e) || (e.sharp && screen.isFront(e)))
+        marks_.markSegment(glm::dvec2(screen.vertices[e.from]), glm::dvec2(screen.vertices[e.to]));
+}
+
+void MeshPainter::uploadMarks() {
+  const glm::ivec2 size = marks_.size_px();
+  glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, marks_.bytes());
+}
+
+void MeshPainter::uploadPixels() {
+  std::vector<ResolvedPixel> all = resolved_.partial;
+  all.insert(all.end(), resolved_.full.begin(), resolved_.full.end());
+  upload(GL_ARRAY_BUFFER, pixelBuffer_, all, GL_STREAM_DRAW);
+}
+
+void MeshPainter::drawFaces() const {
+  setPicture(faces_, *list_, sharpness_);
+  faces_.set("marks", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
+  // Rows count downwards, so what is counter-clockwise to the eye is clockwise to OpenGL.
+  glFrontFace(GL_CW);
+  glEnable(GL_CULL_FACE);
+  for (std::size_t i = 0; i < screens_.size(); ++i) {
+    const ScreenMesh& screen = screens_[i];
+    faces_.set("origin_C", screen.origin_C);
+    faces_.set("axes_C", screen.axes_C);
+    faces_.set("normals_C", screen.normals_C);
+    setMaterial(faces_, screen.mesh->material);
+    glBindVertexArray(screensKept_[i]->vertexArray.id());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * screen.front.size()), GL_UNSIGNED_INT, nullptr);
+  }
+  glDisable(GL_CULL_FACE);
+}
+
+void MeshPainter::drawPixels(SolidPass pass, GLuint edgeBefore) const {
+  const bool full = pass == SolidPass::kFull;
+  const std::size_t first = full ? resolved_.partial.size() : 0;
+  const std::size_t count = full ? resolved_.full.size() : resolved_.partial.size();
+  if (count == 0) return;
+  const gl::ShaderProgram& program = pixels_[static_cast<std::size_t>(pass)];
+  setPicture(program, *list_, sharpness_);
+  program.set("edgeBefore", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, edgeBefore);
+  glBindVertexArray(pixelVertices_.id());
+  glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
+}
+
+void MeshPainter::draw(SolidPass pass, GLuint edgeBefore) const {
+  if (screens_.empty()) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  if (pass == SolidPass::kFull) drawFaces();
+  drawPixels(pass, edgeBefore);
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace poinsot::render

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "gl/shader_program.h"
+#include "render/mesh_resolver.h"
+#include "render/mesh_topology.h"
+#include "render/pixel_marks.h"
+#include "render/screen_mesh.h"
+#include "render/solid_pass.h"
+#include "render/tile_mask.h"
+
+namespace poinsot::render {
+
+/// Draws the triangle meshes of a draw list: the inside of faces by OpenGL, the pixels that an outline or a crease
+/// runs through as the CPU resolved them. A mesh that is not wholly in front of the camera is left out, as every
+/// solid.
+class MeshPainter {
+ public:
+  MeshPainter();
+
+  /// Works out this list, once for all passes, and marks the tiles that its meshes may touch.
+  /// @return the meshes' sharp edges, where they are to be drawn.
+  std::vector<draw::Curve> prepare(const draw::DrawList& list, float sharpness, TileMask& tiles);
+
+  /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
+  void draw(SolidPass pass, GLuint edgeBefore) const;
+
+ private:
+  /// A mesh's own, made once and kept while pictures in a row show the mesh.
+  struct Kept {
+    std::shared_ptr<const draw::TriangleMesh> mesh;  // held, so that its address stays its name
+    MeshTopology topology;
+    gl::VertexArrayName vertexArray;
+    gl::BufferName corners, indices;
+  };
+  using Key = std::pair<const draw::TriangleMesh*, float>;  // mesh, crease angle
+
+  static Kept keep(const draw::Mesh& mesh);
+  const Kept& kept(const draw::Mesh& mesh);
+  void markEdges();
+  void uploadMarks();
+  void uploadPixels();
+  void drawFaces() const;
+  void drawPixels(SolidPass pass, GLuint edgeBefore) const;
+
+  gl::ShaderProgram faces_;
+  std::array<gl::ShaderProgram, 2> pixels_;  // by SolidPass
+  gl::TextureName marksTexture_ = gl::TextureName::make();
+  gl::VertexArrayName pixelVertices_ = gl::VertexArrayName::make();
+  gl::BufferName pixelBuffer_ = gl::BufferName::make();
+  std::map<Key, Kept> last_, current_;
+
+  // Of the list last prepared.
+  const draw::DrawList* list_ = nullptr;
+  float sharpness_ = 1;
+  std::vector<ScreenMesh> screens_;
+  std::vector<const Kept*> screensKept_;
+  PixelMarks marks_;
+  ResolvedPixels resolved_;
+};
+
+}  // namespace poinsot::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "gl/shader_program.h"
+
+/// What the painters of solids share.
+namespace poinsot::render {
+
+/// Which fragments of the solids are kept; the numbers are EDGES in emit.glsl.
+enum class SolidPass { kFull = 0, kEdges = 1 };
+
+/// A program for one pass, from files of shaders/.
+gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
+                               const std::string& defines = "");
+
+/// What all shaders are told about the picture. Takes the program into use.
+void setPicture(const gl::ShaderProgram& program, const draw::DrawList& list, float sharpness);
+
+void setMaterial(const gl::ShaderProgram& program, const draw::Material& material);
+
+/// Describes `components` floats of each vertex in the bound buffer.
+void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset);
+
+/// Fills a buffer, which stays bound.
+template <typename Value>
+void upload(GLenum target, const gl::BufferName& buffer, const std::vector<Value>& values, GLenum usage) {
+  glBindBuffer(target, buffer.id());
+  glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), usage);
+}
+
+}  // namespace poinsot::render

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes: exact areas, edges as in the picture of many samples, and one picture with the other solids.
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <set>
+
+#include "hull.h"
+#include "mesh_shapes.h"
+#include "picture_test.h"
+#include "random.h"
+#include "render/reference.h"
+
+namespace poinsot::render {
+namespace {
+
+using draw::Color;
+using draw::DrawList;
+using glm::mat3;
+using glm::vec3;
+
+const Color kGreen = draw::fromSrgb(0x009E73), kBlue = draw::fromSrgb(0x0072B2);
+
+// Right-handed, for any generator of directions.
+mat3 randomAxes(Random& random, float size) {
+  const vec3 a = random.direction(), b = random.across(a);
+  return size * mat3(a, b, glm::cross(a, b));
+}
+
+draw::Mesh meshOf(MeshPointer mesh, const mat3& axes_W, draw::Material material) {
+  draw::Mesh m;
+  m.mesh = std::move(mesh);
+  m.axes_W = axes_W;
+  m.material = material;
+  return m;
+}
+
+class MeshTest : public PictureTest {
+ protected:
+  /// A tilted view of a body, its axes the same in every test.
+  static mat3 tilted(float size) {
+    Random random;
+    return randomAxes(random, size);
+  }
+
+  DrawList listOf(MeshPointer mesh, float size, draw::Material material = {kGreen, 0.2f}) {
+    DrawList list = emptyList();
+    list.meshes.push_back(meshOf(std::move(mesh), tilted(size), material));
+    return list;
+  }
+
+  double areaFor(MeshPointer mesh, float size) {
+    return blackArea(render(listOf(std::move(mesh), size, black())));
+  }
+};
+
+// A convex body's picture is the hull of its corners' pictures.
+TEST_F(MeshTest, CubesAndTetrahedraHaveTheAreaOfTheirHull) {
+  Random random;
+  double worst = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    DrawList list = emptyList();
+    draw::Mesh mesh =
+        meshOf(trial % 2 ? cube() : tetrahedron(), randomAxes(random, random.in(0.01f, 0.45f)), black());
+    mesh.origin_W = vec3(random.in(-1, 1), random.in(-0.2f, 0.2f), random.in(-0.2f, 0.2f));
+    std::vector<glm::vec2> corners;
+    for (const vec3& v : mesh.mesh->vertices_M)
+      corners.push_back(project(list.camera, mesh.origin_W + mesh.axes_W * v));
+    list.meshes.push_back(mesh);
+    const double area = hullArea(corners), error = std::abs(blackArea(render(list)) - area);
+    worst = std::max(worst, error / std::sqrt(area));
+    // What is left are 8-bit values along an edge as long as the root of the area.
+    EXPECT_LT(error, 0.005 * std::sqrt(area) + 0.01) << "trial " << trial << " of " << area << " pixels";
+  }
+  RecordProperty("worst_error_per_edge_pixel", std::to_string(worst));  // measured 0.0023
+}
+
+struct Body {
+  const char* name;
+  MeshPointer mesh;
+  float size;
+};
+
+std::vector<Body> bodies() {
+  return {{"cube", cube(), 0.4f},
+          {"tetrahedron", tetrahedron(), 0.5f},
+          {"L prism", lPrism(), 0.5f},
+          {"icosahedron", icosphere(0), 0.6f},
+          {"sphere of 20480 triangles", icosphere(5), 0.6f},
+          {"the same, 8 pixels wide", icosphere(5), 0.05f},
+          {"torus", torus(0.4f, 96, 48), 0.5f},
+          {"hemisphere", hemisphere(48, 12), 0.6f}};
+}
+
+TEST_F(MeshTest, EdgesAgreeWithTheReferencePicture) {
+  for (const Body& body : bodies()) {
+    const DrawList list = listOf(body.mesh, body.size);
+    const Difference d = difference(render(list), renderReference(renderer_, list, kSize, 16));
+    RecordProperty(std::string(body.name) + " mean", std::to_string(d.mean));
+    RecordProperty(std::string(body.name) + " worst light", std::to_string(d.worstLight));
+    EXPECT_LT(d.mean, 2.0) << body.name;          // of 255; measured 1.1 to 1.6
+    EXPECT_LE(d.worstLight, 0.03f) << body.name;  // measured 0.024; 16 x 16 samples may be 1/32 off themselves
+  }
+}
+
+// Bodies before each other, and one that bears lines: no order in the list matters.
+TEST_F(MeshTest, ManyMeshesAgreeWithTheReferencePicture) {
+  DrawList list = emptyList();
+  Random random;
+  for (const Body& body : bodies()) {
+    draw::Mesh mesh = meshOf(body.mesh, randomAxes(random, 0.6f * body.size), {kBlue, 0.3f});
+    mesh.material.color = 0.2f + 0.4f * (random.direction() + 1.0f);
+    // One behind the other: where two cut each other nothing is resolved.
+    const float x = 0.9f * static_cast<float>(list.meshes.size()) - 3;
+    mesh.origin_W = {x, random.in(-0.7f, 0.7f), random.in(-0.5f, 0.5f)};
+    list.meshes.push_back(mesh);
+  }
+  const image::Image picture = render(list);
+  const Difference d = difference(picture, renderReference(renderer_, list, kSize, 16));
+  RecordProperty("mean", std::to_string(d.mean));
+  RecordProperty("worst light", std::to_string(d.worstLight));
+  EXPECT_LT(d.mean, 2.0);          // measured 1.10
+  EXPECT_LE(d.worstLight, 0.04f);  // measured 0.036, where three meet
+  std::reverse(list.meshes.begin(), list.meshes.end());
+  EXPECT_LE(difference(render(list), picture).worst, 1);
+}
+
+TEST_F(MeshTest, ABoxLooksLikeTheBoxOfTheDrawList) {
+  const mat3 axes = tilted(0.4f);
+  DrawList box = emptyList(), mesh = emptyList();
+  box.boxes.push_back({vec3(0), axes, {kGreen, 0.2f}});
+  mesh.meshes.push_back(meshOf(cube(), axes, {kGreen, 0.2f}));
+  const Difference d = difference(render(box), render(mesh));
+  RecordProperty("mean", std::to_string(d.mean));
+  RecordProperty("worst light", std::to_string(d.worstLight));
+  EXPECT_LT(d.count, 1500);        // of 96000: the edges alone; measured 1081
+  EXPECT_LE(d.worstLight, 0.25f);  // measured 0.21, at the box's corners, where its ramps are multiplied
+}
+
+// The mesh's corners are on the ellipsoid: its outline lies inside by the sagitta, at most 0.01 pixel here.
+TEST_F(MeshTest, AFineEllipsoidLooksLikeTheEllipsoidOfTheDrawList) {
+  mat3 axes = tilted(0.6f);
+  axes[1] *= 0.5f;
+  axes[2] *= 0.8f;
+  DrawList exact = emptyList(), mesh = emptyList();
+  exact.ellipsoids.push_back({vec3(0), axes, {kGreen, 0.2f}});
+  mesh.meshes.push_back(meshOf(icosphere(6), axes, {kGreen, 0.2f}));
+  const Difference d = difference(render(exact), render(mesh));
+  RecordProperty("mean", std::to_string(d.mean));
+  RecordProperty("worst light", std::to_string(d.worstLight));
+  EXPECT_LT(d.mean, 5.0);          // measured 4.3
+  EXPECT_LE(d.worstLight, 0.06f);  // measured 0.052: the ellipsoid's edge is a ramp
+}
+
+TEST_F(MeshTest, PaperShowsThroughTheHoleOfATorus) {
+  DrawList list = emptyList();
+  // M's z towards the eye.
+  list.meshes.push_back(
+      meshOf(torus(0.3f, 64, 32), 0.7f * mat3(vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 0, 0)), black()));
+  const image::Image picture = render(list);
+  EXPECT_EQ(*picture.at(100, 80), 255);
+  EXPECT_EQ(*picture.at(100 + 56, 80), 0);  // 0.7 * 80 pixels: the middle of the tube
+  EXPECT_EQ(*picture.at(100, 80 - 56), 0);
+  EXPECT_EQ(*picture.at(100 + 76, 80), 255);  // 0.7 * 1.3 * 80 = 73 is the outer edge
+}
+
+// A plane through the middle of a cube: the near half is before it, the far half shows through.
+TEST_F(MeshTest, ASheetCutsAMesh) {
+  DrawList list = emptyList();
+  list.meshes.push_back(meshOf(cube(), mat3(0.3f), black()));
+  draw::GridPlane plane;
+  plane.u_W = {0, 0.8f, 0};
+  plane.v_W = {0.5f, 0, 0.2f};  // rises away from the eye: before the cube in the lower half of the picture
+  plane.centre_W = {0.3f, 0, 0};
+  plane.color = Color(0.0f, 0.8f, 0.0f);
+  plane.opacity = 0.5f;
+  plane.lineOpacity = 0;
+  list.planes.push_back(plane);
+  const image::Image picture = render(list);
+  const auto greenAt = [&](int x, int y) { return picture.at(x, y)[1]; };
+  EXPECT_NEAR(greenAt(100, 74), draw::srgb8FromLinear(0.4f) * (greenAt(100, 74) > 0), 1);
+  EXPECT_NE(greenAt(100, 74) > 0, greenAt(100, 86) > 0);  // before on one side of the cut, behind on the other
+}
+
+// Half a pixel of a black edge before a sheet shows half the sheet, as with every solid.
+TEST_F(MeshTest, EdgesBlendOverTheSheetsBehindThem) {
+  DrawList list = emptyList();
+  draw::Mesh mesh = meshOf(cube(), mat3(0.25f), black());
+  mesh.origin_W = {-0.25f, 0, 0};  // its near face at x = 0, 40 pixels wide: from 80 to 120
+  list.meshes.push_back(mesh);
+  draw::GridPlane plane;
+  plane.centre_W = {-1, 0, 0};
+  plane.u_W = {0, 0.9f, 0};
+  plane.v_W = {0, 0, 0.9f};
+  plane.color = Color(0.5f, 0.25f, 0.1f);
+  plane.opacity = 1;
+  plane.lineOpacity = 0;
+  list.planes.push_back(plane);
+  list.camera.centre_px.x += 0.25f;
+  const image::Image picture = render(list);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(picture.at(80, 80)[c], draw::srgb8FromLinear(0.25f * plane.color[c]), 1);  // 0.25 of it is sheet
+    EXPECT_NEAR(picture.at(120, 80)[c], draw::srgb8FromLinear(0.75f * plane.color[c]), 1);
+  }
+}
+
+// A sheet between a near mesh and a far one, at the near one's edge.
+TEST_F(MeshTest, ASheetBetweenTwoMeshesStaysBetweenThemAtTheEdge) {
+  DrawList list = emptyList();
+  list.camera.centre_px.x += 0.5f;
+  draw::Mesh near = meshOf(cube(), mat3(0.25f), black()), far = near;
+  near.origin_W = {-0.25f, 0, 0};  // its right edge in the middle of column 120
+  far.origin_W = {-2, 0, 0};
+  far.axes_W = mat3(0.8f);
+  far.material = {Color(1), 0};
+  list.meshes = {near, far};
+  draw::GridPlane plane;
+  plane.centre_W = {-0.7f, 0, 0};
+  plane.u_W = {0, 0.9f, 0};
+  plane.v_W = {0, 0, 0.9f};
+  plane.color = Color(0, 0, 1);
+  plane.opacity = 0.5f;
+  plane.lineOpacity = 0;
+  list.planes.push_back(plane);
+  const image::Image picture = render(list);
+  for (int c = 0; c < 3; ++c) {
+    const float beside = draw::linearFromSrgb8(picture.at(130, 80)[c]);  // the sheet over the far mesh
+    EXPECT_NEAR(picture.at(120, 80)[c], draw::srgb8FromLinear(0.5f * beside), 2);
+  }
+}
+
+// The light comes from the upper left, before the body.
+TEST_F(MeshTest, FacesTowardsTheLightAreBrighter) {
+  DrawList list = emptyList();
+  const float c = std::sqrt(0.5f);
+  // A cube's edge upright towards the eye, tipped a little: top, left and right faces seen.
+  const mat3 turned(vec3(c, c, 0), vec3(-c, c, 0), vec3(0, 0, 1));
+  const mat3 tip(vec3(0.9f, 0, -0.4359f), vec3(0, 1, 0), vec3(0.4359f, 0, 0.9f));
+  list.meshes.push_back(meshOf(cube(), 0.4f * tip * turned, {Color(0.5f), 0}));
+  const image::Image picture = render(list);
+  const int top = *picture.at(100, 52), left = *picture.at(80, 85), right = *picture.at(120, 85);
+  EXPECT_GT(top, left + 10);
+  EXPECT_GT(left, right + 10);
+}
+
+TEST_F(MeshTest, CreasesAreFlatAndTheRestIsSmooth) {
+  const auto colors = [&](float crease) {
+    DrawList list = listOf(icosphere(0), 0.6f, {kGreen, 0});
+    list.meshes[0].crease_rad = crease;
+    const image::Image picture = render(list);
+    std::set<int> seen;
+    for (int x = 60; x < 140; ++x) seen.insert(picture.at(x, 80)[1]);
+    return seen.size();
+  };
+  EXPECT_LT(colors(0.6f), 16);  // a few faces, and pixels between two
+  EXPECT_GT(colors(1.0f), 24);
+}
+
+TEST_F(MeshTest, SharpEdgesBearLinesWhereTheyAreSeen) {
+  DrawList list = emptyList();
+  draw::Mesh mesh = meshOf(cube(), mat3(0.25f), {Color(0.8f), 0});
+  mesh.origin_W = {-0.25f, 0, 0};  // near face from 80 to 120
+  mesh.edge_px = 3;
+  mesh.edgeColor = Color(0.7f, 0, 0);
+  list.meshes.push_back(mesh);
+  list.camera.centre_px += 0.5f;
+  const image::Image picture = render(list);
+  for (const glm::ivec2 p : {glm::ivec2(80, 80), glm::ivec2(120, 80), glm::ivec2(100, 60), glm::ivec2(100, 100)}) {
+    EXPECT_NEAR(picture.at(p.x, p.y)[0], draw::srgb8FromLinear(0.7f), 1);
+    EXPECT_EQ(picture.at(p.x, p.y)[1], 0);
+  }
+  // The far edges lie 0.95 times as far out, behind the face; no diagonal is drawn.
+  for (const glm::ivec2 p : {glm::ivec2(82, 80), glm::ivec2(90, 90), glm::ivec2(110, 90), glm::ivec2(100, 80)})
+    EXPECT_GT(picture.at(p.x, p.y)[1], 100);
+}
+
+TEST_F(MeshTest, NoMeshAndAnEmptyMeshDrawNothing) {
+  DrawList list = emptyList();
+  list.meshes.emplace_back();
+  list.meshes.push_back(meshOf(std::make_shared<const draw::TriangleMesh>(), mat3(1), black()));
+  EXPECT_EQ(blackArea(render(list)), 0);
+}
+
+TEST_F(MeshTest, RefusesMirroredAxes) {
+  DrawList list = listOf(cube(), 0.3f);
+  list.meshes[0].axes_W[0] *= -1.0f;
+  EXPECT_THROW(render(list), std::logic_error);
+}
+
+// What stands out of the picture changes nothing in it.
+TEST_F(MeshTest, APictureIsAWindowOfALargerOne) {
+  DrawList list = listOf(torus(0.4f, 48, 24), 0.9f);
+  list.meshes[0].origin_W = {0, 0.7f, -0.5f};
+  const image::Image small = render(list);
+  const image::PixelSize large{360, 320};
+  list.camera.size_px = {large.width, large.height};
+  list.camera.tanHalfFovY *= 2;
+  list.camera.centre_px += glm::vec2(80, 80);
+  const image::Image window = renderer_.render(list, large);
+  ASSERT_LT(blackArea(small), 0.9 * blackArea(window));
+  int worst = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        worst = std::max(worst, std::abs(small.at(x, y)[c] - window.at(x + 80, y + 80)[c]));
+  RecordProperty("worst", worst);
+  EXPECT_LE(worst, 1);  // other sums of floats; measured 1
+}
+
+// As with every solid: one that is not wholly in front of the camera is left out.
+TEST_F(MeshTest, AMeshThatReachesTheNearDistanceIsLeftOut) {
+  DrawList list = listOf(cube(), 0.3f);
+  list.meshes[0].origin_W = {4.9f, 0, 0};  // 5.1 from the eye, the near distance is 5
+  EXPECT_EQ(blackArea(render(list)), 0);
+  list.meshes[0].origin_W = {4.0f, 0, 0};
+  EXPECT_GT(blackArea(render(list)), 1000);
+}
+
+// Films: a mesh is kept from picture to picture, and a new one at the same address is not mistaken for it.
+TEST_F(MeshTest, TheSameListGivesTheSameBytesAgain) {
+  const DrawList list = listOf(torus(0.4f, 48, 24), 0.5f);
+  const image::Image first = render(list);
+  EXPECT_EQ(render(list), first);
+  render(listOf(cube(), 0.3f));
+  render(emptyList());
+  EXPECT_EQ(render(list), first);
+  const image::Image other = render(listOf(cube(), 0.3f));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(render(listOf(cube(), 0.3f)), other);
+}
+
+// Many triangles to a pixel: a body that moves by fractions of a pixel keeps its light, as no sample can miss it.
+TEST_F(MeshTest, TinyTrianglesDoNotSparkle) {
+  double least = 1e9, most = 0;
+  for (int i = 0; i < 16; ++i) {
+    DrawList list = listOf(icosphere(5), 0.03f, black());
+    list.camera.centre_px += glm::vec2(0.137f, 0.211f) * static_cast<float>(i);
+    const double area = blackArea(render(list));
+    least = std::min(least, area);
+    most = std::max(most, area);
+  }
+  RecordProperty("least", std::to_string(least));
+  RecordProperty("most", std::to_string(most));
+  EXPECT_NEAR(least, std::numbers::pi * 2.4 * 2.4, 0.05);  // a disc of 0.03 * 80 pixels; measured 0.029
+  EXPECT_NEAR(most, std::numbers::pi * 2.4 * 2.4, 0.05);
+}
+
+}  // namespace
+}  // namespace poinsot::render
