@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 namespace poinsot::physics {
@@ -27,7 +28,8 @@ struct Forcing {
   TorqueHistory torqueHistory_B, torqueHistory_W;      ///< besides
   /// Drag: m_i' = ... - rate_i m_i for the components along the principal axes P, 1/s, each >= 0.
   Eigen::Vector3d dragRate_P = Eigen::Vector3d::Zero();
-  /// Energy loss at constant L: m' = m × omega + alpha m × (m × omega), alpha in 1/(kg·m²), >= 0.
+  /// Energy loss at constant L: m' = m × omega + alpha m × (m × omega), alpha >= 0 in s/(kg·m²), so that
+  /// alpha |m| is a bare number: about the part of the spin's angle that the axis turns by.
   double dissipation = 0;
 
   bool none() const {
@@ -35,5 +37,12 @@ struct Forcing {
            torqueHistory_W.empty() && dragRate_P.isZero(0) && dissipation == 0;
   }
 };
+
+/// @throws core::Error(kPhysics) naming what is not finite, negative, of unequal length or out of order.
+void validate(const Forcing& forcing);
+
+/// M g z of the centre of mass above the fixed point, J; with the kinetic energy it is constant under gravity
+/// alone.
+double potentialEnergy(const Forcing& forcing, const Eigen::Quaterniond& q_WB);
 
 }  // namespace poinsot::physics

@@ -99,6 +99,16 @@ TEST(Transcendental, ArcTangent) {
   EXPECT_EQ(arcTangent(0), 0);
 }
 
+TEST(Transcendental, ExponentialLessOne) {
+  const auto moderate = [](Draw& draw) { return draw.between(-60, 5); };
+  const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };
+  const auto expm1_50 = [](const Real& x) { return Real(expm1(x)); };
+  expectResidual("exp - 1, ulp", worstUlps(16, moderate, exponentialLessOne, expm1_50), 1);     // measured 0.51
+  expectResidual("exp - 1 small, ulp", worstUlps(17, small, exponentialLessOne, expm1_50), 1);  // measured 0.75
+  EXPECT_EQ(exponentialLessOne(0), 0);
+  EXPECT_EQ(exponentialLessOne(-1e9), -1);
+}
+
 TEST(Transcendental, Exponential) {
   const auto range = [](Draw& draw) { return draw.between(-700, 700); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };

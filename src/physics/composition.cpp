@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/composition.h"
+
+#include <cstddef>
+
+// The orders were verified on the heavy top (tests/physics/driven_order_test.cpp). A coefficient that the others
+// determine is worked out from them, so that the sums are right to the last bit.
+
+namespace poinsot::physics {
+namespace {
+
+/// x y z -> x y z z y x, or with a centre: x y z -> x y z c z y x.
+std::vector<double> mirrored(std::vector<double> half, bool centre) {
+  for (std::size_t i = half.size() - (centre ? 1 : 0); i-- > 0;) half.push_back(half[i]);
+  return half;
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double v : values) total += v;
+  return total;
+}
+
+/// Running sums; the second half by symmetry, the last exactly 1.
+std::vector<double> cumulated(const std::vector<double>& parts) {
+  const std::size_t n = parts.size();
+  std::vector<double> ends(n, 1.0);
+  double total = 0;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    total += parts[i];
+    ends[i] = i < n / 2 ? total : 1 - ends[n - 2 - i];
+  }
+  return ends;
+}
+
+/// Of a palindrome without its middle: what brings the sum to 1, as a centre or as the innermost pair.
+std::vector<double> palindrome(std::vector<double> half, bool centre) {
+  half.push_back(centre ? 1 - 2 * sum(half) : 0.5 - sum(half));
+  return cumulated(mirrored(half, centre));
+}
+
+}  // namespace
+
+const Composition& strang2() {
+  static const Composition composition{"Strang splitting", 2, {1}, {}};
+  return composition;
+}
+
+const Composition& nystrom4() {
+  static const Composition composition{
+      "Runge-Kutta-Nyström splitting, 6 stages", 4, palindrome({0.245298957184271, 0.604872665711080}, false),
+      palindrome({0.0829844064174052, 0.396309801498368, -0.0390563049223486}, true)};
+  return composition;
+}
+
+const Composition& nystrom6() {
+  static const Composition composition{
+      "Runge-Kutta-Nyström splitting, 11 stages", 6,
+      palindrome({0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928},
+                 true),
+      palindrome(
+          {0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807, -0.0115113874206879},
+          false)};
+  return composition;
+}
+
+const Composition& kahanLi8() {
+  static const Composition composition{
+      "composition of 17 Strang splittings",
+      8,
+      palindrome({.13020248308889008088, .56116298177510838456, -.38947496264484728641, .15884190655515560090,
+                  -.39590389413323757734, .18453964097831570709, .25837438768632204729, .29501172360931029887},
+                 true),
+      {}};
+  return composition;
+}
+
+}  // namespace poinsot::physics

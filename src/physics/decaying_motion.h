@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "physics/free_motion.h"
+
+namespace poinsot::physics {
+
+/// Rotation under drag of one rate d about all axes, in closed form: m' = m × omega - d m is the free motion
+/// m_free in the time tau = (1 - e^(-d t))/d,
+///
+///   m(t) = e^(-d t) m_free(tau),      R(t) = R_free(tau)
+///
+/// since then m' = e^(-dt) (e^(-dt) m_free × omega_free - d m_free). d = 0 is the free motion.
+class DecayingMotion final : public Motion {
+ public:
+  /// @throws core::Error(kPhysics) as FreeMotion does. @pre rate >= 0, in 1/s.
+  DecayingMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
+                 double rate)
+      : free_(axes, omega0_B, q0_WB), rate_(rate) {}
+
+  /// @pre e^(-rate t_s) and the angle turned are finite.
+  RigidBodyState at(double t_s) const override;
+
+  const PrincipalAxes& axes() const override { return free_.axes(); }
+
+ private:
+  FreeMotion free_;
+  double rate_;
+};
+
+}  // namespace poinsot::physics

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/driven_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "physics/decaying_motion.h"
+#include "physics/step_choice.h"
+#include "physics/transcendental.h"
+
+namespace poinsot::physics {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
+
+/// Drag of one rate, or nothing at all.
+bool hasClosedForm(const Forcing& f) {
+  Forcing other = f;
+  other.dragRate_P.setZero();
+  return other.none() && f.dragRate_P[0] == f.dragRate_P[1] && f.dragRate_P[1] == f.dragRate_P[2];
+}
+
+void requireSpan(const TimeSpan& span, double tolerance) {
+  if (!std::isfinite(span.from_s) || !std::isfinite(span.to_s))
+    refuse(fmt::format("the span of a driven motion must be finite, got {} s to {} s", span.from_s, span.to_s));
+  if (!(tolerance > 0 && std::isfinite(tolerance)))
+    refuse(fmt::format("the tolerance must be positive and finite, got {} rad", tolerance));
+}
+
+Rotor<DoubleDouble> exact(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// The start as the integrator wants it, worked out to 100 bits.
+DrivenState startOf(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB) {
+  DrivenState state;
+  // As FreeMotion does, a power of two taken out: no square overflows.
+  int exponent = 0;
+  std::frexp(q0_WB.coeffs().cwiseAbs().maxCoeff(), &exponent);
+  Rotor<DoubleDouble> q =
+      exact(Eigen::Quaterniond(q0_WB.coeffs().unaryExpr([&](double v) { return std::ldexp(v, -exponent); })));
+  if (!axes.aligned()) q = q * normalized(exact(axes.q_BP()));
+  state.q_WP = normalized(q);
+  const Eigen::Vector3d omega_P = axes.toP(omega0_B);
+  std::array<DoubleDouble, 3> m;
+  for (int i = 0; i < 3; ++i) m[static_cast<std::size_t>(i)] = twoProduct(axes.moments()[i], omega_P[i]);
+  state.L_W = rotated(state.q_WP, m);
+  return state;
+}
+
+Eigen::Quaterniond attitude_B(const PrincipalAxes& axes, Rotor<double> q) {
+  if (!axes.aligned()) {
+    const Eigen::Quaterniond& q_BP = axes.q_BP();
+    q = q * Rotor<double>{q_BP.w(), -q_BP.x(), -q_BP.y(), -q_BP.z()};
+  }
+  q = normalized(q);
+  if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
+  return {q.w, q.x, q.y, q.z};
+}
+
+RigidBodyState bodyState(const PrincipalAxes& axes, const DrivenState& driven, double t_s) {
+  const std::array<double, 3> m = driven.momentum_P();
+  const Eigen::Vector3d& I = axes.moments().values();
+  const std::array<double, 3> omega_P = {m[0] / I[0], m[1] / I[1], m[2] / I[2]};
+  const std::array<double, 3> omega_W = rotated(toDouble(driven.q_WP), omega_P);
+  RigidBodyState state;
+  state.t_s = t_s;
+  state.q_WB = attitude_B(axes, toDouble(driven.q_WP));
+  state.omega_B = axes.toB({omega_P[0], omega_P[1], omega_P[2]});
+  state.omega_W = {omega_W[0], omega_W[1], omega_W[2]};
+  state.L_W = {driven.L_W[0].hi, driven.L_W[1].hi, driven.L_W[2].hi};
+  state.kineticEnergy = 0.5 * (omega_P[0] * m[0] + omega_P[1] * m[1] + omega_P[2] * m[2]);
+  return state;
+}
+
+}  // namespace
+
+struct DrivenMotion::Solution {
+  Solution(const PrincipalAxes& axes_, const Forcing& forcing_) : axes(axes_), forcing(forcing_) {}
+
+  void solveInClosedForm(const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB, const TimeSpan& span);
+  void integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad);
+  RigidBodyState at(double t_s) const;
+  double totalEnergy(const RigidBodyState& state) const {
+    return state.kineticEnergy + potentialEnergy(forcing, state.q_WB);
+  }
+  std::optional<double> energyDrift(const TimeSpan& span) const;
+
+  PrincipalAxes axes;
+  Forcing forcing;
+  std::optional<DecayingMotion> closed;
+  std::optional<ChosenRun> run;
+  DrivenMotionReport report;
+};
+
+void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
+                                               const TimeSpan& span) {
+  const double d = forcing.dragRate_P[0];
+  if (-d * span.from_s > kLargestExponent)
+    refuse(
+        fmt::format("{} s before its start a body with drag of {} 1/s would spin beyond the range of numbers; "
+                    "start the run later",
+                    -span.from_s, d));
+  closed.emplace(axes, omega0_B, q0_WB, d);
+  report.method = d == 0 ? "closed form" : "closed form in the time (1 - exp(-d t))/d";
+  // FreeMotion's bound, and one rounding of its time.
+  const double latest = std::max(-span.from_s, span.to_s);
+  const double turned = axes.toP(omega0_B).cwiseAbs().maxCoeff() *
+                        (d == 0 ? 0 : std::max(exponentialLessOne(-d * span.from_s) / d, std::min(latest, 1 / d)));
+  report.estimatedAttitudeError_rad = 4e-15 + 0x1p-52 * turned;
+  report.limitedByRounding = report.estimatedAttitudeError_rad > report.tolerance_rad;
+}
+
+void DrivenMotion::Solution::integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad) {
+  run = chosenRun({axes, forcing, start, span.from_s, span.to_s}, tolerance_rad);
+  report.method = run->composition->name;
+  report.order = run->composition->order;
+  report.steps = run->forward.steps() + run->backward.steps();
+  report.shortestStep_s = run->backward.steps() == 0 ? run->forward.shortestStep_s()
+                          : run->forward.steps() == 0
+                              ? run->backward.shortestStep_s()
+                              : std::min(run->forward.shortestStep_s(), run->backward.shortestStep_s());
+  report.estimatedAttitudeError_rad = run->error_rad;
+  report.limitedByRounding = run->limitedByRounding;
+  report.energyDrift = energyDrift(span);
+}
+
+std::optional<double> DrivenMotion::Solution::energyDrift(const TimeSpan& span) const {
+  Forcing other = forcing;
+  other.gravity_B.setZero();
+  if (!other.none()) return std::nullopt;
+  constexpr int kSamples = 200;
+  const double start = totalEnergy(at(0));
+  double largest = 0, scale = 0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const RigidBodyState state = at(span.from_s + (span.to_s - span.from_s) * i / kSamples);
+    largest = std::max(largest, std::abs(totalEnergy(state) - start));
+    scale = std::max({scale, state.kineticEnergy, std::abs(potentialEnergy(forcing, state.q_WB))});
+  }
+  return scale > 0 ? largest / scale : 0;
+}
+
+RigidBodyState DrivenMotion::Solution::at(double t_s) const {
+  if (closed) return closed->at(t_s);
+  const DrivenTrajectory& side = t_s < 0 ? run->backward : run->forward;
+  return bodyState(axes, side.at(t_s), t_s);
+}
+
+DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B,
+                           const Eigen::Quaterniond& q0_WB, const Forcing& forcing, const TimeSpan& span,
+                           double tolerance_rad) {
+  validate(forcing);
+  requireSpan(span, tolerance_rad);
+  const FreeMotion checked(axes, omega0_B, q0_WB);  // refuses an impossible start
+  const TimeSpan whole = {std::min(span.from_s, 0.0), std::max(span.to_s, 0.0)};
+  auto solution = std::make_unique<Solution>(axes, forcing);
+  solution->report.tolerance_rad = tolerance_rad;
+  if (hasClosedForm(forcing))
+    solution->solveInClosedForm(omega0_B, q0_WB, whole);
+  else
+    solution->integrate(startOf(axes, omega0_B, q0_WB), whole, tolerance_rad);
+  solution_ = std::move(solution);
+}
+
+DrivenMotion::~DrivenMotion() = default;
+DrivenMotion::DrivenMotion(DrivenMotion&&) noexcept = default;
+DrivenMotion& DrivenMotion::operator=(DrivenMotion&&) noexcept = default;
+
+RigidBodyState DrivenMotion::at(double t_s) const { return solution_->at(t_s); }
+const PrincipalAxes& DrivenMotion::axes() const { return solution_->axes; }
+const Forcing& DrivenMotion::forcing() const { return solution_->forcing; }
+const DrivenMotionReport& DrivenMotion::report() const { return solution_->report; }
+double DrivenMotion::totalEnergy(const RigidBodyState& state) const { return solution_->totalEnergy(state); }
+
+}  // namespace poinsot::physics

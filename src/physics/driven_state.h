@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "physics/double_double.h"
+#include "physics/rotor.h"
+
+namespace poinsot::physics {
+
+/// A turn as its unit quaternion less 1: of a small turn all digits are kept.
+struct TurnLessOne {
+  Rotor<double> q{0, 0, 0, 0};
+};
+
+/// What is integrated of a driven body: the attitude and the angular momentum in space. Both are sums of many
+/// small terms, kept to about 100 bits so that their roundings do not add up (compensated summation: G. Vilmart,
+/// J. Comput. Phys. 227 (2008) 7083); what is worked out from them is in double.
+struct DrivenState {
+  Rotor<DoubleDouble> q_WP;
+  std::array<DoubleDouble, 3> L_W;  ///< kg·m²/s
+
+  /// Angular momentum along the principal axes, kg·m²/s.
+  std::array<double, 3> momentum_P() const {
+    return rotated(conjugate(toDouble(q_WP)), std::array{L_W[0].hi, L_W[1].hi, L_W[2].hi});
+  }
+
+  /// q becomes q (1 + turn): a turn about axes of the body.
+  void turn(const TurnLessOne& turn) {
+    const Rotor<double> high = toDouble(q_WP) * turn.q;
+    const Rotor<double> low = Rotor<double>{q_WP.w.lo, q_WP.x.lo, q_WP.y.lo, q_WP.z.lo} * turn.q;
+    q_WP.w += twoSum(high.w, low.w);
+    q_WP.x += twoSum(high.x, low.x);
+    q_WP.y += twoSum(high.y, low.y);
+    q_WP.z += twoSum(high.z, low.z);
+  }
+
+  void addMomentum(double factor, const std::array<double, 3>& change_W) {
+    for (std::size_t i = 0; i < 3; ++i) L_W[i] += twoProduct(factor, change_W[i]);
+  }
+
+  /// Brings |q| back to 1 from a few roundings off.
+  void normalize() {
+    auto& q = q_WP;
+    const DoubleDouble excess = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - DoubleDouble(1);
+    const double half = 0.5 * excess.hi;
+    for (DoubleDouble* part : {&q.w, &q.x, &q.y, &q.z}) *part -= DoubleDouble(part->hi * half);
+  }
+};
+
+}  // namespace poinsot::physics

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/forcing.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "physics/rotor.h"
+
+namespace poinsot::physics {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
+
+std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+
+void requireFinite(const char* what, const Eigen::Vector3d& v) {
+  if (!v.allFinite()) refuse(fmt::format("{} must be finite, got {}", what, triple(v)));
+}
+
+void requireAscending(const char* what, const TorqueHistory& history, std::size_t i) {
+  const double t = history.t_s[i];
+  if (!std::isfinite(t)) refuse(fmt::format("times of {} must be finite, time {} is {} s", what, i + 1, t));
+  if (i > 0 && t <= history.t_s[i - 1])
+    refuse(fmt::format("times of {} must ascend, time {} is {} s after {} s", what, i + 1, t, history.t_s[i - 1]));
+}
+
+void validateHistory(const char* what, const TorqueHistory& history) {
+  if (history.t_s.size() != history.torque.size())
+    refuse(fmt::format("{} needs one torque for each time, got {} times and {} torques", what, history.t_s.size(),
+                       history.torque.size()));
+  for (std::size_t i = 0; i < history.t_s.size(); ++i) {
+    requireAscending(what, history, i);
+    requireFinite(what, history.torque[i]);
+  }
+}
+
+}  // namespace
+
+void validate(const Forcing& forcing) {
+  requireFinite("gravity (M g r in body axes, N·m)", forcing.gravity_B);
+  requireFinite("the torque in body axes (N·m)", forcing.torque_B);
+  requireFinite("the torque in space axes (N·m)", forcing.torque_W);
+  requireFinite("the drag rates (1/s)", forcing.dragRate_P);
+  if (forcing.dragRate_P.minCoeff() < 0)
+    refuse(fmt::format("drag rates must not be negative, got {} 1/s", triple(forcing.dragRate_P)));
+  if (!(forcing.dissipation >= 0 && std::isfinite(forcing.dissipation)))
+    refuse(fmt::format("the dissipation alpha must be finite and not negative, got {} s/(kg·m²)",
+                       forcing.dissipation));
+  validateHistory("the torque table in body axes", forcing.torqueHistory_B);
+  validateHistory("the torque table in space axes", forcing.torqueHistory_W);
+}
+
+double potentialEnergy(const Forcing& forcing, const Eigen::Quaterniond& q) {
+  const Eigen::Vector3d& r = forcing.gravity_B;
+  return rotated(Rotor<double>{q.w(), q.x(), q.y(), q.z()}, std::array{r[0], r[1], r[2]})[2];
+}
+
+}  // namespace poinsot::physics

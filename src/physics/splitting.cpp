@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/splitting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/expect.h"
+#include "physics/transcendental.h"
+
+namespace poinsot::physics {
+namespace {
+
+using Components = std::array<double, 3>;
+
+Components components(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+/// Points of a step, each rounded to a multiple of one unit in the last place of h: what lies between them adds up
+/// to h exactly, else a step would be longer or shorter by the same rounding every time.
+class StepGrid {
+ public:
+  explicit StepGrid(double h) : h_(h) {
+    int exponent = 0;
+    std::frexp(h, &exponent);
+    unit_ = std::ldexp(1.0, std::max(exponent - 53, -1074));
+  }
+  double at(double part) const { return part == 1 ? h_ : std::round(part * h_ / unit_) * unit_; }
+
+ private:
+  double h_, unit_;
+};
+
+}  // namespace
+
+Splitting::Splitting(const PrincipalAxes& axes, const Forcing& forcing)
+    : free_(axes.moments()),
+      I_(components(axes.moments().values())),
+      gravity_P_(components(axes.toP(forcing.gravity_B))),
+      heavy_(!forcing.gravity_B.isZero(0)),
+      dragRate_(components(forcing.dragRate_P)),
+      anisotropic_(dragRate_[0] != dragRate_[1] || dragRate_[1] != dragRate_[2]),
+      alpha_(forcing.dissipation) {}
+
+double Splitting::angularSpeed(const DrivenState& state) const {
+  const Components m = state.momentum_P();
+  return norm({m[0] / I_[0], m[1] / I_[1], m[2] / I_[2]});
+}
+
+void Splitting::step(DrivenState& state, const Composition& composition, const ForcingPiece& piece, double since,
+                     double h) const {
+  POINSOT_EXPECT(composition.kicks.empty() || !dependsOnMomentum());
+  const StepGrid grid(h);
+  double drifted = 0, kicked = 0;
+  for (std::size_t i = 0; i < composition.drifts.size(); ++i) {
+    const double end = grid.at(composition.drifts[i]);
+    if (composition.kicks.empty()) {
+      strangStep(state, piece, since + drifted, end - drifted);
+    } else {
+      const double impulse = grid.at(composition.kicks[i]);
+      kick(state, piece, since + drifted, impulse - kicked);
+      drift(state, end - drifted);
+      kicked = impulse;
+    }
+    drifted = end;
+  }
+  if (!composition.kicks.empty()) kick(state, piece, since + h, h - kicked);
+  state.normalize();
+}
+
+void Splitting::strangStep(DrivenState& state, const ForcingPiece& piece, double since, double h) const {
+  const double half = 0.5 * h;
+  kick(state, piece, since, half);
+  drag(state, half);
+  dissipate(state, half);
+  drift(state, h);
+  dissipate(state, half);
+  drag(state, half);
+  kick(state, piece, since + h, half);
+}
+
+void Splitting::kick(DrivenState& state, const ForcingPiece& piece, double since, double h) const {
+  const Rotor<double> q_WP = toDouble(state.q_WP);
+  if (heavy_) {
+    const Components r_W = rotated(q_WP, gravity_P_);
+    state.addMomentum(h, {-r_W[1], r_W[0], 0});
+  }
+  if (!piece.torque_P.zero()) state.addMomentum(h, rotated(q_WP, piece.torque_P.at(since)));
+  if (!piece.torque_W.zero()) state.addMomentum(h, piece.torque_W.at(since));
+}
+
+// With equal rates d, m' = m × omega - d m is the free motion in the time tau = (1 - e^(-d t))/d, and L decays.
+void Splitting::drift(DrivenState& state, double h) const {
+  const double d = anisotropic_ ? 0 : dragRate_[0];
+  if (d == 0) return free_.apply(state, h);
+  const double decay = exponentialLessOne(-d * h);
+  free_.apply(state, -decay / d);
+  state.addMomentum(decay, {state.L_W[0].hi, state.L_W[1].hi, state.L_W[2].hi});
+}
+
+void Splitting::drag(DrivenState& state, double h) const {
+  if (!anisotropic_) return;
+  const Components m = state.momentum_P();
+  Components change;
+  for (std::size_t i = 0; i < 3; ++i) change[i] = m[i] * exponentialLessOne(-dragRate_[i] * h);
+  state.addMomentum(1, rotated(toDouble(state.q_WP), change));
+}
+
+// m_i ~ m_i(0) e^(-alpha L^2 t/I_i), brought back to the length L. The attitude goes the shortest way: its error
+// is of third order in h and odd, as a symmetric step needs.
+void Splitting::dissipate(DrivenState& state, double h) const {
+  if (alpha_ == 0) return;
+  Components n = state.momentum_P();
+  const double L = norm(n);
+  if (L == 0) return;
+  // Of the axis that gains, so that no exponential exceeds 1.
+  const double gaining = h > 0 ? *std::max_element(I_.begin(), I_.end()) : *std::min_element(I_.begin(), I_.end());
+  Components lost;
+  double square = 0;  // of the new length, less 1
+  for (std::size_t i = 0; i < 3; ++i) {
+    n[i] /= L;
+    lost[i] = exponentialLessOne(-(alpha_ * L * L * h) * ((gaining - I_[i]) / (gaining * I_[i])));
+    square += n[i] * n[i] * (lost[i] * (2 + lost[i]));
+  }
+  const double length = std::sqrt(1 + square);
+  const double rescaling = -square / (length * (1 + length));  // 1/length - 1
+  for (std::size_t i = 0; i < 3; ++i) lost[i] = n[i] * (lost[i] + rescaling * (1 + lost[i]));
+  state.turn(turnKeeping(n, lost, 0));
+}
+
+}  // namespace poinsot::physics

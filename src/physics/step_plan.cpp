@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/step_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace poinsot::physics {
+namespace {
+
+// A torque fixed in the body is a torque of (R, t) that varies as fast as the body turns: longer steps could find
+// it where it was a turn ago and see no error.
+constexpr double kLongestTurn_rad = 1;
+
+// Steps of the pilot for one part of a piece, where energy is not conserved; and the most parts.
+constexpr std::size_t kStepsPerPart = 32, kMostParts = 16;
+
+struct PilotStep {
+  double since_s = 0;   // from the piece's begin, at the start of the step
+  double length_s = 0;  // that would have been good, were the piece long enough
+};
+
+/// |a - b| in radians plus the part of the angular momentum by which they differ.
+double difference(const DrivenState& a, const DrivenState& b, double scale) {
+  const Rotor<double> turn = conjugate(toDouble(a.q_WP)) * toDouble(b.q_WP);
+  const double angle = 2 * std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+  const double L = norm({a.L_W[0].hi - b.L_W[0].hi, a.L_W[1].hi - b.L_W[1].hi, a.L_W[2].hi - b.L_W[2].hi});
+  return angle + (scale > 0 ? L / scale : 0);
+}
+
+double size(const DrivenState& s) { return norm({s.L_W[0].hi, s.L_W[1].hi, s.L_W[2].hi}); }
+
+class Pilot {
+ public:
+  Pilot(const Splitting& splitting, const Composition& composition, const DrivenState& start)
+      : splitting_(splitting), composition_(composition), state_(start) {}
+
+  /// The steps over one piece.
+  std::vector<PilotStep> over(const ForcingPiece& piece);
+
+  double turned_rad() const { return turned_; }
+
+ private:
+  double longest() const;
+  double tried(const ForcingPiece& piece, double since, double h, DrivenState& after) const;
+  void refuseIfHopeless(const ForcingPiece& piece, double since) const;
+
+  const Splitting& splitting_;
+  const Composition& composition_;
+  DrivenState state_;
+  double h_ = 0;  // > 0, carried from piece to piece
+  double taken_ = 0;
+  double turned_ = 0;
+};
+
+double Pilot::longest() const {
+  const double omega = splitting_.angularSpeed(state_);
+  return omega > 0 ? kLongestTurn_rad / omega : HUGE_VAL;
+}
+
+/// The error of a step of signed length h; `after` it, from two halves.
+double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenState& after) const {
+  DrivenState once = state_;
+  after = state_;
+  splitting_.step(once, composition_, piece, since, h);
+  splitting_.step(after, composition_, piece, since, 0.5 * h);
+  splitting_.step(after, composition_, piece, since + 0.5 * h, 0.5 * h);
+  const double turned = splitting_.angularSpeed(after) * std::abs(h);
+  const double error = difference(once, after, std::max(size(state_), size(after)));
+  return turned > 2 * kLongestTurn_rad ? HUGE_VAL : error;
+}
+
+void Pilot::refuseIfHopeless(const ForcingPiece& piece, double since) const {
+  const double t = piece.begin_s + since;
+  const double rest = std::abs(piece.end_s - t);
+  if (h_ > 0x1p-50 * std::abs(t) && h_ > 0 && taken_ + rest / h_ < 4 * kMostSteps && taken_ < kMostSteps) return;
+  throw core::Error(core::ErrorKind::kPhysics,
+                    fmt::format("the driven motion needs steps of {:.3g} s at t = {:.6g} s, with {:.6g} s to go: "
+                                "more than the {:.0f} steps allowed in a run; shorten the run, or weaken what "
+                                "drives the body",
+                                h_, t, rest, kMostSteps));
+}
+
+std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
+  const double length = std::abs(piece.end_s - piece.begin_s), sense = piece.end_s < piece.begin_s ? -1 : 1;
+  if (h_ == 0) h_ = length;
+  std::vector<PilotStep> steps;
+  DrivenState after;
+  for (double since = 0; since < length;) {
+    h_ = std::min(h_, longest());
+    const double h = std::min(h_, length - since);
+    const double error = tried(piece, sense * since, sense * h, after);
+    if (!(error <= kPilotError)) {
+      h_ = 0.5 * h;
+      refuseIfHopeless(piece, sense * since);
+      continue;
+    }
+    steps.push_back({sense * since, h_});
+    state_ = after;
+    turned_ += splitting_.angularSpeed(state_) * h;
+    since = h < h_ || since + h >= length ? length : since + h;
+    taken_ += 1;
+    refuseIfHopeless(piece, sense * since);
+    if (h == h_ && std::ldexp(error, composition_.order + 2) < kPilotError) h_ *= 2;
+  }
+  return steps;
+}
+
+/// The steps [first, last) of a piece as one stretch.
+Stretch stretchOf(const ForcingPiece& piece, const std::vector<PilotStep>& steps, std::size_t first,
+                  std::size_t last) {
+  Stretch stretch{piece, piece.begin_s + steps[first].since_s,
+                  last < steps.size() ? piece.begin_s + steps[last].since_s : piece.end_s, HUGE_VAL};
+  for (std::size_t i = first; i < last; ++i) stretch.step_s = std::min(stretch.step_s, steps[i].length_s);
+  return stretch;
+}
+
+}  // namespace
+
+StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, const DrivenState& start,
+                   const std::vector<ForcingPiece>& pieces, bool conservative) {
+  Pilot pilot(splitting, composition, start);
+  StepPlan plan;
+  for (const ForcingPiece& piece : pieces) {
+    const std::vector<PilotStep> steps = pilot.over(piece);
+    const std::size_t n = steps.size();
+    const std::size_t parts = conservative ? 1 : std::clamp<std::size_t>(n / kStepsPerPart, 1, kMostParts);
+    for (std::size_t i = 0; i < parts; ++i)
+      plan.stretches.push_back(stretchOf(piece, steps, i * n / parts, (i + 1) * n / parts));
+  }
+  plan.turned_rad = pilot.turned_rad();
+  return plan;
+}
+
+double stepsIn(const Stretch& stretch, double scale, double fewest) {
+  return std::max(fewest, std::ceil(std::abs(stretch.end_s - stretch.begin_s) / (stretch.step_s * scale)));
+}
+
+}  // namespace poinsot::physics

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.h"
+#include "physics/driven_testing.h"
+
+namespace poinsot::physics {
+namespace {
+
+using testing::HasSubstr;
+
+template <typename Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kPhysics);
+    return error.message();
+  }
+  return "not refused";
+}
+
+std::string refusalOf(const Forcing& forcing) {
+  return refusal([&] { validate(forcing); });
+}
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+
+TEST(ForcingValidation, NamesWhatIsNotFinite) {
+  Forcing f;
+  validate(f);
+  f.gravity_B[1] = kNaN;
+  EXPECT_THAT(refusalOf(f), HasSubstr("gravity (M g r in body axes, N·m) must be finite, got (0, nan, 0)"));
+  f = {};
+  f.torque_B[0] = kInf;
+  EXPECT_THAT(refusalOf(f), HasSubstr("the torque in body axes (N·m) must be finite, got (inf, 0, 0)"));
+  f = {};
+  f.torque_W[2] = -kInf;
+  EXPECT_THAT(refusalOf(f), HasSubstr("the torque in space axes (N·m) must be finite, got (0, 0, -inf)"));
+}
+
+TEST(ForcingValidation, RefusesNegativeRates) {
+  Forcing f;
+  f.dragRate_P = {0.1, -0.2, 0};
+  EXPECT_THAT(refusalOf(f), HasSubstr("drag rates must not be negative, got (0.1, -0.2, 0) 1/s"));
+  f = {};
+  f.dissipation = -0.5;
+  EXPECT_THAT(refusalOf(f), HasSubstr("alpha must be finite and not negative, got -0.5 s/(kg·m²)"));
+  f.dissipation = kNaN;
+  EXPECT_THAT(refusalOf(f), HasSubstr("got nan"));
+}
+
+TEST(ForcingValidation, RefusesTablesThatDoNotAscend) {
+  Forcing f;
+  f.torqueHistory_W.t_s = {0, 1, 1};
+  f.torqueHistory_W.torque.assign(3, Eigen::Vector3d::UnitX());
+  EXPECT_THAT(refusalOf(f), HasSubstr("the torque table in space axes must ascend, time 3 is 1 s after 1 s"));
+  f.torqueHistory_W.t_s = {0, kNaN, 2};
+  EXPECT_THAT(refusalOf(f), HasSubstr("must be finite, time 2 is nan s"));
+  f.torqueHistory_W.t_s = {0, 1};
+  EXPECT_THAT(refusalOf(f), HasSubstr("needs one torque for each time, got 2 times and 3 torques"));
+  f = {};
+  f.torqueHistory_B.t_s = {0};
+  f.torqueHistory_B.torque = {{0, kInf, 0}};
+  EXPECT_THAT(refusalOf(f), HasSubstr("the torque table in body axes must be finite"));
+}
+
+TEST(DrivenRefusal, SpanAndTolerance) {
+  DrivenCase c;
+  EXPECT_THAT(refusal([&] { c.motion(0); }), HasSubstr("tolerance must be positive and finite, got 0 rad"));
+  c.span = {0, kInf};
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("span of a driven motion must be finite, got 0 s to inf s"));
+}
+
+TEST(DrivenRefusal, Starts) {
+  DrivenCase c;
+  c.forcing.torque_B = {1, 0, 0};
+  c.omega0[0] = kNaN;
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("finite"));
+  c = {};
+  c.q0 = Eigen::Quaterniond(0, 0, 0, 0);
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("nonzero, finite quaternion"));
+}
+
+TEST(DrivenRefusal, RunsOfTooManySteps) {
+  DrivenCase c = heavyTop(1e9);
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 20000000 steps allowed in a run"));
+  c = {};
+  c.forcing.dragRate_P = {1, 2, 1};
+  c.span = {-1e4, 0};
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("weaken what drives the body"));
+}
+
+TEST(DrivenRefusal, DecayTracedBackTooFar) {
+  DrivenCase c;
+  c.forcing.dragRate_P.setConstant(1);
+  c.span = {-1000, 0};
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("start the run later"));
+}
+
+TEST(DrivenRefusal, TimesOutsideTheSpanBreakTheContract) {
+  DrivenCase c;
+  c.forcing.torque_B = {0.1, 0, 0};
+  c.span = {-1, 2};
+  const DrivenMotion motion = c.motion();
+  motion.at(2);
+  motion.at(-1);
+  EXPECT_THROW(motion.at(2.001), std::logic_error);
+  EXPECT_THROW(motion.at(-1.001), std::logic_error);
+}
+
+}  // namespace
+}  // namespace poinsot::physics
