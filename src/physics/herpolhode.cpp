@@ -28,11 +28,25 @@ Herpolhode::Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& o
   const auto& I = k.start.I;
   largestRadius_ = radius(k, k.D1, k.D3, I[0], I[2]);
   smallestRadius_ = radius(k, abs(k.D), k.c == 2 ? k.D3 : k.D1, I[1], I[k.c]);
+  rateExponent_ = k.start.rateExponent;
+  meanRate_ = toDouble(k.twoT / k.L);
+  areaTerm_ = toDouble(k.D1 / I[0] * (k.D3 / I[2]) * (k.D / I[1]) / (k.L * k.L * k.L));
   radialPeriod_ = anglePerRadialPeriod_ = std::numeric_limits<double>::infinity();
   if (!k.periodic()) return;
   const DD halfPeriod = k.K * 2.0 / k.lambda;
   radialPeriod_ = std::ldexp(toDouble(halfPeriod), -k.start.rateExponent);
   anglePerRadialPeriod_ = toDouble(k.L / I[1] * halfPeriod + k.Q * (2.0 * k.s));
+}
+
+// omega' is the same vector in space and in the body (eq 31), m' = m × omega there, and the component of omega
+// along L is constant, so
+//   rho² chi' = L^·(omega × omega') = omega'·(m × omega)/L = sum m_i'²/(I_i L),      rho² = |m × omega|²/L²
+// chi' is the mean of L/I_i weighted with m_i'²: always between L/I3 and L/I1. With eq (38) and |m| = L solved for
+// the m_i² it takes the form of herpolhode.h.
+double Herpolhode::rate(double radius) const {
+  if (areaTerm_ == 0) return std::ldexp(meanRate_, rateExponent_);
+  const double scaled = std::ldexp(radius, -rateExponent_);
+  return std::ldexp(meanRate_ + areaTerm_ / scaled / scaled, rateExponent_);
 }
 
 std::optional<HerpolhodeClosure> Herpolhode::closure(int longest, double tolerance_rad) const {

@@ -36,6 +36,11 @@ class Herpolhode {
   /// 0 steady, infinite on the separatrix.
   double anglePerRadialPeriod() const { return anglePerRadialPeriod_; }
 
+  /// chi': rate at which omega turns about L where the radius is `radius` rad/s; rad/s, between L/I3 and L/I1.
+  ///   chi' = 2T/L + (L² - 2T I1)(L² - 2T I2)(2T I3 - L²)/(I1 I2 I3 L³ radius²)
+  /// derived in herpolhode.cpp. 0 when steady. @pre radius is within the curve's two.
+  double rate(double radius) const;
+
   /// The least number of radial periods, up to `longest`, after which the curve meets itself to `tolerance_rad` of
   /// angle; empty if there is none, or no period. (The circle of a symmetric top is closed whatever this says.)
   std::optional<HerpolhodeClosure> closure(int longest, double tolerance_rad) const;
@@ -46,6 +51,9 @@ class Herpolhode {
   double largestRadius_ = 0;
   double radialPeriod_ = 0;
   double anglePerRadialPeriod_ = 0;
+  int rateExponent_ = 0;  // of the two below, and of a radius beside them
+  double meanRate_ = 0;   // 2T/L
+  double areaTerm_ = 0;   // rate = 2T/L + areaTerm/radius²
 };
 
 }  // namespace poinsot::physics

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/flight.h"
+
+#include "physics/fixed_order.h"
+
+namespace poinsot::physics {
+
+Eigen::Vector3d Flight::positionAt(double t_s) const {
+  return position_W + t_s * (velocity_W + 0.5 * t_s * gravity_W);
+}
+
+Eigen::Vector3d Flight::velocityAt(double t_s) const { return velocity_W + t_s * gravity_W; }
+
+FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const RigidBodyState& state) {
+  const Eigen::Vector3d position_W = flight.positionAt(state.t_s), velocity_W = flight.velocityAt(state.t_s);
+  FlightQuantities q;
+  q.P_W = mass_kg * velocity_W;
+  q.orbital_W = crossProduct(position_W, q.P_W);
+  q.intrinsic_W = state.L_W;
+  q.total_W = q.orbital_W + q.intrinsic_W;
+  q.force_W = mass_kg * flight.gravity_W;
+  q.torque_W = crossProduct(position_W, q.force_W);
+  q.translationalEnergy = 0.5 * mass_kg * dotProduct(velocity_W, velocity_W);
+  q.rotationalEnergy = state.kineticEnergy;
+  q.potentialEnergy = -dotProduct(q.force_W, position_W);
+  return q;
+}
+
+}  // namespace poinsot::physics

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "physics/rigid_body_state.h"
+
+namespace poinsot::physics {
+
+/// Flight of the centre of mass under uniform gravity, which has no torque about it (eq 1 to 10): the rotation is
+/// as free as without.
+struct Flight {
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();         ///< at motion time 0, m
+  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();         ///< at motion time 0, m/s
+  Eigen::Vector3d gravity_W = Eigen::Vector3d(0, 0, -9.80665);  ///< m/s²
+
+  /// position + velocity t + gravity t²/2.
+  Eigen::Vector3d positionAt(double t_s) const;
+  Eigen::Vector3d velocityAt(double t_s) const;
+};
+
+/// Momenta and energies of a body that flies and turns, at one time, and what changes them. Points and axes of W.
+struct FlightQuantities {
+  Eigen::Vector3d P_W;             ///< M V_cm, kg·m/s (eq 1)
+  Eigen::Vector3d orbital_W;       ///< R_cm × P, kg·m²/s (eq 5)
+  Eigen::Vector3d intrinsic_W;     ///< L, kg·m²/s (eq 6)
+  Eigen::Vector3d total_W;         ///< L_tot, their sum (eq 5)
+  Eigen::Vector3d force_W;         ///< dP/dt = M g, N (eq 1)
+  Eigen::Vector3d torque_W;        ///< dL_tot/dt = R_cm × M g about the origin, N·m (eq 1, 8)
+  double translationalEnergy = 0;  ///< M V_cm²/2, J (eq 10)
+  double rotationalEnergy = 0;     ///< omega·I·omega/2, J (eq 12)
+  double potentialEnergy = 0;      ///< -M g·R_cm, J
+
+  double kineticEnergy() const { return translationalEnergy + rotationalEnergy; }  ///< eq (10)
+};
+
+/// Of a body of `mass_kg` at the time of `state`, its rotation about the centre of mass.
+FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const RigidBodyState& state);
+
+}  // namespace poinsot::physics

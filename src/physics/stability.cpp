@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/stability.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/expect.h"
+#include "physics/free_motion_constants.h"
+#include "physics/transcendental.h"
+
+namespace poinsot::physics {
+
+SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin) {
+  POINSOT_EXPECT(axis >= 0 && axis < 3);
+  const double Ik = moments[axis], Ii = moments[(axis + 1) % 3], Ij = moments[(axis + 2) % 3];
+  const double stiffness = ((Ik - Ii) / Ii) * ((Ik - Ij) / Ij);
+  const double rate = std::abs(spin) * std::sqrt(std::abs(stiffness));
+  if (rate == 0) return {};
+  return {stiffness > 0 ? Stability::kStable : Stability::kUnstable, rate};
+}
+
+FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  const FreeMotionConstants k = freeMotionConstants(moments, omega_P);
+  if (k.regime == PolhodeRegime::kSteady) return {};
+  const double lambda = std::ldexp(toDouble(k.lambda), k.start.rateExponent), mc = toDouble(k.mc);
+  if (!k.periodic()) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, kInfinity, lambda, 0};
+  }
+  const double logarithmic = logarithm(4 / std::sqrt(mc));
+  return {2 * toDouble(k.K) / lambda, 2 * logarithmic / lambda, lambda, mc};
+}
+
+}  // namespace poinsot::physics

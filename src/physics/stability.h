@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "physics/principal_moments.h"
+
+namespace poinsot::physics {
+
+enum class Stability {
+  kStable,    ///< a small disturbance circles the axis
+  kUnstable,  ///< it grows as e^(rate t)
+  kNeutral,   ///< it stays or drifts: another axis has the same moment
+};
+
+/// What becomes of a small disturbance of a steady spin about a principal axis.
+struct SpinStability {
+  Stability kind = Stability::kNeutral;
+  double rate = 0;  ///< unstable: growth lambda, 1/s; stable: angular frequency of the circling, rad/s; else 0
+};
+
+/// For the spin w about axis k, and i, j the other axes: x'' = -w² (I_k - I_i)(I_k - I_j)/(I_i I_j) x for the
+/// components x of omega across k, to first order.
+/// Source: lecture, eq (24) to (26), linearised; Landau & Lifshitz, Mechanics, section 37. Checked against the
+/// motion in tests/physics/stability_test.cpp. spin in rad/s, either sign. @pre axis is 0, 1 or 2.
+SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin);
+
+/// Flips of a body that spins about its middle axis (tennis racket, T-handle): omega_2 changes sign once in each
+/// half period of the polhode.
+struct FlipTimes {
+  /// Half the polhode's period, s: 2K/lambda. 0 for a steady motion, infinite on the separatrix.
+  double interval_s = 0;
+  /// (2/lambda) ln(4/sqrt(mc)), s: what it tends to near the separatrix, too short by mc ln(4/sqrt(mc))/(2
+  /// lambda). Each decade of the disturbance adds (2/lambda) ln 10.
+  double asymptotic_s = 0;
+  double growthRate = 0;     ///< lambda, 1/s
+  double complementary = 1;  ///< mc = 1 - k² of the elliptic functions: 0 on the separatrix
+};
+
+/// omega_P in rad/s at any one time of the motion. Source: DLMF 19.12.1 (K near k = 1).
+/// @throws core::Error(kPhysics) if it is not finite.
+FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
+
+}  // namespace poinsot::physics
