@@ -57,6 +57,9 @@ struct SolidPart {
   Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< where S has its origin, m
 };
 
+/// In the body's axes. @throws as massProperties of the solid.
+MassProperties massProperties(const SolidPart& part);
+
 /// The simple solids that a composite solid (L plate, T-handle, racket, wing nut) is made of, masses adding up to
 /// `mass_kg`; any other solid alone.
 std::vector<SolidPart> partsOf(const Solid& solid, double mass_kg);

@@ -123,9 +123,10 @@ MassProperties combined(const std::vector<SolidPart>& pieces, double mass_kg) {
   for (const SolidPart& piece : pieces) sum += piece.mass_kg;
   std::vector<MassProperties> placed;
   placed.reserve(pieces.size());
-  for (const SolidPart& piece : pieces)
-    placed.push_back(
-        massProperties(piece.solid, mass_kg * (piece.mass_kg / sum)).moved(piece.q_BS, piece.offset_B));
+  for (SolidPart piece : pieces) {
+    piece.mass_kg *= mass_kg / sum;
+    placed.push_back(massProperties(piece));
+  }
   const MassProperties whole = combined(placed);
   return {mass_kg, whole.centre_B(), whole.inertia_B()};  // the shares' sum may miss the mass by a rounding
 }
@@ -153,6 +154,10 @@ MassProperties massProperties(const Solid& solid, double mass_kg) {
   requirePositive(mass_kg, "mass");
   requirePossible(solid);
   return std::visit(Properties{mass_kg}, solid);
+}
+
+MassProperties massProperties(const SolidPart& part) {
+  return massProperties(part.solid, part.mass_kg).moved(part.q_BS, part.offset_B);
 }
 
 }  // namespace poinsot::physics

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/catalogue.h"
+
+#include <algorithm>
+
+namespace poinsot::physics {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kInch = 0.0254, kOunce = 0.028349523125;  // exact by definition
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kAluminium = 2700, kSteel = 7850;  // kg/m³, to two digits, as any engineer's table has them
+
+SolidPart whole(const Solid& solid, double mass_kg, const Vector3d& offset_B = Vector3d::Zero()) {
+  SolidPart part{solid, mass_kg};
+  part.offset_B = offset_B;
+  return part;
+}
+
+CatalogueBody tHandle() {
+  const THandle solid{.090, .006, .045, .006};
+  const double mass_kg = volume(solid) * kAluminium;
+  return {
+      "t_handle",
+      "T-handle",
+      mass_kg,
+      partsOf(solid, mass_kg),
+      {},
+      "Assumed: bars of 12 mm, 90 mm and 45 mm long, of aluminium (2700 kg/m³), in the likeness of the handle "
+      "that "
+      "turned over in films from space stations, whose dimensions are not published. Computed: mass 0.0412 kg, "
+      "moments."};
+}
+
+CatalogueBody racket() {
+  return {"racket",
+          "Tennis racket",
+          0.33,
+          partsOf(Racket{.68, .26}, 0.33),
+          {},
+          "Assumed: a hoop of 0.26 m with 0.17 kg and a thin handle of 0.42 m with 0.16 kg, 0.68 m over all; "
+          "within the "
+          "limits of the ITF Rules of Tennis, appendix II (0.737 m by 0.317 m). Computed: moments. Strings are "
+          "left out, "
+          "and the balance is further from the butt than on most rackets."};
+}
+
+CatalogueBody book() {
+  const Box solid{{.210, .148, .020}};
+  const double mass_kg = 200 * .080 * (.210 * .148);
+  return {
+      "book",
+      "Book",
+      mass_kg,
+      {whole(solid, mass_kg)},
+      {},
+      "Published: ISO 216, sheets of A5, 210 mm by 148 mm. Assumed: 200 sheets of 80 g/m² and 0.1 mm, without a "
+      "cover. Computed: 20 mm thick, 0.497 kg, moments of a uniform box."};
+}
+
+CatalogueBody phone() {
+  return {
+      "phone",
+      "Phone",
+      0.171,
+      {whole(Box{{.0716, .1476, .0078}}, 0.171)},
+      {},
+      "Published by the maker: iPhone 15, 147.6 mm by 71.6 mm by 7.8 mm, 171 g. Assumed: a uniform box. Computed: "
+      "moments. Its long axis is y."};
+}
+
+CatalogueBody football() {
+  const double mass_kg = 14.5 * kOunce, half = 11.125 * kInch / 2, radius = 21.125 * kInch / (2 * kPi);
+  return {"football",
+          "American football",
+          mass_kg,
+          {whole(EllipsoidShell{{radius, radius, half}}, mass_kg)},
+          {},
+          "Published: NFL Playing Rules, rule 2, the middle of each range: long axis 11 to 11 1/4 in, short "
+          "circumference "
+          "21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar ellipsoids; a real ball has "
+          "pointed ends "
+          "and a bladder. Computed: moments. Its long axis is z."};
+}
+
+CatalogueBody frisbee() {
+  const double radius = .137, depth = .025;
+  return {
+      "frisbee",
+      "Flying disc",
+      0.175,
+      {whole(Disc{radius}, .1, {0, 0, depth / 2}), whole(CylinderShell{radius, depth}, .075)},
+      PrincipalMoments({.001219, .001219, .002352}),
+      "Published: 175 g, the weight of discs approved for Ultimate; moments measured by S. A. Hummel, Frisbee "
+      "Flight "
+      "Simulation and Throw Biomechanics, thesis, University of California, Davis, 2003, as quoted by the program "
+      "FrisPy (the thesis itself was not at hand). Assumed, for drawing only: a plate of 274 mm with a rim of 25 "
+      "mm."};
+}
+
+CatalogueBody wingNut() {
+  const WingNut solid{.010, .010, {.0145, .004, .017}, .01725, .0095};
+  const double mass_kg = volume(solid) * kSteel;
+  return {
+      "wing_nut",
+      "Wing nut",
+      mass_kg,
+      partsOf(solid, mass_kg),
+      {},
+      "Published: DIN 314, size M10: span 47 to 50 mm, hub 18 to 21 mm across and 8 to 10 mm high, wings at most "
+      "4 mm thick, 22 to 24 mm over all. Assumed: a hub without its hole, boxes for wings, steel (7850 kg/m³). "
+      "Computed: mass 0.0401 kg, moments."};
+}
+
+CatalogueBody explorer1() {
+  return {"explorer_1",
+          "Explorer 1",
+          13.97,
+          {whole(Cylinder{.076, 2.03}, 13.97)},
+          {},
+          "Published by NASA: 13.97 kg, 203 cm long, 15.2 cm across. Assumed: a uniform cylinder without its four "
+          "whip "
+          "antennas. Computed: moments. Its long axis is z."};
+}
+
+CatalogueBody earth() {
+  const double equator = 6378136.6, pole = equator * (1 - 1 / 298.25642), C = 8.0365e37, A = C * (1 - .003273795);
+  const double mass_kg = 3.986004418e14 / 6.67428e-11;
+  return {
+      "earth",
+      "Earth",
+      mass_kg,
+      {whole(Ellipsoid{{equator, equator, pole}}, mass_kg)},
+      PrincipalMoments({A, A, C}),
+      "Published: polar moment C = 8.0365e37 kg·m² (E. Groten, J. Geodesy 77 (2004) 724); dynamical flattening "
+      "H = (C - A)/C = 0.003273795, GM, G, equatorial radius and flattening of the IERS Conventions (2010), table "
+      "1.1. Computed: A = C (1 - H), mass GM/G. Assumed: rigid and symmetric; B - A = 7.26e-6 M R² (Liu & Chao, "
+      "Geophys. J. Int. 106 (1991) 699) is left out, and so are oceans, core and elasticity, which make the "
+      "observed "
+      "Chandler period longer."};
+}
+
+CatalogueBody toutatis() {
+  // In the moment about the long axis, of an ellipsoid of the published size.
+  const Ellipsoid figure{{1200, 960, 2300}};
+  const double mass_kg = 1.9e13, longAxis = massProperties(figure, mass_kg).inertia_B()(2, 2);
+  return {"toutatis",
+          "Asteroid 4179 Toutatis",
+          mass_kg,
+          {whole(figure, mass_kg)},
+          PrincipalMoments(Vector3d(3.0836, 3.235, 1) * longAxis),
+          "Published: ratios of the moments 3.0836 : 3.235 : 1 (Y. Takahashi, M. W. Busch, D. J. Scheeres, "
+          "Astron. J. 146 "
+          "(2013) 95); size 1.92 km by 2.40 km by 4.60 km (R. S. Hudson, S. J. Ostro, Science 270 (1995) 84). "
+          "Assumed: "
+          "mass 1.9e13 kg and the moment about the long axis, z, of an ellipsoid of that size; free motion "
+          "depends on the "
+          "ratios only. Drawn as that ellipsoid; the real body has two lobes."};
+}
+
+}  // namespace
+
+const std::vector<CatalogueBody>& catalogue() {
+  static const std::vector<CatalogueBody> kBodies = {tHandle(), racket(),  book(),      phone(), football(),
+                                                     frisbee(), wingNut(), explorer1(), earth(), toutatis()};
+  return kBodies;
+}
+
+const CatalogueBody* findCatalogueBody(std::string_view name) {
+  const auto found = std::ranges::find(catalogue(), name, &CatalogueBody::name);
+  return found == catalogue().end() ? nullptr : &*found;
+}
+
+MassProperties massProperties(const CatalogueBody& body) {
+  if (body.moments) return {body.mass_kg, Vector3d::Zero(), body.moments->values().asDiagonal().toDenseMatrix()};
+  std::vector<MassProperties> pieces;
+  for (const SolidPart& part : body.parts) pieces.push_back(massProperties(part));
+  return combined(pieces);
+}
+
+}  // namespace poinsot::physics
