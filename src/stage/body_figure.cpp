@@ -89,7 +89,9 @@ BodyFigure::BodyFigure(const scene::Scene& scene)
     : figure_(figureOf(scene)), R_PB_(scene.body.axes.q_BP().toRotationMatrix().transpose()) {
   for (int i = 0; i < 3; ++i) {
     const Vector3d axis_B = R_PB_.row(i).transpose();
-    reachAlongAxes_[i] = std::max(axis_B.dot(supportPoint(axis_B)), -axis_B.dot(supportPoint(-axis_B)));
+    const double ahead = axis_B.dot(supportPoint(axis_B)), behind = -axis_B.dot(supportPoint(-axis_B));
+    reachAlongAxes_[i] = std::max(ahead, behind);
+    halfExtents_[i] = 0.5 * (ahead + behind);
   }
 }
 

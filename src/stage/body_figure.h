@@ -19,6 +19,8 @@ class BodyFigure {
 
   /// How far it reaches from the fixed point along each principal axis, the farther of both ways, in m.
   const Eigen::Vector3d& reachAlongAxes() const { return reachAlongAxes_; }
+  /// Half its extent along each principal axis, in m.
+  const Eigen::Vector3d& halfExtents() const { return halfExtents_; }
   /// Distance of the farthest point from the fixed point, in m.
   double radius() const;
   /// The factor by which an ellipsoid with these semi-axes along the principal axes must grow to hold the body.
@@ -38,7 +40,7 @@ class BodyFigure {
  private:
   Figure figure_;
   Eigen::Matrix3d R_PB_;
-  Eigen::Vector3d reachAlongAxes_;
+  Eigen::Vector3d reachAlongAxes_, halfExtents_;
 };
 
 /// Half the edges of the uniform box, of any mass, that has moments in these proportions; the smallest edge is

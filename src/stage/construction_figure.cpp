@@ -30,37 +30,62 @@ double niceNumber(double x) {
   return 10 * power;
 }
 
-// Two horizontal-as-can-be unit vectors across `normal`.
-std::pair<Vector3d, Vector3d> across(const Vector3d& normal) {
-  const Vector3d hint = std::abs(normal.x()) < 0.9 ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
-  const Vector3d u = (hint - hint.dot(normal) * normal).normalized();
-  return {u, normal.cross(u)};
+std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
+  std::vector<Vector3d> points;
+  for (const auto& sample : polhode.samples(kPolhodePoints)) points.push_back(sample.omega_P);
+  return points;
+}
+
+// Across L at the start, so that the grid holds still while L moves, and horizontal where L is upright.
+Vector3d gridHint(const Vector3d& L_W) {
+  return std::abs(L_W.normalized().x()) < 0.9 ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
 }
 
 }  // namespace
 
 ConstructionFigure::ConstructionFigure(const scene::Scene& scene, const PictureMotion& motion,
                                        const Scales& scales)
-    : show_(scene.show), motion_(motion), scale_(scales.ellipsoid) {
-  const physics::PoinsotConstruction construction(motion.moments(), motion.pathPoint(0).omega_P);
-  semiAxes_ = scale_ * construction.semiAxes_P();
-  height_ = scale_ * construction.planeHeight();
-  const Vector3d up = motion.L_W().normalized();
+    : show_(scene.show),
+      motion_(motion),
+      scale_(scales.ellipsoid),
+      polhodePeriod_s_(std::numeric_limits<double>::infinity()),
+      gridHint_W_(gridHint(motion.liveliest().L_W)) {
+  const Vector3d omega_P = motion.liveliest().omega_P;
+  semiAxes_ = scale_ * physics::PoinsotConstruction(motion.moments(), omega_P).semiAxes_P();
   double radius = 0;
-  for (const PathPoint& p : motion.outline()) radius = std::max(radius, up.cross(p.omega_W).norm());
+  for (const PathPoint& p : motion.outline())
+    if (p.L_W.norm() > 0) radius = std::max(radius, p.L_W.normalized().cross(p.omega_W).norm());
   const double wanted = std::max(kPlaneBeyondEllipsoid * semiAxes_.maxCoeff(), 1.2 * scale_ * radius) / scale_;
   spacing_ = niceNumber(wanted / kCellsToEdge);
   halfWidth_ = std::ceil(wanted / spacing_ - 1e-9) * spacing_ * scale_;
-  const physics::Polhode polhode(motion.moments(), motion.pathPoint(0).omega_P);
-  for (const auto& sample : polhode.samples(kPolhodePoints)) polhode_P_.push_back(sample.omega_P);
+  if (!motion.isFree()) return;
+  const physics::Polhode polhode(motion.moments(), omega_P);
+  polhode_P_ = pointsOf(polhode);
   polhodePeriod_s_ = polhode.period() / std::max(std::abs(motion.speed()), std::numeric_limits<double>::min());
 }
 
-std::array<Vector3d, 4> ConstructionFigure::planeCorners(const Matrix3d& R_VW) const {
-  const Vector3d down = motion_.L_W().normalized();
-  const auto [u, v] = across(down);
-  const auto corner = [&, u = u, v = v](double a, double b) {
-    return Vector3d(R_VW * (height_ * down + halfWidth_ * (a * u + b * v)));
+physics::PoinsotConstruction ConstructionFigure::constructionAt(const PictureState& state) const {
+  return {motion_.moments(), state.omega_P};
+}
+
+double ConstructionFigure::planeHeight(const PictureState& state) const {
+  return scale_ * constructionAt(state).planeHeight();
+}
+
+// The plane belongs to inertial space: its grid turns with W where the body stands still.
+Eigen::Matrix<double, 3, 2> ConstructionFigure::planeAxes_W(const Vector3d& normal_W) const {
+  Eigen::Matrix<double, 3, 2> axes;
+  axes.col(0) = (gridHint_W_ - gridHint_W_.dot(normal_W) * normal_W).normalized();
+  axes.col(1) = normal_W.cross(axes.col(0));
+  return axes;
+}
+
+std::array<Vector3d, 4> ConstructionFigure::planeCorners(const PictureState& state) const {
+  const Vector3d down = state.L_W.normalized();
+  const Eigen::Matrix<double, 3, 2> axes_W = planeAxes_W(down);
+  const double height = planeHeight(state);
+  const auto corner = [&](double a, double b) {
+    return Vector3d(state.R_VW * (height * down + halfWidth_ * (a * axes_W.col(0) + b * axes_W.col(1))));
   };
   return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
 }
@@ -74,9 +99,10 @@ std::vector<Vector3d> ConstructionFigure::outermostPoints() const {
   constexpr int kInstants = 48;
   for (int i = 0; i <= kInstants; ++i) {
     const PictureState state = motion_.at(motion_.duration_s() * i / kInstants);
+    if (state.atRest()) continue;
     if (show_.plane.visible)
-      for (const Vector3d& corner : planeCorners(state.R_VW)) points.push_back(corner);
-    const Matrix3d A = state.R_VP * semiAxes_.asDiagonal();
+      for (const Vector3d& corner : planeCorners(state)) points.push_back(corner);
+    const Matrix3d A = state.R_VP * (scale_ * constructionAt(state).semiAxes_P()).asDiagonal();
     for (const Vector3d& direction : kDirections) {
       if (!show_.ellipsoid.visible) break;
       const Vector3d extreme = A * (A.transpose() * direction).normalized();
@@ -93,7 +119,7 @@ void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& 
   // The graticule's poles are the ends of the longest axis, where lines may crowd most naturally.
   int longest = 0;
   semiAxes_.maxCoeff(&longest);
-  const Matrix3d axes = state.R_VP * semiAxes_.asDiagonal();
+  const Matrix3d axes = state.R_VP * (scale_ * constructionAt(state).semiAxes_P()).asDiagonal();
   Matrix3d polar;
   polar << axes.col((longest + 1) % 3), axes.col((longest + 2) % 3), axes.col(longest);
   glass.semiAxes_W = toPicture(polar);
@@ -113,13 +139,11 @@ void ConstructionFigure::addEllipsoid(draw::DrawList& list, const PictureState& 
 void ConstructionFigure::addPlane(draw::DrawList& list, const PictureState& state, const Palette& colors,
                                   double width_px) const {
   const Vector3d normal = state.L_V.normalized();
-  // The plane belongs to inertial space: its grid turns with W where the body stands still.
-  const auto [u_W, v_W] = across(motion_.L_W().normalized());
-  const Matrix3d R_VW = state.R_VW;
+  const Eigen::Matrix<double, 3, 2> axes_W = planeAxes_W(state.L_W.normalized());
   draw::GridPlane plane;
-  plane.centre_W = toPicture(Vector3d(height_ * normal));
-  plane.u_W = toPicture(Vector3d(halfWidth_ * (R_VW * u_W)));
-  plane.v_W = toPicture(Vector3d(halfWidth_ * (R_VW * v_W)));
+  plane.centre_W = toPicture(Vector3d(planeHeight(state) * normal));
+  plane.u_W = toPicture(Vector3d(halfWidth_ * (state.R_VW * axes_W.col(0))));
+  plane.v_W = toPicture(Vector3d(halfWidth_ * (state.R_VW * axes_W.col(1))));
   plane.spacing_W = static_cast<float>(spacing_ * scale_);
   plane.color = colors.plane;
   plane.opacity = static_cast<float>(1 - std::pow(1 - show_.plane.opacity, colors.sheetOpacity));
@@ -140,11 +164,19 @@ draw::Curve ConstructionFigure::curveOn(const Matrix3d& axes_V, const std::vecto
   return curve;
 }
 
-// The whole closed curve, faint, and over it what was travelled in the last period.
+// The whole closed curve, faint, and over it what was travelled in the last period. Where something acts, the
+// curve is the one that the motion would follow from now on if nothing did, and all that was travelled is shown.
 void ConstructionFigure::addPolhode(draw::DrawList& list, double filmTime_s, const PictureState& state,
                                     const Palette& colors) const {
-  draw::Curve whole = curveOn(state.R_VP, polhode_P_);
-  whole.closed = std::isfinite(polhodePeriod_s_);
+  draw::Curve whole;
+  if (motion_.isFree()) {
+    whole = curveOn(state.R_VP, polhode_P_);
+    whole.closed = std::isfinite(polhodePeriod_s_);
+  } else {
+    const physics::Polhode polhode(motion_.moments(), state.omega_P);
+    whole = curveOn(state.R_VP, pointsOf(polhode));
+    whole.closed = std::isfinite(polhode.period());
+  }
   whole.radius_W = 0.007f;
   whole.material.color = colors.futureTrail;
   list.curves.push_back(std::move(whole));
@@ -182,10 +214,11 @@ void ConstructionFigure::addHerpolhode(draw::DrawList& list, double filmTime_s, 
 
 void ConstructionFigure::add(draw::DrawList& list, double filmTime_s, const PictureState& state,
                              const Palette& colors, double lineWidth_px) const {
+  if (show_.herpolhode.visible) addHerpolhode(list, filmTime_s, colors, lineWidth_px);
+  if (state.atRest()) return;
   if (show_.ellipsoid.visible) addEllipsoid(list, state, colors, lineWidth_px);
   if (show_.plane.visible) addPlane(list, state, colors, lineWidth_px);
   if (show_.polhode.visible) addPolhode(list, filmTime_s, state, colors);
-  if (show_.herpolhode.visible) addHerpolhode(list, filmTime_s, colors, lineWidth_px);
   if (show_.contact.visible && (show_.plane.visible || show_.ellipsoid.visible)) {
     const double radius = 0.03 * show_.contact.scale;
     list.ellipsoids.push_back(

@@ -41,7 +41,7 @@ class Cells {
     const auto [x, y, z] = cell;
     if (x < 0 || y < 0 || z < 0 || x > 4 || y > 4 || z > 2) return false;
     const bool wall = x == 0 || x == 4 || y == 0 || y == 4;
-    const bool window = x == 2 && y == 2;
+    const bool window = x == 2 && y == 2 && z == 2;
     return wall || (z != 1 && !window);
   }
 

@@ -7,7 +7,7 @@
 
 namespace poinsot::stage {
 
-/// A box with walls of thickness `wall`, and windows in the faces across z, so that it is seen to be hollow.
+/// A box with walls of thickness `wall`, and a window in its face at +z, so that it is seen to be hollow.
 /// @pre 0 < 2 wall < each edge.
 geometry::Mesh hollowBoxMesh(const Eigen::Vector3d& edges, double wall);
 

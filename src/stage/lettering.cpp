@@ -57,11 +57,11 @@ void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& co
 
 void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
                   const scene::Style& style, const Palette& colors) {
-  const auto corners_V = construction.planeCorners(state.R_VW);
+  const auto corners_V = construction.planeCorners(state);
   std::array<glm::vec2, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
   const bool above =
-      project(list.camera, toPicture(Vector3d(construction.planeHeight() * state.L_V.normalized()))).y <
+      project(list.camera, toPicture(Vector3d(construction.planeHeight(state) * state.L_V.normalized()))).y <
       project(list.camera, glm::vec3(0)).y;
   const auto outer = [above](glm::vec2 a, glm::vec2 b) { return above ? a.y > b.y : a.y < b.y; };
   const auto tip =

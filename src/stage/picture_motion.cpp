@@ -72,18 +72,45 @@ Matrix3d standingBody(const scene::Scene& scene) {
   return Quaterniond::FromTwoVectors(spin_B, scene::directionOfL(scene)).toRotationMatrix();
 }
 
-// Rate of change of omega in the body, and so in space too (eq 30, 31): I⁻¹ (I omega x omega).
-double tipSpeed(const physics::PrincipalMoments& moments, const Vector3d& omega_P) {
-  return moments.angularMomentum(omega_P).cross(omega_P).cwiseQuotient(moments.values()).norm();
+double kineticEnergy(const physics::PrincipalMoments& moments, const Vector3d& omega_P) {
+  return 0.5 * omega_P.dot(moments.angularMomentum(omega_P));
+}
+
+std::vector<PathPoint> outlineOf(const PictureMotion& motion) {
+  std::vector<PathPoint> points;
+  for (int i = 0; i <= kOutlinePoints; ++i)
+    points.push_back(motion.pathPoint(motion.duration_s() * i / kOutlinePoints));
+  return points;
+}
+
+// More than by rounding: of a free motion it is the first.
+std::size_t indexOfMostEnergy(const PictureMotion& motion, const std::vector<PathPoint>& outline) {
+  std::size_t best = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double energy = kineticEnergy(motion.moments(), outline[i].omega_P);
+    if (!(energy > most * (1 + 1e-9))) continue;
+    most = energy;
+    best = i;
+  }
+  return best;
+}
+
+// Of the tip of omega, per film time, the same in the body and in space (eq 30, 31): from a difference over a time
+// in which the body turns by a ten thousandth of a turn.
+double tipSpeed(const PictureMotion& motion, const PathPoint& p) {
+  const double turning = std::abs(motion.speed()) * p.omega_W.norm(), longest_s = 1e-3 * motion.duration_s();
+  const double step_s = turning * longest_s > 6e-4 ? 6e-4 / turning : longest_s;
+  const double other_s = p.filmTime_s + (p.filmTime_s > 0.5 * motion.duration_s() ? -step_s : step_s);
+  return (motion.pathPoint(other_s).omega_P - p.omega_P).norm() / step_s;
 }
 
 // Film time in which the tip of omega goes, where it is fastest, by a small part of its greatest distance from L.
 double pathStep(const PictureMotion& motion) {
-  const Vector3d up = motion.L_W().normalized();
   double fastest = 0, farthest = 0;
   for (const PathPoint& p : motion.outline()) {
-    fastest = std::max(fastest, std::abs(motion.speed()) * tipSpeed(motion.moments(), p.omega_P));
-    farthest = std::max(farthest, up.cross(p.omega_W).norm());
+    fastest = std::max(fastest, tipSpeed(motion, p));
+    if (p.L_W.norm() > 0) farthest = std::max(farthest, p.L_W.normalized().cross(p.omega_W).norm());
   }
   const double coarsest = motion.duration_s() / 64;
   return fastest > 0 && farthest > 0 ? std::min(kPathStep * farthest / fastest, coarsest) : coarsest;
@@ -102,14 +129,16 @@ PictureMotion::PictureMotion(const scene::Scene& scene)
       start_s_(scene.time.start_s),
       speed_(chosenSpeed(scene)),
       duration_s_(scene.time.duration_s),
-      L_W_(stateAt(0).L_W),
+      isFree_(scene.motion.forcing.none()),
       bodyStandsStill_(scene.camera.frame == scene::CameraFrame::kBody),
       R_VB_(standingBody(scene)),
+      outline_(outlineOf(*this)),
+      liveliest_(indexOfMostEnergy(*this, outline_)),
       pathStep_s_(pathStep(*this)) {}
 
 PathPoint PictureMotion::pathPoint(double filmTime_s) const {
   const physics::RigidBodyState state = stateAt(filmTime_s);
-  return {filmTime_s, axes().toP(state.omega_B), state.omega_W};
+  return {filmTime_s, axes().toP(state.omega_B), state.omega_W, state.L_W};
 }
 
 std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
@@ -118,12 +147,6 @@ std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
   for (double k = std::floor(from_s / pathStep_s_) + 1; k < last && points.size() + 1 < kMostPathPoints; ++k)
     points.push_back(pathPoint(k * pathStep_s_));
   points.push_back(pathPoint(to_s));
-  return points;
-}
-
-std::vector<PathPoint> PictureMotion::outline() const {
-  std::vector<PathPoint> points;
-  for (int i = 0; i <= kOutlinePoints; ++i) points.push_back(pathPoint(duration_s_ * i / kOutlinePoints));
   return points;
 }
 
@@ -138,7 +161,7 @@ PictureState PictureMotion::at(double filmTime_s) const {
   const Matrix3d R_VW = bodyStandsStill_ ? Matrix3d(R_VB_ * R_WB.transpose()) : Matrix3d(Matrix3d::Identity());
   const Matrix3d R_VB = R_VW * R_WB;
   const Matrix3d R_VP = axes().aligned() ? R_VB : Matrix3d(R_VB * axes().q_BP().toRotationMatrix());
-  return {R_VB, R_VP, R_VW, R_VW * state.omega_W, R_VW * state.L_W};
+  return {R_VB, R_VP, R_VW, R_VW * state.omega_W, axes().toP(state.omega_B), R_VW * state.L_W, state.L_W};
 }
 
 }  // namespace poinsot::stage

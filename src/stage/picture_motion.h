@@ -17,7 +17,11 @@ struct PictureState {
   Eigen::Matrix3d R_VP;  ///< principal axes
   Eigen::Matrix3d R_VW;
   Eigen::Vector3d omega_V;
+  Eigen::Vector3d omega_P;
   Eigen::Vector3d L_V;
+  Eigen::Vector3d L_W;
+
+  bool atRest() const { return omega_P.isZero(0); }
 };
 
 /// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.
@@ -28,6 +32,7 @@ struct PathPoint {
   double filmTime_s;
   Eigen::Vector3d omega_P;  ///< in principal axes
   Eigen::Vector3d omega_W;
+  Eigen::Vector3d L_W;
 };
 
 class PictureMotion {
@@ -46,12 +51,14 @@ class PictureMotion {
   /// The longest stretch of film that path() can show.
   double longestPath_s() const { return pathStep_s_ * static_cast<double>(kMostPathPoints - 2); }
   /// A few hundred points of the path over the whole film: enough to know how far it reaches.
-  std::vector<PathPoint> outline() const;
+  const std::vector<PathPoint>& outline() const { return outline_; }
+  /// The point of the outline where the kinetic energy is greatest; of a free motion, the first.
+  const PathPoint& liveliest() const { return outline_[liveliest_]; }
 
   const physics::PrincipalAxes& axes() const { return motion_->axes(); }
   const physics::PrincipalMoments& moments() const { return axes().moments(); }
-  /// Angular momentum at the start, in W.
-  const Eigen::Vector3d& L_W() const { return L_W_; }
+  /// Nothing acts on the body: L and the energy are constant.
+  bool isFree() const { return isFree_; }
   double speed() const { return speed_; }
   double duration_s() const { return duration_s_; }
 
@@ -64,10 +71,12 @@ class PictureMotion {
   double start_s_;
   double speed_;
   double duration_s_;
-  Eigen::Vector3d L_W_;
+  bool isFree_;
   bool bodyStandsStill_;
   Eigen::Matrix3d R_VB_;  // where the body stands, when it does
-  double pathStep_s_;     // of film time
+  std::vector<PathPoint> outline_;
+  std::size_t liveliest_;
+  double pathStep_s_;  // of film time
 };
 
 }  // namespace poinsot::stage

@@ -10,16 +10,22 @@ namespace poinsot::stage {
 namespace {
 
 constexpr double kBodyInEllipsoid =
-    0.62;                             // of the ellipsoid, along the direction where the body comes nearest to it
-constexpr double kBodyAlone = 0.8;    // longest half extent where no ellipsoid is shown
-constexpr double kOmegaAlone = 1.25;  // longest omega where no ellipsoid is shown
+    0.62;                              // of the ellipsoid, along the direction where the body comes nearest to it
+constexpr double kBodyAlone = 0.8;     // half the body's longest extent where no ellipsoid is shown,
+constexpr double kRadiusAlone = 1.05;  // and the most of its radius: of a top, or a cube to its corners
+constexpr double kOmegaAlone = 1.25;   // longest omega where no ellipsoid is shown
 constexpr double kLAbove = 1.5, kLBelowPlane = 0.42;
 
-double longestOmega(const PictureMotion& motion) {
-  double longest = 0;
-  for (const PathPoint& p : motion.outline()) longest = std::max(longest, p.omega_P.norm());
-  return longest;
-}
+// Longest omega (rad/s) and L (kg·m²/s) of the film.
+struct Longest {
+  double omega = 0, L = 0;
+  explicit Longest(const PictureMotion& motion) {
+    for (const PathPoint& p : motion.outline()) {
+      omega = std::max(omega, p.omega_P.norm());
+      L = std::max(L, p.L_W.norm());
+    }
+  }
+};
 
 }  // namespace
 
@@ -27,23 +33,25 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
   Scales scales;
   const auto& show = scene.show;
   const bool construction = show.ellipsoid.visible || show.plane.visible;
-  const double omega = longestOmega(motion);
-  if (construction && omega > 0) {
-    const physics::PoinsotConstruction construct(motion.moments(), motion.pathPoint(0).omega_P);
+  const Longest longest(motion);
+  double lengthOfL = kLAbove;
+  if (construction && longest.omega > 0) {
+    const physics::PoinsotConstruction construct(motion.moments(), motion.liveliest().omega_P);
     const Eigen::Vector3d semiAxes = construct.semiAxes_P();
     scales.ellipsoid = show.ellipsoid.scale / semiAxes.maxCoeff();
     const Eigen::Vector3d shown = scales.ellipsoid * semiAxes;
     scales.body = kBodyInEllipsoid * show.body.scale / body.reachIn(shown);
     const double height = construct.planeHeight() * scales.ellipsoid;
-    scales.lengthOfL = show.L.scale * (show.plane.visible ? height + kLBelowPlane : kLAbove);
+    if (show.plane.visible) lengthOfL = height + kLBelowPlane;
     scales.reach = std::max(shown.maxCoeff(), scales.body * body.radius());
   } else {
-    scales.body = kBodyAlone * show.body.scale / body.reachAlongAxes().maxCoeff();
-    scales.ellipsoid = omega > 0 ? kOmegaAlone / omega : 1;
-    scales.lengthOfL = kLAbove * show.L.scale;
+    scales.body =
+        show.body.scale * std::min(kBodyAlone / body.halfExtents().maxCoeff(), kRadiusAlone / body.radius());
+    scales.ellipsoid = longest.omega > 0 ? kOmegaAlone / longest.omega : 1;
     scales.reach = scales.body * body.radius();
   }
   scales.omega = scales.ellipsoid * show.omega.scale;
+  if (longest.L > 0) scales.L = show.L.scale * lengthOfL / longest.L;
   return scales;
 }
 

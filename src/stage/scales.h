@@ -12,7 +12,7 @@ struct Scales {
   double body = 1;       ///< per metre
   double ellipsoid = 1;  ///< per rad/s: ellipsoid, plane, polhode, herpolhode, contact point
   double omega = 1;      ///< per rad/s: the arrow; the ellipsoid's unless the scene says otherwise
-  double lengthOfL = 1;  ///< of the arrow of L, in the picture
+  double L = 1;          ///< per kg·m²/s: the arrow, of a fixed length where L is longest
   double reach =
       1;  ///< radius of the ball about the centre that holds the body, and the ellipsoid where it is shown
 };

@@ -18,6 +18,7 @@
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
 #include "stage/scales.h"
+#include "stage/stand_figure.h"
 #include "stage/to_picture.h"
 
 namespace poinsot::stage {
@@ -33,9 +34,9 @@ constexpr double kMostAxes =
 // In shares of the reference height.
 constexpr double kLine = 2.0 / 1080, kLabel = 0.044;
 
-bool showsConstruction(const scene::Scene& scene) {
+bool showsConstruction(const scene::Scene& scene, const PictureMotion& motion) {
   const auto& show = scene.show;
-  return scene.motion.omega_B.norm() > 0 &&
+  return !motion.liveliest().omega_P.isZero(0) &&
          (show.ellipsoid.visible || show.plane.visible || show.polhode.visible || show.herpolhode.visible ||
           show.contact.visible);
 }
@@ -61,6 +62,7 @@ struct Stage::Plan {
   BodyFigure body;
   Scales scales;
   std::optional<ConstructionFigure> construction;
+  std::optional<StandFigure> stand;
   Extent extent;  // of the whole motion
 
   explicit Plan(scene::Scene s)
@@ -69,7 +71,8 @@ struct Stage::Plan {
         motion(scene),
         body(scene),
         scales(makeScales(scene, motion, body)) {
-    if (showsConstruction(scene)) construction.emplace(scene, motion, scales);
+    if (showsConstruction(scene, motion)) construction.emplace(scene, motion, scales);
+    if (standsOnPivot(scene)) stand.emplace(scene, motion, body, scales.body);
     extent = wholeExtent();
   }
 
@@ -81,6 +84,7 @@ struct Stage::Plan {
   }
 
   Extent wholeExtent() const;
+  void addAxes(Extent& whole) const;
   draw::Camera camera(glm::vec2 size_px) const;
   void addVectors(draw::DrawList& list, const PictureState& state) const;
   void addAxes(draw::DrawList& list, const PictureState& state) const;
@@ -88,21 +92,32 @@ struct Stage::Plan {
   std::vector<Label> labels(const draw::DrawList& list, const PictureState& state) const;
 };
 
+// A body about its centre of mass turns in a ball; one on a pivot takes the place that it sweeps.
 Extent Stage::Plan::wholeExtent() const {
   Extent whole;
   if (construction) whole.points_V = construction->outermostPoints();
-  const PictureState start = motion.at(0);
-  if (scene.show.L.visible && start.L_V.norm() > 0)
-    whole.points_V.push_back(scales.lengthOfL * start.L_V.normalized());
-  if (scene.show.body.visible) whole.ballRadius = scales.body * body.radius();
+  if (scene.show.body.visible && stand)
+    whole.points_V.insert(whole.points_V.end(), stand->outermostPoints().begin(), stand->outermostPoints().end());
+  else if (scene.show.body.visible)
+    whole.ballRadius = scales.body * body.radius();
   const bool inside = construction && scene.show.ellipsoid.visible && scene.show.principalAxes.scale <= 1;
-  for (int axis = 0; axis < 3 && scene.show.principalAxes.visible && !inside; ++axis)
-    whole.ballRadius = std::max(whole.ballRadius, kMostAxes * axisLength(axis));
-  if (scene.show.omega.visible)
-    for (const PathPoint& p : motion.outline())
-      whole.points_V.push_back(scales.omega * (motion.R_VW(p.filmTime_s) * p.omega_W));
+  if (scene.show.principalAxes.visible && !inside) addAxes(whole);
+  for (const PathPoint& p : motion.outline()) {
+    const Eigen::Matrix3d R_VW = motion.R_VW(p.filmTime_s);
+    if (scene.show.L.visible) whole.points_V.push_back(scales.L * (R_VW * p.L_W));
+    if (scene.show.omega.visible) whole.points_V.push_back(scales.omega * (R_VW * p.omega_W));
+  }
   if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
   return whole;
+}
+
+void Stage::Plan::addAxes(Extent& whole) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = kMostAxes * axisLength(axis);
+    if (!stand) whole.ballRadius = std::max(whole.ballRadius, length);
+    for (const PathPoint& p : motion.outline())
+      if (stand) whole.points_V.push_back(length * motion.at(p.filmTime_s).R_VP.col(axis));
+  }
 }
 
 draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
@@ -115,7 +130,7 @@ draw::Camera Stage::Plan::camera(glm::vec2 size_px) const {
 void Stage::Plan::addVectors(draw::DrawList& list, const PictureState& state) const {
   const double width = kVectorRadius * scene.style.lineWidth;
   if (scene.show.L.visible && state.L_V.norm() > 0)
-    addArrow(list, Vector3d::Zero(), scales.lengthOfL * state.L_V.normalized(), width, colors.L);
+    addArrow(list, Vector3d::Zero(), scales.L * state.L_V, width, colors.L);
   if (scene.show.omega.visible)
     addArrow(list, Vector3d::Zero(), scales.omega * state.omega_V, width, colors.omega);
 }
@@ -138,7 +153,7 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
     labels.push_back({tex, anchor, direction, 0.35f * size, size, color});
   };
   if (scene.show.L.visible && state.L_V.norm() > 0) {
-    const Vector3d tip = scales.lengthOfL * state.L_V.normalized();
+    const Vector3d tip = scales.L * state.L_V;
     add("$\\mathbf{L}$", tip, {1, 0}, colors.L, 1.15f * size_px);
   }
   if (scene.show.omega.visible && state.omega_V.norm() > 0) {
@@ -170,13 +185,13 @@ std::vector<Label> Stage::Plan::labels(const draw::DrawList& list, const Picture
 
 // The height of the centre above the plane, 2T/L (eq 40), as a dimension line beside the ellipsoid.
 void Stage::Plan::addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const {
-  if (!construction || !scene.show.plane.visible || !scene.show.height.visible) return;
+  if (!construction || !scene.show.plane.visible || !scene.show.height.visible || state.atRest()) return;
   const Vector3d down = state.L_V.normalized();
   const Vector3d across = down.cross(fromPicture(list.camera.R_WC[2]));
   if (across.norm() < 0.05) return;  // seen from straight above: the height is not to be seen
   const Vector3d left = across.normalized();
   const double away = 1.08 * construction->semiAxes().maxCoeff();
-  const Vector3d foot = construction->planeHeight() * down + away * left, head = away * left;
+  const Vector3d foot = construction->planeHeight(state) * down + away * left, head = away * left;
   const double H = referenceHeight(list.camera.size_px);
   const auto line = [&](const Vector3d& a, const Vector3d& b) {
     draw::Curve curve;
@@ -210,6 +225,7 @@ draw::DrawList Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
   const PictureState state = plan.motion.at(filmTime_s);
   const double line_px = kLine * referenceHeight(size_px) * plan.scene.style.lineWidth;
   if (plan.scene.show.body.visible) plan.body.add(list, state.R_VB, plan.scales.body, plan.colors, line_px);
+  if (plan.stand && plan.scene.show.body.visible) plan.stand->add(list, state, plan.colors);
   plan.addAxes(list, state);
   plan.addVectors(list, state);
   if (plan.construction) plan.construction->add(list, filmTime_s, state, plan.colors, line_px);
@@ -217,7 +233,7 @@ draw::DrawList Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
   if (plan.scene.show.labels) labels = plan.labels(list, state);
   plan.addHeight(list, state, labels);
   addLabels(list, labels, plan.colors.paper);
-  if (plan.construction && plan.scene.show.plane.visible && plan.scene.show.labels)
+  if (plan.construction && plan.scene.show.plane.visible && plan.scene.show.labels && !state.atRest())
     addPlaneName(list, *plan.construction, state, plan.scene.style, plan.colors);
   addTitle(list, plan.scene, plan.colors);
   return list;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "stage/body_figure.h"
+#include "stage/palette.h"
+#include "stage/picture_motion.h"
+
+namespace poinsot::stage {
+
+/// What holds a body that turns about a point other than its centre of mass: a round table under the pivot where
+/// the body stays above it all the time, else a joint, and a thin rod where the body does not reach the pivot.
+class StandFigure {
+ public:
+  /// `scale`: picture lengths per metre of the body.
+  StandFigure(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body, double scale);
+
+  void add(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
+
+  /// Points that the frame must hold, in V: the body over the whole film, and the table.
+  const std::vector<Eigen::Vector3d>& outermostPoints() const { return outermostPoints_; }
+  bool hasTable() const { return hasTable_; }
+
+ private:
+  void addRod(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
+
+  std::vector<Eigen::Vector3d> outermostPoints_;
+  bool hasTable_ = false;
+  double tableRadius_;
+  Eigen::Vector3d toCentre_B_;  // from the pivot to the centre of mass, in the picture's lengths; zero: no rod
+};
+
+/// Whether the body turns about another point than its centre of mass.
+bool standsOnPivot(const scene::Scene& scene);
+
+}  // namespace poinsot::stage
