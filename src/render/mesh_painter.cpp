@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "render/mesh_edge_lines.h"
+
 namespace poinsot::render {
 namespace {
 
@@ -48,7 +50,8 @@ const MeshPainter::Kept& MeshPainter::kept(const draw::Mesh& mesh) {
   return current_.emplace(key, keep(mesh)).first->second;
 }
 
-std::vector<draw::Curve> MeshPainter::prepare(const draw::DrawList& list, float sharpness, TileMask& tiles) {
+std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList& list, float sharpness,
+                                                           TileMask& tiles) {
   list_ = &list;
   sharpness_ = sharpness;
   screens_.clear();
@@ -56,14 +59,14 @@ std::vector<draw::Curve> MeshPainter::prepare(const draw::DrawList& list, float 
   resolved_ = {};
   std::swap(last_, current_);
   current_.clear();
-  std::vector<draw::Curve> lines;
+  std::vector<std::vector<draw::Curve>> lines;
   for (const draw::Mesh& mesh : list.meshes) {
     if (!mesh.mesh || mesh.mesh->triangles.empty()) continue;
     const Kept& own = kept(mesh);
     ScreenMesh screen = screenMesh(list.camera, mesh, own.topology);
     if (screen.bounds.empty()) continue;
     tiles.mark(screen.bounds);
-    for (draw::Curve& line : edgeLines(list.camera, screen)) lines.push_back(std::move(line));
+    lines.push_back(meshEdgeLines(list.camera, screen));
     screens_.push_back(std::move(screen));
     screensKept_.push_back(&own);
   }

@@ -26,8 +26,8 @@ class MeshPainter {
   MeshPainter();
 
   /// Works out this list, once for all passes, and marks the tiles that its meshes may touch.
-  /// @return the meshes' sharp edges, where they are to be drawn.
-  std::vector<draw::Curve> prepare(const draw::DrawList& list, float sharpness, TileMask& tiles);
+  /// @return the sharp edges of each mesh, where they are to be drawn.
+  std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness, TileMask& tiles);
 
   /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
   void draw(SolidPass pass, GLuint edgeBefore) const;

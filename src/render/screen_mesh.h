@@ -35,7 +35,4 @@ struct ScreenMesh {
 /// @pre mesh.mesh is not null, `topology` is its own, mesh.axes_W is right-handed; both outlive the result.
 ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const MeshTopology& topology);
 
-/// The sharp edges that look at the eye as lines: none when mesh.edge_px is 0.
-std::vector<draw::Curve> edgeLines(const draw::Camera& camera, const ScreenMesh& screen);
-
 }  // namespace poinsot::render

@@ -42,8 +42,8 @@ SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePro
   floatAttribute(2, 4, sizeof(StripVertex), offsetof(StripVertex, tangent_C));
 }
 
-void SolidPainter::prepare(const draw::DrawList& list, const std::vector<draw::Curve>& meshEdges, float sharpness,
-                           TileMask& tiles) {
+void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
+                           float sharpness, TileMask& tiles) {
   list_ = &list;
   sharpness_ = sharpness;
   tiles_ = &tiles;
@@ -53,8 +53,8 @@ void SolidPainter::prepare(const draw::DrawList& list, const std::vector<draw::C
   for (const draw::Ellipsoid& e : list.ellipsoids) prepareEllipsoid(list.camera, e);
   for (const draw::Frustum& f : list.frustums) prepareFrustum(list.camera, f);
   for (const draw::Box& b : list.boxes) prepareBox(list.camera, b);
-  for (const draw::Curve& c : list.curves) prepareCurve(list.camera, c);
-  for (const draw::Curve& c : meshEdges) prepareCurve(list.camera, c);
+  for (const draw::Curve& c : list.curves) prepareCurves(list.camera, {&c, 1});
+  for (const auto& lines : meshEdges) prepareCurves(list.camera, lines);
   upload(GL_ARRAY_BUFFER, cellBuffer_, cells_, GL_STREAM_DRAW);
   upload(GL_ARRAY_BUFFER, curveBuffer_, strips_, GL_STREAM_DRAW);
 }
@@ -120,21 +120,26 @@ void SolidPainter::prepareBox(const draw::Camera& camera, const draw::Box& box) 
   });
 }
 
-void SolidPainter::prepareCurve(const draw::Camera& camera, const draw::Curve& curve) {
-  const CurveStrip strip = makeCurveStrip(camera, curve);
-  for (std::size_t i = 0; i + 2 < strip.triangles.size(); i += 3) {
+void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike) {
+  if (alike.empty()) return;
+  const std::size_t first = strips_.size();
+  for (const draw::Curve& curve : alike) {
+    const CurveStrip strip = makeCurveStrip(camera, curve);
+    strips_.insert(strips_.end(), strip.triangles.begin(), strip.triangles.end());
+  }
+  for (std::size_t i = first; i + 2 < strips_.size(); i += 3) {
     PixelBounds bounds;
-    for (std::size_t k = i; k < i + 3; ++k) bounds.include(strip.triangles[k].position_px);
+    for (std::size_t k = i; k < i + 3; ++k) bounds.include(strips_[k].position_px);
     tiles_->mark(bounds);
   }
-  const auto count = static_cast<GLsizei>(strip.triangles.size());
-  const auto setUniforms = [material = curve.material, lift = curve.lift_W](const ShaderProgram& program) {
+  const auto count = static_cast<GLsizei>(strips_.size() - first);
+  const draw::Curve& style = alike.front();
+  const auto setUniforms = [material = style.material, lift = style.lift_W](const ShaderProgram& program) {
     setMaterial(program, material);
     program.set("lift", lift);
   };
   items_.push_back(
-      {curve.radius_W > 0 ? kTube : kFlatCurve, setUniforms, static_cast<GLint>(strips_.size()), count, count});
-  strips_.insert(strips_.end(), strip.triangles.begin(), strip.triangles.end());
+      {style.radius_W > 0 ? kTube : kFlatCurve, setUniforms, static_cast<GLint>(first), count, count});
 }
 
 void SolidPainter::draw(SolidPass pass, GLuint edgeBefore) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 
 #include "draw/draw_list.h"
 #include "gl/shader_program.h"
@@ -19,8 +20,8 @@ class SolidPainter {
   SolidPainter();
 
   /// Works out outlines and strips of this list, once for all passes, and marks the tiles that they may touch.
-  /// @param meshEdges  drawn with the list's own curves
-  void prepare(const draw::DrawList& list, const std::vector<draw::Curve>& meshEdges, float sharpness,
+  /// @param meshEdges  drawn with the list's own curves; those of one mesh are alike but for their points
+  void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges, float sharpness,
                TileMask& tiles);
 
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
@@ -43,7 +44,7 @@ class SolidPainter {
   void prepareEllipsoid(const draw::Camera& camera, const draw::Ellipsoid& ellipsoid);
   void prepareFrustum(const draw::Camera& camera, const draw::Frustum& frustum);
   void prepareBox(const draw::Camera& camera, const draw::Box& box);
-  void prepareCurve(const draw::Camera& camera, const draw::Curve& curve);
+  void prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike);
   void addItem(Kind kind, const Cells& cells, std::function<void(const gl::ShaderProgram&)> setUniforms);
   Cells markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside);
 

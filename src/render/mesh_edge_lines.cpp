@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/mesh_edge_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace poinsot::render {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+// Room for the line's soft edge and for rounding, in pixels.
+constexpr double kMargin_px = 1;
+// A face seen almost edge-on would lift its line before everything: at most this many pixels' size for one across.
+constexpr double kSteepest = 40;
+// How far, in pixels' size, a piece of line may be from its edge in depth.
+constexpr double kDepthError = 0.1;
+
+// How fast the distance along the view grows across a face, per pixel: 1 / t is linear in the picture.
+double steepness(const std::array<dvec3, 3>& t) {
+  const dvec2 u = dvec2(t[1] - t[0]), v = dvec2(t[2] - t[0]);
+  const double q0 = 1 / t[0].z, du = 1 / t[1].z - q0, dv = 1 / t[2].z - q0, area = u.x * v.y - u.y * v.x;
+  const dvec2 gradient = dvec2(du * v.y - dv * u.y, dv * u.x - du * v.x) / area;
+  return glm::length(gradient) * t[0].z * t[0].z;
+}
+
+/// Makes the lines of one mesh.
+class LineMaker {
+ public:
+  LineMaker(const draw::Camera& camera, const ScreenMesh& screen)
+      : camera_(camera), screen_(screen), focal_px_(static_cast<double>(camera.focal_px())) {
+    line_.width_px = screen.mesh->edge_px;
+    line_.material = {screen.mesh->edgeColor, 0};
+  }
+
+  void add(const EdgeChain& chain) {
+    bool whole = chain.vertices.front() == chain.vertices.back();
+    for (std::size_t i = 0; i < chain.edges.size(); ++i) {
+      const MeshEdge& edge = screen_.topology->edges[chain.edges[i]];
+      if (screen_.isFront(edge)) {
+        addPiece(chain.vertices[i], chain.vertices[i + 1], lift(edge));
+      } else {
+        whole = false;
+        finish();
+      }
+    }
+    if (whole) {
+      line_.points_W.pop_back();  // the first again
+      line_.closed = true;
+    }
+    finish();
+  }
+
+  std::vector<draw::Curve> take() { return std::move(lines_); }
+
+ private:
+  double pixelSize(double depth) const { return depth / focal_px_; }
+
+  // Towards the eye, so that half the line's width is before the faces beside it.
+  double lift(const MeshEdge& edge) const {
+    const double pixel = pixelSize(screen_.vertices[edge.from].z);
+    double steepest = 0;
+    for (const std::uint32_t face : {edge.left, edge.right})
+      if (screen_.isFront(face)) steepest = std::max(steepest, steepness(screen_.triangle(face)));
+    const double across_px = 0.5 * static_cast<double>(screen_.mesh->edge_px) + kMargin_px;
+    return across_px * (std::min(steepest, kSteepest * pixel) + 0.5 * pixel);
+  }
+
+  // Cut in pieces along which the depth is as good as linear, as curve.vert takes it to be.
+  void addPiece(std::uint32_t from, std::uint32_t to, double lift) {
+    const double a = screen_.vertices[from].z, b = screen_.vertices[to].z, nearest = std::min(a, b);
+    const double longest = 2 * std::sqrt(kDepthError * pixelSize(nearest) * nearest);
+    const int pieces = std::max(static_cast<int>(std::ceil(std::abs(b - a) / longest)), 1);
+    for (int i = line_.points_W.empty() ? 0 : 1; i <= pieces; ++i) {
+      const float s = static_cast<float>(i) / static_cast<float>(pieces);
+      line_.points_W.push_back(lifted(glm::mix(point_W(from), point_W(to), s), lift));
+    }
+  }
+
+  glm::vec3 point_W(std::uint32_t vertex) const {
+    return screen_.mesh->origin_W + screen_.mesh->axes_W * screen_.mesh->mesh->vertices_M[vertex];
+  }
+
+  // Along the ray to the eye: the same place in the picture.
+  glm::vec3 lifted(glm::vec3 p_W, double lift) const {
+    const float depth = depthOf(camera_, p_W),
+                share = std::min(static_cast<float>(lift) / (depth - camera_.near), 0.9f);
+    return glm::mix(p_W, p_W + (camera_.eye_W - p_W) * ((depth - camera_.near) / depth), share);
+  }
+
+  void finish() {
+    if (line_.points_W.size() > 1) lines_.push_back(line_);
+    line_.points_W.clear();
+    line_.closed = false;
+  }
+
+  const draw::Camera& camera_;
+  const ScreenMesh& screen_;
+  double focal_px_;
+  draw::Curve line_;
+  std::vector<draw::Curve> lines_;
+};
+
+}  // namespace
+
+std::vector<draw::Curve> meshEdgeLines(const draw::Camera& camera, const ScreenMesh& screen) {
+  if (screen.mesh->edge_px <= 0 || screen.bounds.empty()) return {};
+  LineMaker maker(camera, screen);
+  for (const EdgeChain& chain : screen.topology->chains) maker.add(chain);
+  return maker.take();
+}
+
+}  // namespace poinsot::render
