@@ -2,18 +2,14 @@
 #pragma once
 
 #include "scene/draft.h"
-#include "scene/leaves.h"
+#include "scene/findings.h"
+#include "scene/scene_folder.h"
 
 namespace poinsot::scene {
 
-/// Where to report what is missing: in its table where the file has that, else at the file's start.
-struct Origins {
-  Place file, body, motion;
-};
-
-/// Makes the scene from keys that passed their own checks: what several keys decide together, and what physics
-/// refuses, is checked here, each at the value it is about. `given` are the keys the user gave, valid or not.
-/// What it returns counts only while `problems` is empty.
-Scene assemble(Draft draft, const Leaves& given, const Origins& origins, Problems& problems);
+/// Makes the scene from keys that passed their own checks: what several keys decide together, what the files say
+/// that it names, and what physics refuses, is checked here, each at the value it is about.
+/// What it returns counts only while nothing was found.
+Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder);
 
 }  // namespace poinsot::scene

@@ -2,40 +2,33 @@
 #include "scene/check.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
 #include "core/rational.h"
 #include "core/text.h"
+#include "scene/key_text.h"
 #include "scene/limits.h"
 
 namespace poinsot::scene {
 namespace {
 
-std::string wordsText(const Key& key) { return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \"")); }
+// Places in three rows of three, one after another.
+std::size_t at(int place) { return static_cast<std::size_t>(place); }
+int mirrored(int place) { return 3 * (place % 3) + place / 3; }
 
-std::string unitSuffix(std::string_view unit) { return unit.empty() ? "" : fmt::format(" {}", unit); }
-
-std::string_view unitOfRange(const Key& key) {
-  return key.range.unit.empty() ? siUnit(key.dimension) : key.range.unit;
-}
-
-bool unlimited(const Range& range) { return range.most == Range{}.most; }
-
-std::string numbersText(const Key& key) {
-  const Range& range = key.range;
-  if (unlimited(range)) return "";
-  if (range.least == range.most) return fmt::format("{:g}", range.least);
-  const std::string text =
-      fmt::format("from {:g} to {:g}{}", range.least, range.most, unitSuffix(unitOfRange(key)));
-  return range.ofSize ? "zero or of size " + text : text;
+/// A place above the diagonal whose mirror image differs; -1 where there is none.
+int asymmetric(const std::vector<double>& rows) {
+  for (const int above : {1, 2, 5})
+    if (rows[at(above)] != rows[at(mirrored(above))]) return above;
+  return -1;
 }
 
 /// One key and one value: what is said of them starts with the key's path.
 class Checker {
  public:
-  Checker(const Key& key, Problems& problems) : key_(key), problems_(problems) {}
+  Checker(const Key& key, std::string_view path, Problems& problems)
+      : key_(key), path_(path), problems_(problems) {}
 
   std::optional<Checked> operator()(const Node& node) {
     switch (key_.type) {
@@ -51,8 +44,12 @@ class Checker {
         return word(node);
       case ValueType::kVector:
         return wrapped(numbers(node, 3));
+      case ValueType::kPerAxis:
+        return perAxis(node, 3);
       case ValueType::kExtents:
         return extents(node);
+      case ValueType::kMatrix:
+        return matrix(node);
       case ValueType::kQuaternion:
         return quaternion(node);
       case ValueType::kFrameRate:
@@ -65,7 +62,7 @@ class Checker {
 
  private:
   std::nullopt_t refuse(const Node& node, std::string_view message) {
-    problems_.add(node.place, fmt::format("{}: {}", key_.path, message));
+    problems_.add(node.place, fmt::format("{}: {}", path_, message));
     return std::nullopt;
   }
 
@@ -186,11 +183,32 @@ class Checker {
     return values;
   }
 
-  std::optional<Checked> extents(const Node& node) {
-    if (node.as<Node::Array>()) return wrapped(numbers(node, 3));
+  /// `count` numbers, or one for all of them.
+  std::optional<Checked> perAxis(const Node& node, std::size_t count) {
+    if (node.as<Node::Array>()) return wrapped(numbers(node, count));
     if (node.as<bool>() || node.as<Node::Table>() || node.as<DateOrTime>()) return refuseType(node);
     const auto value = number(node);
-    return value ? std::optional<Checked>(std::vector<double>(3, *value)) : std::nullopt;
+    return value ? std::optional<Checked>(std::vector<double>(count, *value)) : std::nullopt;
+  }
+
+  std::optional<Checked> extents(const Node& node) {
+    const auto* array = node.as<Node::Array>();
+    if (!array) return perAxis(node, 1);
+    return wrapped(numbers(node, array->size() == 2 ? 2 : 3));
+  }
+
+  std::optional<Checked> matrix(const Node& node) {
+    const auto* rows = node.as<Node::Array>();
+    if (!rows || rows->size() != 3) return refuseType(node);
+    std::vector<double> values;
+    for (const Node& row : *rows)
+      if (const auto three = numbers(row, 3)) values.insert(values.end(), three->begin(), three->end());
+    if (values.size() != 9) return std::nullopt;
+    if (const int above = asymmetric(values); above >= 0)
+      return refuse(node,
+                    fmt::format("must be symmetric, got {} in row {} column {} and {} across the diagonal",
+                                values[at(above)], above / 3 + 1, above % 3 + 1, values[at(mirrored(above))]));
+    return wrapped(std::move(values));
   }
 
   std::optional<Checked> quaternion(const Node& node) {
@@ -248,69 +266,14 @@ class Checker {
   }
 
   const Key& key_;
+  std::string_view path_;
   Problems& problems_;
 };
 
-std::string several(const Key& key, std::string_view count) {
-  const Dimension d = key.dimension;
-  if (d == Dimension::kNone) return fmt::format("{} numbers", count);
-  const std::string_view name = quantityName(d).substr(quantityName(d).find(' ') + 1);
-  const std::string plural = d == Dimension::kMomentOfInertia   ? "moments of inertia"
-                             : d == Dimension::kAngularVelocity ? "angular velocities"
-                                                                : fmt::format("{}s", name);
-  return fmt::format("{} {}", count, plural);
-}
-
 }  // namespace
 
-std::optional<Checked> check(const Key& key, const Node& node, Problems& problems) {
-  return Checker(key, problems)(node);
-}
-
-std::string rangeText(const Key& key) {
-  switch (key.type) {
-    case ValueType::kBool:
-      return "";
-    case ValueType::kText:
-      return fmt::format("at most {} characters", key.range.most);
-    case ValueType::kWord:
-      return wordsText(key);
-    case ValueType::kQuaternion:
-      return "norm " + numbersText(key);
-    case ValueType::kPixels:
-      return numbersText(key) + ", even";
-    default:
-      break;
-  }
-  if (key.words.empty()) return numbersText(key);
-  return fmt::format("{}, or \"{}\"", numbersText(key), fmt::join(key.words, "\", \""));
-}
-
-std::string typeText(const Key& key) {
-  switch (key.type) {
-    case ValueType::kNumber:
-      break;
-    case ValueType::kInteger:
-      return "a whole number";
-    case ValueType::kBool:
-      return "true or false";
-    case ValueType::kText:
-      return "text";
-    case ValueType::kWord:
-      return wordsText(key);
-    case ValueType::kVector:
-      return "an array of " + several(key, "three");
-    case ValueType::kExtents:
-      return "an array of " + several(key, "three") + ", or one for all three";
-    case ValueType::kQuaternion:
-      return "an array of four numbers w, x, y, z";
-    case ValueType::kFrameRate:
-      return "a number or a fraction such as \"30000/1001\"";
-    case ValueType::kPixels:
-      return "an array of width and height";
-  }
-  const std::string number(quantityName(key.dimension));
-  return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, fmt::join(key.words, "\", \""));
+std::optional<Checked> check(const Key& key, std::string_view path, const Node& node, Problems& problems) {
+  return Checker(key, path, problems)(node);
 }
 
 }  // namespace poinsot::scene

@@ -2,23 +2,96 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <map>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "scene/scene.h"
 
+/// A scene while its keys are being read: what is final goes straight into Draft::scene, what several keys decide
+/// together waits for assemble.h. SI units.
 namespace poinsot::scene {
 
-/// A scene while its keys are being read: what is final goes straight into `scene`, what several keys decide
-/// together waits here for assemble.h.
+/// The keys that describe a shape, after body, body.part[] or show.body.
+struct ShapeDraft {
+  std::optional<int> word;                     ///< index into shapeWords()
+  std::optional<std::vector<double>> size;     ///< two or three extents, or one for all
+  std::map<std::string_view, double> lengths;  ///< "radius" and the like
+  std::optional<Eigen::Vector3d> wing;
+  std::optional<std::string> file;
+  std::optional<double> fileUnit_m;
+};
+
+/// A shape with its mass and place.
+struct PieceDraft {
+  ShapeDraft shape;
+  std::optional<double> mass, density;
+  std::optional<Eigen::Vector3d> offset, axis;
+  std::optional<Eigen::Quaterniond> rotation;
+  std::optional<double> angle;
+};
+
+struct PointDraft {
+  std::optional<double> mass;
+  std::optional<Eigen::Vector3d> position;
+};
+
+struct BodyDraft {
+  std::optional<Eigen::Vector3d> moments;
+  std::optional<Eigen::Matrix3d> inertia;
+  std::optional<int> catalogue;  ///< index into the catalogue
+  PieceDraft whole;
+  std::vector<PieceDraft> parts;
+  std::vector<PointDraft> points;
+};
+
+/// Each way to give a start; the keys of one of them.
+struct StartDraft {
+  std::optional<Eigen::Vector3d> omega_B, omega_W, L_B, L_W;
+  std::optional<double> spin, tilt, tiltTowards;
+  int spinAxis = 0;  ///< 0, 1, 2: of P; 3, 4, 5: smallest, middle, largest moment
+  std::optional<double> energy, L, phase;
+  int branch = 0;  ///< 1: negative
+};
+
+struct TorqueStepDraft {
+  std::optional<double> from;
+  std::optional<Eigen::Vector3d> torque_B, torque_W;
+};
+
+struct ForcingDraft {
+  std::optional<Eigen::Vector3d> mgr_B, torque_B, torque_W, dragRates;
+  std::optional<double> g, dissipation;
+  std::optional<std::string> torqueFile;
+  int fileAxes = 0;       ///< 1: space
+  int interpolation = 0;  ///< 1: steps
+  std::vector<TorqueStepDraft> steps;
+};
+
+struct FlightDraft {
+  std::optional<Eigen::Vector3d> position, velocity, gravity;
+};
+
 struct Draft {
   Scene scene;
-  std::optional<Eigen::Vector3d> moments, omega_B;
-  std::optional<ShapeKind> shape, drawnShape;
-  std::optional<Eigen::Vector3d> size_m, drawnSize;
-  std::optional<double> mass_kg;
+  BodyDraft body;
+  StartDraft start;
+  ForcingDraft forcing;
+  FlightDraft flight;
+  ShapeDraft drawn;
   int quality = 0;  ///< index into qualityPresets()
   std::optional<Eigen::Vector2i> size_px;
   std::optional<int> crf;
 };
+
+/// The element of that number; those before it come to be with it.
+template <class T>
+T& elementAt(std::vector<T>& elements, std::size_t i) {
+  if (elements.size() <= i) elements.resize(i + 1);
+  return elements[i];
+}
 
 }  // namespace poinsot::scene

@@ -2,26 +2,69 @@
 #include "scene/keys.h"
 
 #include <algorithm>
+#include <charconv>
+#include <map>
 
 namespace poinsot::scene {
+namespace {
 
-const Key* findKey(std::string_view path) {
-  const auto found = std::find_if(keys().begin(), keys().end(), [&](const Key& key) { return key.path == path; });
-  return found == keys().end() ? nullptr : &*found;
+// More elements than any scene may have; what a number this long names does not exist.
+constexpr std::size_t kMostDigits = 9;
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// The digits between the first '[' and the ']' after it; empty where there are none.
+std::string_view indexIn(std::string_view path) {
+  const std::size_t open = path.find('[');
+  if (open == std::string_view::npos) return {};
+  const std::string_view rest = path.substr(open + 1);
+  const std::string_view digits = rest.substr(0, rest.find(']'));
+  const bool number = digits.size() < rest.size() && digits.size() <= kMostDigits &&
+                      std::all_of(digits.begin(), digits.end(), isDigit);
+  return number ? digits : std::string_view();
 }
 
-bool isTable(std::string_view path) {
-  const std::string prefix = std::string(path) + ".";
+bool someKeyStarts(const std::string& prefix) {
   return std::any_of(keys().begin(), keys().end(), [&](const Key& key) { return key.path.starts_with(prefix); });
 }
 
+}  // namespace
+
+std::string patternOf(std::string_view path) {
+  const std::string_view digits = indexIn(path);
+  if (digits.empty()) return std::string(path);
+  const auto begin = static_cast<std::size_t>(digits.data() - path.data());
+  return std::string(path.substr(0, begin)).append(path.substr(begin + digits.size()));
+}
+
+std::size_t elementOf(std::string_view path) {
+  const std::string_view digits = indexIn(path);
+  std::size_t element = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), element);
+  return element;
+}
+
+const Key* findKey(std::string_view path) {
+  static const auto byPath = [] {
+    std::map<std::string_view, const Key*> map;
+    for (const Key& key : keys()) map.emplace(key.path, &key);
+    return map;
+  }();
+  const auto found = byPath.find(patternOf(path));
+  return found == byPath.end() ? nullptr : found->second;
+}
+
+bool isTable(std::string_view path) { return someKeyStarts(patternOf(path) + "."); }
+
+bool isTableArray(std::string_view path) { return someKeyStarts(patternOf(path) + "[]."); }
+
 std::vector<std::string> namesBelow(std::string_view table) {
-  const std::string prefix = table.empty() ? "" : std::string(table) + ".";
+  const std::string prefix = table.empty() ? "" : patternOf(table) + ".";
   std::vector<std::string> names;
   for (const Key& key : keys()) {
     if (!key.path.starts_with(prefix)) continue;
-    const std::string_view rest = key.path.substr(prefix.size());
-    std::string name(rest.substr(0, rest.find('.')));
+    const std::string_view rest = std::string_view(key.path).substr(prefix.size());
+    std::string name(rest.substr(0, rest.find_first_of(".[")));
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   return names;

@@ -23,7 +23,9 @@ enum class ValueType {
   kText,        ///< at most range.most characters, no control characters
   kWord,        ///< one of `words`
   kVector,      ///< three numbers
-  kExtents,     ///< three numbers, or one for all three
+  kPerAxis,     ///< three numbers, or one for all three
+  kExtents,     ///< three numbers (two for what is flat), or one for all
+  kMatrix,      ///< three rows of three numbers, symmetric
   kQuaternion,  ///< four numbers w, x, y, z; range is of the norm
   kFrameRate,   ///< an integer, a decimal, or "30000/1001"
   kPixels,      ///< width and height, even; range is of each
@@ -46,7 +48,7 @@ struct Word {
 using Checked = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, core::Rational, Word>;
 
 struct Key {
-  std::string_view path;  ///< "camera.fov"
+  std::string path;  ///< "camera.fov"; "body.part[].mass" stands for that of each [[body.part]]
   ValueType type = ValueType::kNumber;
   Dimension dimension = Dimension::kNone;
   Range range{};
@@ -54,22 +56,31 @@ struct Key {
   std::string_view fallback{};  ///< TOML; read by the same route as a file; empty: none
   std::string_view example{};   ///< TOML; a value other than the default
   std::string_view help{};      ///< one line
-  std::function<void(Draft&, const Checked&)> put{};
-  bool required = false;
+  /// `element` counts from 0 in an array of tables and is 0 elsewhere.
+  std::function<void(Draft&, std::size_t element, const Checked&)> put{};
 };
 
 const std::vector<Key>& keys();
 
-/// The key of that path, or null.
+/// Which key a path means: "body.part[].mass" for "body.part[3].mass".
+std::string patternOf(std::string_view path);
+
+/// 3 for "body.part[3].mass"; 0 where the path has no index.
+std::size_t elementOf(std::string_view path);
+
+/// The key of that path, or null. An index may stand for [].
 const Key* findKey(std::string_view path);
 
-/// Whether some key lies below: "show", "show.plane".
+/// Whether some key lies below: "show", "show.plane", "body.part[3]"; not "body.part".
 bool isTable(std::string_view path);
 
-/// Names directly below a table ("" is the root): keys and tables.
+/// Whether it is an array of such tables: "body.part".
+bool isTableArray(std::string_view path);
+
+/// Names directly below a table ("" is the root): keys, tables, and arrays of tables without their [].
 std::vector<std::string> namesBelow(std::string_view table);
 
-/// "show.plane" for "show.plane.opacity"; "" for "schema".
+/// "show.plane" for "show.plane.opacity", "body.part[]" for "body.part[].mass"; "" for "schema".
 std::string_view tableOf(std::string_view path);
 /// "opacity" for "show.plane.opacity".
 std::string_view nameOf(std::string_view path);

@@ -9,14 +9,20 @@
 
 namespace poinsot::scene {
 
-/// The values of known keys, by path, each with the place it came from.
-using Leaves = std::map<std::string, Node, std::less<>>;
+/// What a scene gives, by path ("body.part[0].mass").
+struct Leaves {
+  std::map<std::string, Node, std::less<>> values;   ///< of known keys, each with the place it came from
+  std::map<std::string, Place, std::less<>> tables;  ///< where each table was opened
+
+  /// How many tables an array of them has.
+  std::size_t count(std::string_view array) const;
+};
 
 /// Adds the values of a whole document; a later call replaces what an earlier one gave. Keys that are not in the
 /// table become problems, with the nearest name that is. `show.plane = false` is read as show.plane.visible.
 void addLeaves(const Node& document, Leaves& leaves, Problems& problems);
 
-/// Adds the value of one path.
+/// Adds the value of one path. An element of an array of tables must exist.
 void addLeaf(const std::string& path, const Place& keyPlace, const Node& value, Leaves& leaves,
              Problems& problems);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -16,7 +17,12 @@ constexpr double kMostFps = 1000;
 constexpr double kLongestFilm_s = 3600;
 constexpr double kLeastMoment = 1e-60;  ///< kg·m², given or of a shape; a mass has the same limits in kg
 constexpr double kMostMoment = 1e60;
+constexpr double kLeastSpin = 1e-40;  ///< rad/s, of each component that is not zero
+constexpr double kMostSpin = 1e40;
 constexpr double kMostRatioOfMoments = 1e20;  ///< largest to smallest; physics::FreeMotion solves no more
+
+constexpr std::size_t kMostElements = 1000;  ///< of an array of tables: parts, point masses, steps of a torque
+constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;  ///< of a file that a scene names
 
 /// What one word of `quality` sets; an explicit size or crf wins.
 struct QualityPreset {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/make_motion.h"
 
+#include <algorithm>
+
+#include "physics/driven_motion.h"
 #include "physics/free_motion.h"
 
 namespace poinsot::scene {
@@ -17,8 +20,13 @@ Eigen::Quaterniond startOrientation(const Scene& scene) {
                                             directionOfL(scene));
 }
 
-std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double, double) {
-  return std::make_unique<physics::FreeMotion>(scene.body.axes, scene.motion.omega_B, startOrientation(scene));
+std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s) {
+  const Motion& motion = scene.motion;
+  const Eigen::Quaterniond q0_WB = startOrientation(scene);
+  if (motion.forcing.none()) return std::make_unique<physics::FreeMotion>(scene.body.axes, motion.omega_B, q0_WB);
+  const physics::TimeSpan span{std::min(from_s, to_s), std::max(from_s, to_s)};
+  return std::make_unique<physics::DrivenMotion>(scene.body.axes, motion.omega_B, q0_WB, motion.forcing, span,
+                                                 motion.tolerance_rad);
 }
 
 }  // namespace poinsot::scene

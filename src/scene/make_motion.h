@@ -15,6 +15,7 @@ Eigen::Vector3d directionOfL(const Scene& scene);
 Eigen::Quaterniond startOrientation(const Scene& scene);
 
 /// The motion that a scene describes, known between two motion times (in either order) and between them and 0.
+/// Free where nothing acts on the body, else integrated to Motion::tolerance_rad.
 /// @throws core::Error(kPhysics) for a body or a start that has no solution.
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s);
 

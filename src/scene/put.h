@@ -33,6 +33,13 @@ inline void assign(Eigen::Vector2i& to, const Checked& value) {
   POINSOT_EXPECT(v.size() == 2);
   to = {static_cast<int>(v[0]), static_cast<int>(v[1])};
 }
+/// Rows one after another.
+inline void assign(Eigen::Matrix3d& to, const Checked& value) {
+  const auto& v = std::get<std::vector<double>>(value);
+  POINSOT_EXPECT(v.size() == 9);
+  to << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
+}
+inline void assign(std::vector<double>& to, const Checked& value) { to = std::get<std::vector<double>>(value); }
 inline void assign(Eigen::Quaterniond& to, const Checked& value) {
   const auto& v = std::get<std::vector<double>>(value);
   POINSOT_EXPECT(v.size() == 4);
@@ -53,10 +60,16 @@ void assign(std::optional<T>& to, const Checked& value) {
   assign(to.emplace(), value);
 }
 
-/// How a key is put into the draft: `place` gives the address of the member.
+/// How a key is put into the draft: `place` gives the address of the member, in an array of tables for the
+/// element.
 template <class F>
-std::function<void(Draft&, const Checked&)> into(F place) {
-  return [place](Draft& draft, const Checked& value) { assign(*place(draft), value); };
+std::function<void(Draft&, std::size_t, const Checked&)> into(F place) {
+  return [place](Draft& draft, std::size_t element, const Checked& value) {
+    if constexpr (std::is_invocable_v<F, Draft&, std::size_t>)
+      assign(*place(draft, element), value);
+    else
+      assign(*place(draft), value);
+  };
 }
 
 }  // namespace poinsot::scene

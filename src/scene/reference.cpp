@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/reference.h"
+#include "scene/key_text.h"
 
 #include <fmt/format.h>
 
-#include "scene/check.h"
 #include "scene/document.h"
 #include "scene/keys.h"
 #include "scene/limits.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kOpening = R"(# Scene files
 
-<!-- Made from the table in src/scene/key_table.cpp; a test compares the two. Do not edit by hand. -->
+<!-- Made from the table in src/scene/key_table*.cpp; a test compares the two. Do not edit by hand. -->
 
 A scene is a [TOML](https://toml.io/en/v1.0.0) file. A body and a start are required; every other key has a default.
 This is a whole scene:
@@ -54,15 +54,14 @@ std::string code(std::string_view text) { return text.empty() ? "" : fmt::format
 
 std::string units() {
   std::string text(kUnitsOpening);
-  for (const auto dimension : {Dimension::kLength, Dimension::kMass, Dimension::kTime, Dimension::kAngle,
-                               Dimension::kAngularVelocity, Dimension::kMomentOfInertia})
+  for (const Dimension dimension : dimensions())
     text += fmt::format("| {} | {} | {} |\n", quantityName(dimension), siUnit(dimension), usualUnits(dimension));
   return text + "\n";
 }
 
 std::string defaultOf(const Key& key) {
   if (!key.fallback.empty()) return code(key.fallback);
-  return key.required ? "required" : "none";
+  return "none";
 }
 
 std::string row(const Key& key) {
@@ -71,8 +70,14 @@ std::string row(const Key& key) {
                      defaultOf(key), code(key.example), cell(key.help));
 }
 
+/// "[show]"; "[[body.part]]" for "body.part[]".
+std::string bracketed(std::string_view table) {
+  if (!table.ends_with("[]")) return fmt::format("[{}]", table);
+  return fmt::format("[[{}]]", table.substr(0, table.size() - 2));
+}
+
 std::string heading(std::string_view table) {
-  std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `[{}]`\n\n", table);
+  std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `{}`\n\n", bracketed(table));
   if (hasVisible(table)) text += fmt::format("`{} = false` is short for `{}.visible = false`.\n\n", table, table);
   return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
 }

@@ -11,6 +11,7 @@
 
 #include "core/rational.h"
 #include "geometry/mesh.h"
+#include "physics/flight.h"
 #include "physics/forcing.h"
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
@@ -59,18 +60,14 @@ struct Body {
 
 enum class LPoints { kAuto, kDown, kUp };
 
-/// Flight of the centre of mass (eq 1 to 10): position + velocity t + gravity t²/2.
-struct Flight {
-  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();         ///< at motion time 0, m
-  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();         ///< at motion time 0, m/s
-  Eigen::Vector3d gravity_W = Eigen::Vector3d(0, 0, -9.80665);  ///< m/s²
-};
+using Flight = physics::Flight;
 
 struct Motion {
   Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< at motion time 0, rad/s
   std::optional<Eigen::Quaterniond> orientation_WB;   ///< unit; none: L turned onto the world's vertical
   LPoints lPoints = LPoints::kAuto;
   physics::Forcing forcing;
+  double tolerance_rad = 1e-12;  ///< of the attitude over the run, where something acts
   std::optional<Flight> flight;
 };
 

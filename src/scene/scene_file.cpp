@@ -3,17 +3,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <deque>
+#include <functional>
+#include <set>
 
 #include "core/text.h"
 #include "scene/assemble.h"
 #include "scene/check.h"
 #include "scene/document.h"
+#include "scene/file_text.h"
 
 namespace poinsot::scene {
 namespace {
@@ -25,45 +24,15 @@ namespace {
                     fmt::format("cannot read the scene {}: {}", core::printable(path.string()), why));
 }
 
-/// Closes on every way out.
-class File {
- public:
-  // O_NONBLOCK: opening a FIFO must not wait for its writer.
-  explicit File(const std::filesystem::path& path)
-      : handle_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-    if (handle_ < 0) refuseFile(path, std::strerror(errno));
-  }
-  ~File() { ::close(handle_); }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  int handle() const { return handle_; }
-
- private:
-  int handle_;
-};
-
-void expectRegular(const File& file, const std::filesystem::path& path) {
-  struct stat status {};
-  if (::fstat(file.handle(), &status) != 0) refuseFile(path, std::strerror(errno));
-  if (S_ISDIR(status.st_mode)) refuseFile(path, "it is a directory");
-  if (!S_ISREG(status.st_mode)) refuseFile(path, "it is not a regular file");
-}
-
 /// At most one byte more than a scene may have, which is enough to refuse it.
-std::string textOf(const std::filesystem::path& path) {
-  const File file(path);
-  expectRegular(file, path);
-  std::string text;
-  char buffer[1 << 16];
-  while (text.size() <= kMostBytes) {
-    const ssize_t count = ::read(file.handle(), buffer, sizeof buffer);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuseFile(path, std::strerror(errno));
-    if (count == 0) break;
-    text.append(buffer, static_cast<std::size_t>(count));
+std::string sceneText(const std::filesystem::path& path) {
+  // O_NONBLOCK: opening a FIFO must not wait for its writer.
+  const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  try {
+    return textOf(file, kMostBytes);
+  } catch (const core::Error& error) {
+    refuseFile(path, error.message());
   }
-  return text;
 }
 
 // --- Overrides ---
@@ -115,10 +84,16 @@ std::string defaultsText() {
   return text;
 }
 
-Draft checkedDraft(const Leaves& leaves, Draft draft, Problems& problems) {
-  for (const auto& [path, node] : leaves) {
+using Paths = std::set<std::string, std::less<>>;
+
+/// The paths of values that did not pass go to `refused`.
+Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
+  for (const auto& [path, node] : leaves.values) {
     const Key& key = *findKey(path);
-    if (const auto value = check(key, node, problems)) key.put(draft, *value);
+    if (const auto value = check(key, path, node, problems))
+      key.put(draft, elementOf(path), *value);
+    else
+      refused.insert(path);
   }
   return draft;
 }
@@ -126,28 +101,18 @@ Draft checkedDraft(const Leaves& leaves, Draft draft, Problems& problems) {
 Draft defaultDraft() {
   const Source source("defaults", defaultsText());
   Leaves leaves;
+  Paths refused;
   Problems problems;
   addLeaves(parseDocument(source), leaves, problems);
-  Draft draft = checkedDraft(leaves, {}, problems);
+  Draft draft = checkedDraft(leaves, {}, refused, problems);
   problems.throwIfAny();
   return draft;
 }
 
-Place keyPlace(const Node& document, std::string_view key, const Place& otherwise) {
-  for (const Entry& entry : std::get<Node::Table>(document.value))
-    if (entry.key == key) return entry.keyPlace;
-  return otherwise;
-}
-
-Origins originsIn(const Node& document, const Source& file) {
-  const Place start{&file, 0, 0, 1};
-  return {start, keyPlace(document, "body", start), keyPlace(document, "motion", start)};
-}
-
 void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems) {
   for (const char* path : {"show.title", "show.subtitle"}) {
-    const auto leaf = leaves.find(path);
-    const auto* text = leaf == leaves.end() ? nullptr : leaf->second.as<std::string>();
+    const auto leaf = leaves.values.find(path);
+    const auto* text = leaf == leaves.values.end() ? nullptr : leaf->second.as<std::string>();
     if (const std::string wrong = text && check ? check(*text) : ""; !wrong.empty())
       problems.add(leaf->second.place, fmt::format("{}: {}", path, wrong));
   }
@@ -161,20 +126,23 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   const Source& file = sources.emplace_back(fileName, std::string(text));
   Leaves leaves;
   Problems problems;
-  const Node document = parseDocument(file);
-  addLeaves(document, leaves, problems);
+  addLeaves(parseDocument(file), leaves, problems);
   for (const std::string& word : overrides) addOverride(word, sources, leaves, problems);
   static const Draft defaults = defaultDraft();
-  Scene scene = assemble(checkedDraft(leaves, defaults, problems), leaves, originsIn(document, file), problems);
+  Paths refused;
+  Draft draft = checkedDraft(leaves, defaults, refused, problems);
+  Findings findings(leaves, refused, {&file, 0, 0, 1}, problems);
+  const std::filesystem::path path(fileName);
+  Scene scene = assemble(std::move(draft), findings, SceneFolder(path.parent_path()));
   checkTexts(leaves, textCheck, problems);
   problems.throwIfAny();
-  scene.name = std::filesystem::path(fileName).stem().string();
+  scene.name = path.stem().string();
   return scene;
 }
 
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                 const TextCheck& textCheck) {
-  return parseScene(textOf(path), path.string(), overrides, textCheck);
+  return parseScene(sceneText(path), path.string(), overrides, textCheck);
 }
 
 }  // namespace poinsot::scene

@@ -23,7 +23,8 @@ using TextCheck = std::function<std::string(std::string_view)>;
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                 const TextCheck& textCheck = {});
 
-/// The same for text in memory. `fileName` stands in messages, and gives the scene its name.
+/// The same for text in memory. `fileName` stands in messages, and gives the scene its name and the folder in
+/// which the files that it names are looked for.
 /// @throws SceneErrors, and nothing else, whatever the text.
 Scene parseScene(std::string_view text, const std::string& fileName,
                  const std::vector<std::string>& overrides = {}, const TextCheck& textCheck = {});

@@ -4,9 +4,10 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "scene/check.h"
 #include "scene/document.h"
+#include "scene/key_text.h"
 #include "scene/keys.h"
+#include "scene/limits.h"
 #include "scene/reference.h"
 
 namespace poinsot::scene {
@@ -80,13 +81,16 @@ Json number(const Key& key) {
   return {{"anyOf", any}};
 }
 
-Json arrayOf(Json items, int count) {
-  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", count}, {"maxItems", count}};
+Json arrayOf(Json items, int least, int most) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}, {"maxItems", most}};
 }
 
-Json extents(const Key& key) {
+Json arrayOf(Json items, int count) { return arrayOf(std::move(items), count, count); }
+
+/// From `least` to three numbers, or one for all.
+Json perAxis(const Key& key, int least) {
   Json any = number(key)["anyOf"];
-  any.push_back(arrayOf(number(key), 3));
+  any.push_back(arrayOf(number(key), least, 3));
   return {{"anyOf", any}};
 }
 
@@ -115,8 +119,12 @@ Json typeSchema(const Key& key) {
       return words(key);
     case ValueType::kVector:
       return arrayOf(number(key), 3);
+    case ValueType::kPerAxis:
+      return perAxis(key, 3);
     case ValueType::kExtents:
-      return extents(key);
+      return perAxis(key, 2);
+    case ValueType::kMatrix:
+      return arrayOf(arrayOf(number(key), 3), 3);
     case ValueType::kQuaternion:
       return arrayOf({{"type", "number"}}, 4);
     case ValueType::kFrameRate:
@@ -135,24 +143,41 @@ Json keySchema(const Key& key) {
   return json;
 }
 
-/// What cannot be told from one key alone.
+Json required(std::initializer_list<const char*> names) {
+  return {{"required", std::vector<std::string>(names.begin(), names.end())}};
+}
+
+/// What cannot be told from one key alone: the ways to give a body and a start, of which one is used.
 void addRequired(Json& json, const std::string& table) {
-  Json required = Json::array();
-  if (table.empty()) required = {"body", "motion"};
-  for (const Key& key : keys())
-    if (key.required && tableOf(key.path) == table) required.push_back(std::string(nameOf(key.path)));
-  if (!required.empty()) json["required"] = required;
+  if (table.empty()) json["required"] = {"body", "motion"};
   if (table == "body")
-    json["oneOf"] = {{{"required", {"principal_moments"}}}, {{"required", {"shape", "size", "mass"}}}};
+    json["oneOf"] = {required({"principal_moments"}),
+                     required({"inertia"}),
+                     required({"shape"}),
+                     {{"anyOf", Json::array({required({"part"}), required({"point_mass"})})}}};
+  if (table == "motion")
+    json["oneOf"] = {required({"omega_body"}), required({"omega_space"}),       required({"L_body"}),
+                     required({"L_space"}),    required({"spin", "spin_axis"}), required({"energy", "L"})};
+}
+
+Json tableSchema(const std::string& table);
+
+Json tableArraySchema(const std::string& path) {
+  return {{"type", "array"},
+          {"description", fmt::format("Any number of [[{}]].", path)},
+          {"items", tableSchema(path + "[]")},
+          {"maxItems", kMostElements}};
+}
+
+Json schemaOf(const std::string& path) {
+  if (const Key* key = findKey(path)) return keySchema(*key);
+  return isTableArray(path) ? tableArraySchema(path) : tableSchema(path);
 }
 
 Json tableSchema(const std::string& table) {
   Json properties;
-  for (const std::string& name : namesBelow(table)) {
-    const std::string path = table.empty() ? name : table + "." + name;
-    const Key* key = findKey(path);
-    properties[name] = key ? keySchema(*key) : tableSchema(path);
-  }
+  for (const std::string& name : namesBelow(table))
+    properties[name] = schemaOf(table.empty() ? name : table + "." + name);
   Json json = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   addRequired(json, table);
   if (!hasVisible(table)) return json;

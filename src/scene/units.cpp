@@ -3,92 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "core/expect.h"
 #include "core/text.h"
+#include "scene/unit_table.h"
 
 namespace poinsot::scene {
 namespace {
-
-// Exponents of length, mass, time and angle. The angle is a dimension here, so that "3 Hz" is a rotation rate and
-// "1 rad" never passes for a plain number.
-using Exponents = std::array<int, 4>;
-
-struct Unit {
-  double factor = 1;
-  Exponents exponents{};
-};
-
-struct NamedUnit {
-  std::string_view name;
-  Unit unit;
-};
-
-constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, kT{0, 0, 1, 0}, kA{0, 0, 0, 1},
-    kRate{0, 0, -1, 1};
-constexpr double kTurn = 2 * std::numbers::pi;
-
-// Inch, foot, pound and ounce are exact by definition (1959); a day is 24 h and a year 365.25 days (IAU).
-constexpr NamedUnit kUnits[] = {
-    {"%", {0.01, kPlain}},
-    {"m", {1, kL}},
-    {"km", {1e3, kL}},
-    {"cm", {1e-2, kL}},
-    {"mm", {1e-3, kL}},
-    {"um", {1e-6, kL}},
-    {"µm", {1e-6, kL}},
-    {"in", {0.0254, kL}},
-    {"ft", {0.3048, kL}},
-    {"kg", {1, kM}},
-    {"g", {1e-3, kM}},
-    {"mg", {1e-6, kM}},
-    {"t", {1e3, kM}},
-    {"lb", {0.45359237, kM}},
-    {"oz", {0.028349523125, kM}},
-    {"s", {1, kT}},
-    {"sec", {1, kT}},
-    {"seconds", {1, kT}},
-    {"ms", {1e-3, kT}},
-    {"us", {1e-6, kT}},
-    {"µs", {1e-6, kT}},
-    {"min", {60, kT}},
-    {"h", {3600, kT}},
-    {"d", {86400, kT}},
-    {"yr", {365.25 * 86400, kT}},
-    {"rad", {1, kA}},
-    {"mrad", {1e-3, kA}},
-    {"deg", {std::numbers::pi / 180, kA}},
-    {"degrees", {std::numbers::pi / 180, kA}},
-    {"°", {std::numbers::pi / 180, kA}},
-    {"arcmin", {std::numbers::pi / 10800, kA}},
-    {"arcsec", {std::numbers::pi / 648000, kA}},
-    {"rev", {kTurn, kA}},
-    {"Hz", {kTurn, kRate}},
-    {"rpm", {kTurn / 60, kRate}},
-};
-
-struct DimensionText {
-  Exponents exponents;
-  std::string_view name, si, usual;
-};
-
-// Indexed by Dimension.
-constexpr DimensionText kDimensions[] = {
-    {kPlain, "a number", "", "%"},
-    {kL, "a length", "m", "m, km, cm, mm, um, in, ft"},
-    {kM, "a mass", "kg", "kg, g, mg, t, lb, oz"},
-    {kT, "a time", "s", "s, ms, us, min, h, d, yr"},
-    {kA, "an angle", "rad", "rad, mrad, deg, arcmin, arcsec, rev"},
-    {kRate, "an angular velocity", "rad/s", "rad/s, deg/s, rpm, rev/s, rev/d, Hz"},
-    {{2, 1, 0, 0}, "a moment of inertia", "kg·m²", "kg m^2, g cm^2"},
-};
-
-const DimensionText& textOf(Dimension dimension) { return kDimensions[static_cast<std::size_t>(dimension)]; }
 
 bool skip(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
@@ -149,11 +73,22 @@ struct ParsedUnit {
   std::string problem;
 };
 
-// term { (blank | * | ·) term | / term }, term = name [^n | ² | ³]. A '/' divides by the one term after it.
+/// The '/' that a unit may begin with, or "1/".
+bool takeDivisor(std::string_view& text) {
+  std::string_view rest = text;
+  if (skip(rest, "1")) skipBlanks(rest);
+  if (!skip(rest, "/")) return false;
+  skipBlanks(rest);
+  text = rest;
+  return true;
+}
+
+// [[1] /] term { (blank | * | ·) term | / term }, term = name [^n | ² | ³]. A '/' divides by the one term after
+// it.
 ParsedUnit parseUnit(std::string_view text) {
   ParsedUnit parsed;
   const std::string whole = core::printable(text);
-  bool divides = false;
+  bool divides = takeDivisor(text);
   for (int terms = 0; terms < kMostTerms; ++terms) {
     const std::string_view name = takeName(text);
     const auto unit = unitNamed(name);
@@ -196,27 +131,6 @@ std::string powerHint(std::string_view unit, Dimension dimension) {
   return fmt::format("; did you mean \"{}\"?", core::printable(meant));
 }
 
-/// "(m|km|cm)": the named units with these exponents.
-std::string namesPattern(const Exponents& exponents) {
-  std::string names;
-  for (const NamedUnit& known : kUnits)
-    if (known.unit.exponents == exponents) names += (names.empty() ? "" : "|") + std::string(known.name);
-  return "(" + names + ")";
-}
-
-constexpr const char* kTimes = R"(( +| *(\*|·) *))";
-
-std::string ratePattern() {
-  const std::string time = namesPattern(kT);
-  return fmt::format(R"(({}|{}( */ *{}|{}{}\^-1)))", namesPattern(kRate), namesPattern(kA), time, kTimes, time);
-}
-
-std::string momentPattern() {
-  const std::string length = namesPattern(kL), mass = namesPattern(kM);
-  const std::string square = fmt::format(R"(({}(\^2|²)|{}{}{}))", length, length, kTimes, length);
-  return fmt::format("({}{}{}|{}{}{})", mass, kTimes, square, square, kTimes, mass);
-}
-
 std::string expected(Dimension dimension) {
   if (dimension == Dimension::kNone) return "expected a plain number";
   return fmt::format("expected {} in one of {}", textOf(dimension).name, textOf(dimension).usual);
@@ -226,15 +140,12 @@ Quantity refused(std::string problem) { return {std::numeric_limits<double>::qui
 
 }  // namespace
 
+std::span<const Dimension> dimensions() { return kAll; }
+
 std::string_view quantityName(Dimension dimension) { return textOf(dimension).name; }
+std::string_view pluralName(Dimension dimension) { return textOf(dimension).plural; }
 std::string_view siUnit(Dimension dimension) { return textOf(dimension).si; }
 std::string_view usualUnits(Dimension dimension) { return textOf(dimension).usual; }
-
-std::string unitPattern(Dimension dimension) {
-  if (dimension == Dimension::kAngularVelocity) return ratePattern();
-  if (dimension == Dimension::kMomentOfInertia) return momentPattern();
-  return namesPattern(textOf(dimension).exponents);
-}
 
 Quantity parseQuantity(std::string_view text, Dimension dimension) {
   const std::string shown = core::printable(text);

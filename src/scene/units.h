@@ -2,16 +2,39 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
 /// Quantities written as text ("3 rpm", "20 cm") and their value in SI units.
 namespace poinsot::scene {
 
-enum class Dimension { kNone, kLength, kMass, kTime, kAngle, kAngularVelocity, kMomentOfInertia };
+enum class Dimension {
+  kNone,
+  kLength,
+  kMass,
+  kTime,
+  kAngle,
+  kAngularVelocity,
+  kMomentOfInertia,
+  kDensity,
+  kVelocity,
+  kAcceleration,
+  kTorque,
+  kEnergy,
+  kAngularMomentum,
+  kRate,           ///< 1/s, of decay
+  kInverseAction,  ///< s/(kg·m²), of dissipation
+};
+
+/// All of them but kNone, in the order of the reference.
+std::span<const Dimension> dimensions();
 
 /// "an angular velocity"; "a number" for kNone.
 std::string_view quantityName(Dimension dimension);
+
+/// "angular velocities"; "numbers" for kNone.
+std::string_view pluralName(Dimension dimension);
 
 /// The unit of a bare number: "rad/s"; empty for kNone.
 std::string_view siUnit(Dimension dimension);
@@ -33,6 +56,7 @@ struct Quantity {
 };
 
 /// Reads a number followed by a unit, whatever the locale: "15 deg", "1.5 kg m^2", "2.5e4 g·cm²", "3rpm".
+/// A unit may begin with the divisor: "2 /s" and "2 1/s" are "2 s^-1".
 /// A text without a unit is refused, except for kNone, where the only unit is "%".
 Quantity parseQuantity(std::string_view text, Dimension dimension);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "key_contexts.h"
 #include "scene/check.h"
 #include "scene/reference.h"
 #include "scene_testing.h"
@@ -19,23 +20,18 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A scene in which the key may be given: body.shape needs size and mass, and no moments.
-std::string sceneFor(const Key& key) {
-  const bool shaped = key.path.starts_with("body.") && key.path != "body.principal_moments";
-  const std::string motion = "motion.omega_body = [0.01, 3.0, 0.0]\n";
-  if (shaped) return motion + "[body]\nshape = \"box\"\nsize = [3, 2, 1]\nmass = 1\n";
-  return motion + "[body]\nprincipal_moments = [1.0, 2.0, 2.5]\n[show.body]\nshape = \"box\"\n";
-}
+/// Where the files are that the examples name.
+const std::string kFileName = dataPath("test.toml");
 
 std::string messagesWith(const Key& key, std::string_view value) {
-  return messagesOf(sceneFor(key), {std::string(key.path) + "=" + std::string(value)});
+  return messagesOf(sceneFor(key), {pathIn(key) + "=" + std::string(value)}, kFileName);
 }
 
 TEST(EveryKey, HasAnExampleAndADefaultThatPassItsChecks) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     EXPECT_FALSE(key.example.empty());
-    EXPECT_EQ(messagesWith(key, key.example), "");
+    EXPECT_EQ(messagesWith(key, key.example), "") << sceneFor(key);
     if (!key.fallback.empty()) {
       EXPECT_EQ(messagesWith(key, key.fallback), "");
     }
@@ -55,7 +51,7 @@ TEST(EveryKey, RefusesWrongTypes) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     const bool flag = key.type == ValueType::kBool;
-    const std::string prefix = std::string(key.path) + ": expected";
+    const std::string prefix = pathIn(key) + ": expected";
     for (const char* value : {"1979-05-27", "[[1]]", "{a = 1}", flag ? "3" : "true", "[true, true, true]"})
       EXPECT_THAT(messagesWith(key, value), StartsWith(prefix)) << value;
     EXPECT_NE(messagesWith(key, "[]"), "");
@@ -70,6 +66,8 @@ std::string shaped(const Key& key, const std::string& value) {
   switch (key.type) {
     case ValueType::kVector:
       return "[" + value + "," + value + "," + value + "]";
+    case ValueType::kMatrix:
+      return "[[" + value + ", 0, 0], [0, 1, 0], [0, 0, 1]]";
     case ValueType::kQuaternion:
       return "[" + value + ", 0, 0, 0]";
     case ValueType::kPixels:
@@ -99,7 +97,7 @@ TEST(EveryKey, RefusesWhatIsBeyondItsRange) {
     const auto beyond = [&](double end, double sign) {
       return whole ? end + sign * step : end + sign * (end == 0 ? 1e-3 : std::abs(end) * 1e-3);
     };
-    const std::string prefix = std::string(key.path) + ": ";
+    const std::string prefix = pathIn(key) + ": ";
     for (const double value : {beyond(key.range.most, 1), beyond(key.range.least, -1)})
       EXPECT_THAT(messagesWith(key, shaped(key, number(key, value))), StartsWith(prefix)) << value;
   }
@@ -114,7 +112,7 @@ TEST(EveryKey, AcceptsTheEndsOfItsRange) {
       const Source source("test", "v = " + shaped(key, number(key, value)));
       const Node document = parseDocument(source);
       Problems problems;
-      EXPECT_TRUE(check(key, std::get<Node::Table>(document.value)[0].value, problems)) << value;
+      EXPECT_TRUE(check(key, key.path, std::get<Node::Table>(document.value)[0].value, problems)) << value;
     }
   }
 }
@@ -124,7 +122,7 @@ TEST(EveryKey, RefusesWhatIsNotFinite) {
     SCOPED_TRACE(key.path);
     if (!numeric(key)) continue;
     for (const char* value : {"nan", "inf", "-inf"})
-      EXPECT_THAT(messagesWith(key, shaped(key, value)), HasSubstr(std::string(key.path) + ": "));
+      EXPECT_THAT(messagesWith(key, shaped(key, value)), HasSubstr(pathIn(key) + ": "));
   }
 }
 
@@ -147,12 +145,18 @@ std::string inCell(std::string_view text) {
   return escaped;
 }
 
+std::string headingOf(std::string_view table) {
+  if (table.empty()) return "## At the top\n";
+  const bool array = table.ends_with("[]");
+  const std::string name(table.substr(0, table.size() - (array ? 2 : 0)));
+  return array ? "## `[[" + name + "]]`\n" : "## `[" + name + "]`\n";
+}
+
 TEST(EveryKey, IsInTheReference) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     const std::string reference = referenceMarkdown();
-    const std::string_view table = tableOf(key.path);
-    const std::string heading = table.empty() ? "## At the top\n" : "## `[" + std::string(table) + "]`\n";
+    const std::string heading = headingOf(tableOf(key.path));
     const std::size_t section = reference.find(heading);
     ASSERT_NE(section, std::string::npos);
     const std::size_t row = reference.find("\n| `" + std::string(nameOf(key.path)) + "` |", section);
@@ -175,6 +179,15 @@ TEST(Keys, AreFound) {
   EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
   EXPECT_THAT(namesBelow(""),
               testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "style", "output"));
+  EXPECT_EQ(findKey("body.part[12].mass")->path, "body.part[].mass");
+  EXPECT_EQ(findKey("body.part.mass"), nullptr);
+  EXPECT_EQ(findKey("body.part[x].mass"), nullptr);
+  EXPECT_TRUE(isTable("body.part[3]") && isTableArray("body.part"));
+  EXPECT_FALSE(isTable("body.part") || isTableArray("body") || isTableArray("body.mass"));
+  EXPECT_THAT(namesBelow("body.point_mass[1]"), testing::ElementsAre("mass", "position"));
+  EXPECT_EQ(elementOf("body.part[12].mass"), 12u);
+  EXPECT_EQ(elementOf("body.mass"), 0u);
+  EXPECT_EQ(tableOf("body.part[].mass"), "body.part[]");
   EXPECT_EQ(tableOf("show.plane.grid"), "show.plane");
   EXPECT_EQ(nameOf("show.plane.grid"), "grid");
 }

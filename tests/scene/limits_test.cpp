@@ -174,7 +174,8 @@ TEST(Limits, AtTheirCornersStillHaveAMotion) {
   for (const auto& corner : corners()) {
     SCOPED_TRACE(corner[0] + " " + corner[1] + " " + corner[2] + " " + corner[3]);
     const Scene scene = parseScene(kMinimal, "corner.toml", corner);
-    const physics::FreeMotion motion(scene.body.axes.moments(), scene.motion.omega_B, Eigen::Quaterniond::Identity());
+    const physics::FreeMotion motion(scene.body.axes.moments(), scene.motion.omega_B,
+                                     Eigen::Quaterniond::Identity());
     EXPECT_TRUE(finite(motion.at(scene.time.start_s)));
     EXPECT_TRUE(finite(motion.at(scene.time.start_s + *scene.time.speed * scene.time.duration_s)));
     EXPECT_TRUE(std::isnormal(motion.L_W().squaredNorm()));

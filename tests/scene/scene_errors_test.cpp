@@ -180,7 +180,7 @@ TEST_F(BadScene, WithMomentsAndAShape) {
 
 TEST_F(BadScene, WithHalfAShape) {
   expectOnly("half_a_shape.toml", {3, 8, 9},
-             "body.size: body.mass is missing: shape, size and mass set the moments together");
+             "body.size: body.mass is missing: a shape and its mass (or density) set the moments together");
 }
 
 TEST_F(BadScene, WithoutAStart) {
@@ -250,7 +250,8 @@ TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
 TEST(Report, PointsAtTheTableFromWhichSomethingIsMissing) {
   const auto body = problemsOf("[motion]\nomega_body = [1, 0, 0]\n[body]\n");
   ASSERT_EQ(body.size(), 1u);
-  EXPECT_EQ(body[0].message, "body: the body is missing; give principal_moments, or shape, size and mass");
+  EXPECT_EQ(body[0].message,
+            "body: the body is missing; give principal_moments, inertia, shape, or parts and point masses");
   EXPECT_EQ(core::toString(body[0].where), "test.toml:3:2");
   const auto motion = problemsOf("[body]\nprincipal_moments = [1, 1, 1]\n  [motion]\n");
   ASSERT_EQ(motion.size(), 1u);
@@ -332,7 +333,7 @@ TEST(Shapes, MustBeSuchShapes) {
   EXPECT_THAT(messagesOf(body + "shape = \"racket\"\nsize = [1, 2, 3]\n"),
               HasSubstr("body.size: a racket must be longer (x) than wide (y), got (1, 2, 3) m"));
   EXPECT_THAT(messagesOf(kMinimal, {"show.body.size=[1, 2, 3]"}),
-              HasSubstr("show.body.size: needs show.body.shape"));
+              HasSubstr("show.body.size: show.body.shape is missing: it says what this is a length of"));
 }
 
 TEST(Inertia, NamesTheMomentThatIsTooLarge) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scene/scene_file.h"
@@ -21,20 +22,28 @@ constexpr const char* kMinimal =
     "[motion]\n"
     "omega_body = [0.01, 3.0, 0.0]\n";
 
-/// What is wrong with a text; none when nothing is.
-inline std::vector<Problem> problemsOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
+/// What is wrong with a text; none when nothing is. The files that it names are looked for beside `fileName`.
+inline std::vector<Problem> problemsOf(const std::string& text, const std::vector<std::string>& overrides = {},
+                                       const std::string& fileName = "test.toml") {
   try {
-    parseScene(text, "test.toml", overrides);
+    parseScene(text, fileName, overrides);
   } catch (const SceneErrors& errors) {
     return errors.problems();
   }
   return {};
 }
 
-inline std::string messagesOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
+inline std::string messagesOf(const std::string& text, const std::vector<std::string>& overrides = {},
+                              const std::string& fileName = "test.toml") {
   std::string messages;
-  for (const Problem& problem : problemsOf(text, overrides)) messages += problem.message + "\n";
+  for (const Problem& problem : problemsOf(text, overrides, fileName)) messages += problem.message + "\n";
   return messages;
+}
+
+/// What a part is. @throws std::bad_variant_access if it is another thing.
+template <class Solid>
+const Solid& solidOf(const Part& part) {
+  return std::get<Solid>(std::get<physics::Solid>(part.figure));
 }
 
 }  // namespace poinsot::scene

@@ -67,7 +67,7 @@ bool programAccepts(const std::string& path, const std::string& value) {
   const Source source("test", "v = " + value);
   const Node document = parseDocument(source);
   Problems problems;
-  return check(*findKey(path), std::get<Node::Table>(document.value)[0].value, problems).has_value();
+  return check(*findKey(path), path, std::get<Node::Table>(document.value)[0].value, problems).has_value();
 }
 
 /// Values in a notation that is JSON and TOML at once.
@@ -107,7 +107,38 @@ const Samples kSamples[] = {
      {"[\"1 kg m2\", 1, 1]", "[\"1 kgm^2\", 1, 1]", "[\"1 kg m\", 1, 1]", "[\"1 kg m^3\", 1, 1]", "[-1, 1, 1]",
       "[0, 1, 1]", "[2e60, 1, 1]"}},
     {"body.mass", {"1", "\"320 g\"", "\"1t\""}, {"0", "\"3 m\"", "\"3 kg^2\"", "2e60"}},
-    {"body.size", {"0.3", "\"20 cm\"", "[0.3, \"12 in\", 1]"}, {"[1, 2]", "0", "\"20 cm^2\"", "\"20 Cm\""}},
+    {"body.size",
+     {"0.3", "\"20 cm\"", "[0.3, \"12 in\", 1]", "[1, \"2 m\"]"},
+     {"[1]", "[1, 2, 3, 4]", "0", "\"20 cm^2\"", "\"20 Cm\""}},
+    {"body.inertia",
+     {"[[2, -0.5, 0], [-0.5, 3, 0], [0, 0, \"4 kg m^2\"]]"},
+     {"[2, 3, 4]", "[[2, 0], [0, 3]]", "[[2, 0, 0], [0, 3, 0], [0, 0, true]]", "[[2, 0, 0], [0, 3, 0]]", "2"}},
+    {"body.density",
+     {"2700", "\"2.7 g/cm^3\"", "\"2.7 g cm^-3\"", "\"2700 kg / m³\""},
+     {"0", "\"2.7 g/cm\"", "\"2.7 g\"", "\"2.7 cm^3/g\""}},
+    {"body.part[].angle", {"0.5", "\"30 deg\""}, {"400", "30", "\"30 m\""}},
+    {"motion.L_space",
+     {"[0, 0, 2]", "[\"2 kg m^2/s\", \"2 N m s\", \"3 J s\"]", "[\"2 kg m^2 s^-1\", 0, 0]"},
+     {"2", "[0, 2]", "[\"2 J\", 0, 0]", "[\"2 kg m/s\", 0, 0]"}},
+    {"motion.energy",
+     {"4.5", "\"3 J\"", "\"2 mJ\"", "\"1 N m\"", "\"1 kg m^2/s^2\""},
+     {"0", "-1", "\"3 W\"", "\"3 J s\""}},
+    {"motion.torque.body",
+     {"[1, -2, 0]", "[\"5 mN m\", \"1 N*cm\", \"2 J\"]"},
+     {"[\"5 N\", 0, 0]", "5", "[\"1 N/m\", 0, 0]"}},
+    {"motion.drag.rate",
+     {"0.1", "[0.1, 0, \"2 1/min\"]", "\"2 /h\"", "\"2 yr^-1\""},
+     {"-0.1", "[1, 2]", "\"2 s\"", "\"2 Hz\"", "\"2 1/m\""}},
+    {"motion.dissipation.alpha",
+     {"0", "0.02", "\"2 s/kg/m^2\"", "\"2 h / g / cm²\""},
+     {"-1", "\"2 s\"", "\"2 kg/s/m^2\""}},
+    {"motion.flight.velocity",
+     {"[1, \"-10 km/h\", \"3 ft s^-1\"]"},
+     {"[\"3 m\", 0, 0]", "3", "[\"3 s/m\", 0, 0]"}},
+    {"motion.gravity.g",
+     {"9.81", "0", "\"981 cm/s^2\"", "\"9.81 m s^-2\""},
+     {"-9.81", "\"9.81 m/s\"", "\"9.81 N\""}},
+    {"motion.spin_axis", {"\"1\"", "\"middle\""}, {"1", "\"x\""}},
     {"camera.azimuth",
      {"0.5", "\"-120 deg\"", "\"90°\"", "\"1 rev\""},
      {"\"3 rad/s\"", "\"90\"", "90", "\"90 Grad\""}},

@@ -7,11 +7,14 @@
 
 namespace poinsot::scene {
 
-/// The schema of a path: through properties, and through the object of a table that may be a flag.
+/// The schema of a path: through properties, the object of a table that may be a flag, and the items of an array.
 inline const nlohmann::json& schemaAt(const nlohmann::json& schema, std::string_view path) {
   const nlohmann::json& object = schema.contains("anyOf") ? schema["anyOf"][0] : schema;
   const std::size_t dot = path.find('.');
-  const nlohmann::json& next = object.at("properties").at(std::string(path.substr(0, dot)));
+  const std::string_view name = path.substr(0, dot);
+  const bool element = name.ends_with("[]");
+  const nlohmann::json& named = object.at("properties").at(std::string(name.substr(0, name.find('['))));
+  const nlohmann::json& next = element ? named.at("items") : named;
   return dot == std::string_view::npos ? next : schemaAt(next, path.substr(dot + 1));
 }
 

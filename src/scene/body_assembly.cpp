@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/body_assembly.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "scene/limits.h"
+#include "scene/piece_reader.h"
+
+namespace poinsot::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr const char* kWays = "principal_moments, inertia, shape, or parts and point masses";
+
+std::string vectorText(const Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+
+/// "I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; ..."
+std::string triangleMessage(const Vector3d& moments) {
+  int largest = 0;
+  moments.maxCoeff(&largest);
+  const int other = largest == 0 ? 2 : 1, another = largest == 2 ? 2 : 3;
+  return fmt::format("I{} must not exceed I{} + I{}, got {} kg·m²; a solid body cannot have these values",
+                     largest + 1, other, another, vectorText(moments));
+}
+
+/// What physics could not solve, or empty. Bare moments were checked for their range before, a shape's were not.
+std::string outOfReach(const Vector3d& moments) {
+  const double least = moments.minCoeff(), most = moments.maxCoeff();
+  if (least < kLeastMoment || most > kMostMoment)
+    return fmt::format("with this mass the moments are {} kg·m²; they must be from {:g} to {:g} kg·m²",
+                       vectorText(moments), kLeastMoment, kMostMoment);
+  if (least * kMostRatioOfMoments < most)
+    return fmt::format("the largest moment may be at most {:g} times the smallest, got {} kg·m²",
+                       kMostRatioOfMoments, vectorText(moments));
+  return "";
+}
+
+class BodyAssembly {
+ public:
+  BodyAssembly(const Draft& draft, Findings& findings, const SceneFolder& folder)
+      : draft_(draft.body), findings_(findings), folder_(folder) {
+    body_.pivot_B = draft.scene.body.pivot_B;
+  }
+
+  std::optional<Body> run() {
+    const std::vector<std::string> ways = waysGiven();
+    if (ways.empty())
+      findings_.refuse("body", fmt::format("the body is missing; give {}", kWays));
+    else if (ways.size() > 1)
+      refuseSecond(ways);
+    else
+      describe(ways[0]);
+    return whole_ ? std::optional(std::move(body_)) : std::nullopt;
+  }
+
+ private:
+  /// For each way to describe a body that is used, the key to name it by.
+  std::vector<std::string> waysGiven() const {
+    std::vector<std::string> ways;
+    for (const char* path : {"body.principal_moments", "body.inertia"})
+      if (findings_.has(path)) ways.emplace_back(path);
+    if (const std::string path = wholePath(); !path.empty()) ways.push_back(path);
+    for (const char* array : {"body.part", "body.point_mass"})
+      if (findings_.count(array) > 0) {
+        ways.push_back(fmt::format("{}[0]", array));
+        break;
+      }
+    return ways;
+  }
+
+  std::string wholePath() const {
+    if (findings_.has("body.shape")) return "body.shape";
+    for (const std::string_view name : shapeKeyNames())
+      if (const std::string path = fmt::format("body.{}", name); findings_.has(path)) return path;
+    for (const char* path : {"body.mass", "body.density"})
+      if (findings_.has(path)) return path;
+    return "";
+  }
+
+  void refuseSecond(const std::vector<std::string>& ways) {
+    if (ways[0] == "body.principal_moments" && ways[1] == wholePath())
+      return findings_.refuse(
+          ways[1],
+          "body.principal_moments is given too; the moments come from it, or from shape, size and mass, not from "
+          "both (to draw a shape that does not set the moments, use show.body.shape)");
+    findings_.refuse(ways[1], fmt::format("{} is given too; a body is described in one way: {}", ways[0], kWays));
+  }
+
+  void describe(const std::string& way) {
+    if (way == "body.principal_moments") return bareMoments();
+    if (way == "body.inertia") return bareTensor();
+    if (way == wholePath()) return onePiece();
+    pieces();
+  }
+
+  void bareMoments() {
+    if (refusesPivot() || !draft_.moments) return;
+    try {
+      body_.axes = physics::PrincipalMoments(*draft_.moments);
+    } catch (const core::Error&) {  // the range was checked before
+      return findings_.refuse("body.principal_moments", triangleMessage(*draft_.moments));
+    }
+    finish("body.principal_moments");
+  }
+
+  void bareTensor() {
+    if (refusesPivot() || !draft_.inertia) return;
+    setAxes(*draft_.inertia, "body.inertia");
+  }
+
+  bool refusesPivot() {
+    if (!findings_.has("body.pivot")) return false;
+    findings_.refuse(
+        "body.pivot",
+        "needs a body with a mass (a shape, parts or point masses); moments and tensors given as numbers "
+        "are those about the point that stands still");
+    return true;
+  }
+
+  void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
+    try {
+      body_.axes = physics::PrincipalAxes(inertia_B);
+    } catch (const core::Error& error) {
+      return findings_.refuse(path, error.message());
+    }
+    finish(path);
+  }
+
+  void finish(const std::string& path) {
+    const std::string problem = outOfReach(body_.axes.moments().values());
+    if (!problem.empty()) findings_.refuse(path, problem);
+    whole_ = problem.empty();
+  }
+
+  void onePiece() {
+    PieceReader reader(draft_.whole, "body", findings_, folder_);
+    if (auto piece = reader.piece()) setPieces({std::move(*piece)}, reader.lengthPath());
+  }
+
+  void pieces() {
+    std::vector<Piece> pieces;
+    const std::size_t parts = findings_.count("body.part"), points = findings_.count("body.point_mass");
+    for (std::size_t i = 0; i < parts; ++i) add(pieces, partPiece(i));
+    for (std::size_t i = 0; i < points; ++i) add(pieces, pointPiece(i));
+    if (pieces.size() == parts + points)
+      setPieces(std::move(pieces), parts > 0 ? "body.part[0]" : "body.point_mass[0]");
+  }
+
+  static void add(std::vector<Piece>& pieces, std::optional<Piece> piece) {
+    if (piece) pieces.push_back(std::move(*piece));
+  }
+
+  std::optional<Piece> partPiece(std::size_t i) {
+    static const PieceDraft nothing;
+    const PieceDraft& draft = i < draft_.parts.size() ? draft_.parts[i] : nothing;
+    return PieceReader(draft, fmt::format("body.part[{}]", i), findings_, folder_).piece();
+  }
+
+  std::optional<Piece> pointPiece(std::size_t i) {
+    static const PointDraft nothing;
+    const PointDraft& draft = i < draft_.points.size() ? draft_.points[i] : nothing;
+    return pointMass(draft, fmt::format("body.point_mass[{}]", i), findings_);
+  }
+
+  void setPieces(std::vector<Piece> pieces, const std::string& path) {
+    std::vector<physics::MassProperties> masses;
+    for (Piece& piece : pieces) {
+      masses.push_back(piece.mass);
+      body_.parts.push_back(std::move(piece.part));
+    }
+    if (findings_.has("body.pivot") && !body_.pivot_B) return;
+    body_.mass = physics::combined(masses);
+    const Eigen::Matrix3d inertia_B = body_.mass->inertiaAbout(body_.fixedPoint_B());
+    if (inertia_B.diagonal().minCoeff() == 0)
+      findings_.refuse(path,
+                       "the body lies on a line through the point that stands still, and has no moment about "
+                       "it; give it another part, or an extent");
+    else
+      setAxes(inertia_B, path);
+  }
+
+  const BodyDraft& draft_;
+  Body body_;
+  bool whole_ = false;
+  Findings& findings_;
+  const SceneFolder& folder_;
+};
+
+}  // namespace
+
+std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder) {
+  return BodyAssembly(draft, findings, folder).run();
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "scene/draft.h"
+#include "scene/findings.h"
+#include "scene/scene_folder.h"
+
+namespace poinsot::scene {
+
+/// The body that the keys below [body] describe together; empty where `findings` says what is wrong with it.
+std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder);
+
+}  // namespace poinsot::scene

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/findings.h"
+
+#include <fmt/format.h>
+
+namespace poinsot::scene {
+
+bool Findings::hasBelow(std::string_view table) const {
+  const std::string prefix = std::string(table) + ".";
+  const auto next = given_.values.lower_bound(prefix);
+  return next != given_.values.end() && next->first.starts_with(prefix);
+}
+
+bool Findings::hasTable(std::string_view table) const { return given_.tables.contains(table) || hasBelow(table); }
+
+Place Findings::placeOf(std::string_view path) const {
+  if (const auto leaf = given_.values.find(path); leaf != given_.values.end()) return leaf->second.place;
+  for (std::string_view table = path; !table.empty(); table = tableOf(table))
+    if (const auto found = given_.tables.find(table); found != given_.tables.end()) return found->second;
+  return file_;
+}
+
+void Findings::refuse(std::string_view path, std::string_view message) {
+  problems_.add(placeOf(path), fmt::format("{}: {}", path, message));
+}
+
+void Findings::refuseFile(std::string message) { problems_.add(file_, std::move(message)); }
+
+std::string listed(const std::vector<std::string_view>& names, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : fmt::format(" {} ", last);
+    text += names[i];
+  }
+  return text;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "scene/leaves.h"
+
+namespace poinsot::scene {
+
+/// What the user gave, valid or not, and where to say what is wrong with it: at the value; at its table where the
+/// value is missing; else at the file's start.
+class Findings {
+ public:
+  /// `refused`: the paths whose values did not pass their own checks.
+  Findings(const Leaves& given, const std::set<std::string, std::less<>>& refused, const Place& file,
+           Problems& problems)
+      : given_(given), refused_(refused), file_(file), problems_(problems) {}
+
+  bool has(std::string_view path) const { return given_.values.contains(path); }
+  /// Whether it is given and did not pass its own check, which was reported then.
+  bool failed(std::string_view path) const { return refused_.contains(path); }
+  /// Whether some key of the table is given.
+  bool hasBelow(std::string_view table) const;
+  /// Whether the table stands in the file, with keys or without.
+  bool hasTable(std::string_view table) const;
+  std::size_t count(std::string_view array) const { return given_.count(array); }
+
+  /// "path: message", at the path.
+  void refuse(std::string_view path, std::string_view message);
+  /// The same about the whole file.
+  void refuseFile(std::string message);
+
+ private:
+  Place placeOf(std::string_view path) const;
+
+  const Leaves& given_;
+  const std::set<std::string, std::less<>>& refused_;
+  Place file_;
+  Problems& problems_;
+};
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string_view>& names, std::string_view last = "and");
+
+}  // namespace poinsot::scene

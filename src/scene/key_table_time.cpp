@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/key_tables.h"
+#include "scene/limits.h"
+#include "scene/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+}  // namespace
+
+std::vector<Key> timeKeys() {
+  return {
+      {.path = "time.start",
+       .dimension = kTime,
+       .range = kInstants,
+       .fallback = "0",
+       .example = "\"2 h\"",
+       .help = "Motion time at the first frame.",
+       .put = into([](Draft& d) { return &d.scene.time.start_s; })},
+      {.path = "time.duration",
+       .dimension = kTime,
+       .range = {.least = 1e-3, .most = kLongestFilm_s},
+       .fallback = "10",
+       .example = "12.5",
+       .help = "Length of the film; its frames are all k with k/fps below it, 36000 at most.",
+       .put = into([](Draft& d) { return &d.scene.time.duration_s; })},
+      {.path = "time.fps",
+       .type = kFrameRate,
+       .range = {.least = 1e-3, .most = kMostFps},
+       .fallback = "30",
+       .example = "\"30000/1001\"",
+       .help = "Frames per second of film, kept as an exact fraction.",
+       .put = into([](Draft& d) { return &d.scene.time.fps; })},
+      {.path = "time.speed",
+       .range = kInstants,
+       .words = {"auto"},
+       .fallback = "\"auto\"",
+       .example = "0.5",
+       .help = "Seconds of motion per second of film; negative runs backwards, auto chooses a pace that the eye "
+               "follows.",
+       .put = into([](Draft& d) { return &d.scene.time.speed; })},
+  };
+}
+
+}  // namespace poinsot::scene

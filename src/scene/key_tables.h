@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/keys.h"
+#include "scene/limits.h"
+
+/// The parts of the table of keys, one file each, and what they share.
+namespace poinsot::scene {
+
+using Put = decltype(Key::put);
+
+// Ranges, each with its reason; those that one table uses stand there.
+
+// Far beyond any body, and so that L^2 (below 1e201) and T neither under- nor overflow a double.
+constexpr Range kMoments{.least = kLeastMoment, .most = kMostMoment};
+constexpr Range kMasses{.least = kLeastMoment, .most = kMostMoment};
+constexpr Range kSpins{.least = kLeastSpin, .most = kMostSpin, .ofSize = true};  // each part may be zero
+constexpr Range kInstants{.least = -1e20, .most = 1e20};                         // times the spin it is an angle
+constexpr Range kExtent{.least = 1e-12, .most = 1e12};  // what is drawn is cast to float in the end
+constexpr Range kPositions{.least = 1e-12, .most = 1e12, .ofSize = true};
+constexpr Range kQuaternionNorm{.least = 1e-6, .most = 1e6};
+constexpr Range kPathLength{.least = 0, .most = 200};  // what a message shows whole
+
+std::vector<Key> bodyKeys();
+std::vector<Key> motionKeys();
+std::vector<Key> forcingKeys();
+std::vector<Key> timeKeys();
+std::vector<Key> cameraKeys();
+std::vector<Key> showKeys();
+std::vector<Key> styleKeys();
+std::vector<Key> outputKeys();
+
+/// Where a table with the keys of a shape keeps them, and what is to be said of them there.
+struct ShapeTable {
+  std::string path;  ///< "body", "body.part[]", "show.body"
+  ShapeDraft& (*of)(Draft&, std::size_t element);
+  std::string_view shapeHelp, sizeHelp;
+};
+
+std::vector<Key> shapeKeys(const ShapeTable& table);
+
+std::vector<Key> joined(std::vector<std::vector<Key>> parts);
+
+}  // namespace poinsot::scene

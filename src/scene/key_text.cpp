@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/key_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace poinsot::scene {
+namespace {
+
+std::string_view unitOfRange(const Key& key) {
+  return key.range.unit.empty() ? siUnit(key.dimension) : key.range.unit;
+}
+
+bool unlimited(const Range& range) { return range.most == Range{}.most; }
+
+std::string several(const Key& key, std::string_view count) {
+  return fmt::format("{} {}", count, pluralName(key.dimension));
+}
+
+}  // namespace
+
+std::string wordsText(const Key& key) { return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \"")); }
+
+std::string unitSuffix(std::string_view unit) { return unit.empty() ? "" : fmt::format(" {}", unit); }
+
+std::string numbersText(const Key& key) {
+  const Range& range = key.range;
+  if (unlimited(range)) return "";
+  if (range.least == range.most) return fmt::format("{:g}", range.least);
+  const std::string text =
+      fmt::format("from {:g} to {:g}{}", range.least, range.most, unitSuffix(unitOfRange(key)));
+  return range.ofSize ? "zero or of size " + text : text;
+}
+
+std::string rangeText(const Key& key) {
+  switch (key.type) {
+    case ValueType::kBool:
+      return "";
+    case ValueType::kText:
+      return fmt::format("at most {} characters", key.range.most);
+    case ValueType::kWord:
+      return wordsText(key);
+    case ValueType::kQuaternion:
+      return "norm " + numbersText(key);
+    case ValueType::kPixels:
+      return numbersText(key) + ", even";
+    default:
+      break;
+  }
+  if (key.words.empty()) return numbersText(key);
+  return fmt::format("{}, or \"{}\"", numbersText(key), fmt::join(key.words, "\", \""));
+}
+
+std::string typeText(const Key& key) {
+  switch (key.type) {
+    case ValueType::kNumber:
+      break;
+    case ValueType::kInteger:
+      return "a whole number";
+    case ValueType::kBool:
+      return "true or false";
+    case ValueType::kText:
+      return "text";
+    case ValueType::kWord:
+      return wordsText(key);
+    case ValueType::kVector:
+      return "an array of " + several(key, "three");
+    case ValueType::kPerAxis:
+      return "an array of " + several(key, "three") + ", or one for all three";
+    case ValueType::kExtents:
+      return "an array of " + several(key, "three") + " (two for what is flat), or one for all";
+    case ValueType::kMatrix:
+      return "three rows of " + several(key, "three");
+    case ValueType::kQuaternion:
+      return "an array of four numbers w, x, y, z";
+    case ValueType::kFrameRate:
+      return "a number or a fraction such as \"30000/1001\"";
+    case ValueType::kPixels:
+      return "an array of width and height";
+  }
+  const std::string number(quantityName(key.dimension));
+  return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, fmt::join(key.words, "\", \""));
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace poinsot::scene {
+
+/// The folder a scene is in. A scene comes from anywhere, so it reaches only regular files there and below: no
+/// absolute path, no "..", no symbolic link.
+class SceneFolder {
+ public:
+  explicit SceneFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// All of a file.
+  /// @throws core::Error(kScene) with the reason: where it may not lie, that it is missing, or too large.
+  std::string read(const std::string& relativePath) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace poinsot::scene

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/shapes.h"
+
+#include "core/expect.h"
+
+namespace poinsot::scene {
+namespace {
+
+using namespace physics;  // its solids, by the dozen
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+double length(const ShapeDraft& shape, std::string_view name) {
+  const auto found = shape.lengths.find(name);
+  return found == shape.lengths.end() ? 0 : found->second;
+}
+
+double extent(const ShapeDraft& shape, std::size_t axis) {
+  const std::vector<double>& size = *shape.size;
+  return size.size() == 1 ? size[0] : size.at(axis);
+}
+
+Vector3d extents(const ShapeDraft& shape) { return {extent(shape, 0), extent(shape, 1), extent(shape, 2)}; }
+Vector2d twoExtents(const ShapeDraft& shape) { return {extent(shape, 0), extent(shape, 1)}; }
+
+Solid cylinder(const ShapeDraft& s) {
+  const double inner_m = length(s, "inner_radius");
+  if (s.size) return Cylinder{extent(s, 0) / 2, extent(s, 2), inner_m};
+  return Cylinder{length(s, "radius"), length(s, "height"), inner_m};
+}
+
+Solid racket(const ShapeDraft& s) {
+  if (s.size) return Racket{extent(s, 0), extent(s, 1)};
+  return Racket{length(s, "length"), length(s, "width")};
+}
+
+Solid tHandle(const ShapeDraft& s) {
+  return THandle{length(s, "bar_length"), length(s, "bar_radius"), length(s, "shaft_length"),
+                 length(s, "shaft_radius")};
+}
+
+Solid wingNut(const ShapeDraft& s) {
+  return WingNut{length(s, "hub_radius"), length(s, "hub_height"), *s.wing, length(s, "wing_centre"),
+                 length(s, "wing_rise")};
+}
+
+template <class T>
+Solid ofRadius(const ShapeDraft& s) {
+  return T{length(s, "radius")};
+}
+
+template <class T>
+Solid ofRadiusAndHeight(const ShapeDraft& s) {
+  return T{length(s, "radius"), length(s, "height")};
+}
+
+template <class T>
+Solid ofTwoRadii(const ShapeDraft& s) {
+  return T{length(s, "radius"), length(s, "tube_radius")};
+}
+
+NamedShape polyhedron(std::string_view word, PolyhedronKind kind) {
+  return {.word = word,
+          .ways = {{"edge"}},
+          .make = [kind](const ShapeDraft& s) -> Solid {
+            return Polyhedron{kind, length(s, "edge")};
+          },
+          .usual = Polyhedron{kind, 0.1}};
+}
+
+/// What a thing is like where nothing is said: a book, an egg, a can, a tennis racket (ITF: 0.737 m x 0.317 m at
+/// most), the proportions of the lecture notes' table of solids.
+std::vector<NamedShape> solidsWithExtents() {
+  return {
+      {.word = "box",
+       .ways = {{"size"}},
+       .make = [](const ShapeDraft& s) -> Solid { return Box{extents(s)}; },
+       .usual = Box{{0.24, 0.16, 0.04}}},
+      {.word = "hollow_box",
+       .ways = {{"size", "wall"}},
+       .make = [](const ShapeDraft& s) -> Solid {
+         return HollowBox{extents(s), length(s, "wall")};
+       },
+       .usual = HollowBox{{1.2, 0.9, 0.5}, 0.05}},
+      {.word = "plate",
+       .ways = {{"size"}},
+       .extents = 2,
+       .make = [](const ShapeDraft& s) -> Solid { return Plate{twoExtents(s)}; },
+       .usual = Plate{{0.297, 0.21}}},
+      {.word = "ellipsoid",
+       .ways = {{"size"}},
+       .make = [](const ShapeDraft& s) -> Solid { return Ellipsoid{extents(s) / 2}; },
+       .usual = Ellipsoid{{0.15, 0.10, 0.08}}},
+      {.word = "ellipsoid_shell",
+       .ways = {{"size"}},
+       .make = [](const ShapeDraft& s) -> Solid { return EllipsoidShell{extents(s) / 2}; },
+       .usual = EllipsoidShell{{0.15, 0.10, 0.08}}},
+  };
+}
+
+std::vector<NamedShape> roundSolids() {
+  return {
+      {.word = "sphere",
+       .ways = {{"radius"}},
+       .optional = {"inner_radius"},
+       .make = [](const ShapeDraft& s) -> Solid {
+         return Sphere{length(s, "radius"), length(s, "inner_radius")};
+       },
+       .usual = Sphere{0.1, 0}},
+      {.word = "sphere_shell", .ways = {{"radius"}}, .make = ofRadius<SphereShell>, .usual = SphereShell{0.1}},
+      {.word = "hemisphere", .ways = {{"radius"}}, .make = ofRadius<Hemisphere>, .usual = Hemisphere{0.1}},
+      {.word = "cylinder",
+       .ways = {{"size"}, {"radius", "height"}},
+       .optional = {"inner_radius"},
+       .make = cylinder,
+       .usual = Cylinder{0.033, 0.115, 0}},
+      {.word = "cylinder_shell",
+       .ways = {{"radius", "height"}},
+       .make = ofRadiusAndHeight<CylinderShell>,
+       .usual = CylinderShell{0.033, 0.115}},
+      {.word = "disc", .ways = {{"radius"}}, .make = ofRadius<Disc>, .usual = Disc{0.1}},
+      {.word = "hoop", .ways = {{"radius"}}, .make = ofRadius<Hoop>, .usual = Hoop{0.1}},
+      {.word = "rod",
+       .ways = {{"length"}},
+       .make = [](const ShapeDraft& s) -> Solid { return Rod{length(s, "length")}; },
+       .usual = Rod{0.3}},
+      {.word = "cone", .ways = {{"radius", "height"}}, .make = ofRadiusAndHeight<Cone>, .usual = Cone{0.05, 0.12}},
+      {.word = "cone_shell",
+       .ways = {{"radius", "height"}},
+       .make = ofRadiusAndHeight<ConeShell>,
+       .usual = ConeShell{0.05, 0.12}},
+      {.word = "torus", .ways = {{"radius", "tube_radius"}}, .make = ofTwoRadii<Torus>, .usual = Torus{0.1, 0.03}},
+      {.word = "torus_shell",
+       .ways = {{"radius", "tube_radius"}},
+       .make = ofTwoRadii<TorusShell>,
+       .usual = TorusShell{0.1, 0.03}},
+      {.word = "capsule",
+       .ways = {{"radius", "height"}},
+       .make = ofRadiusAndHeight<Capsule>,
+       .usual = Capsule{0.05, 0.12}},
+  };
+}
+
+std::vector<NamedShape> polyhedra() {
+  return {polyhedron("tetrahedron", PolyhedronKind::kTetrahedron), polyhedron("cube", PolyhedronKind::kCube),
+          polyhedron("octahedron", PolyhedronKind::kOctahedron),
+          polyhedron("dodecahedron", PolyhedronKind::kDodecahedron),
+          polyhedron("icosahedron", PolyhedronKind::kIcosahedron)};
+}
+
+std::vector<NamedShape> composites() {
+  return {
+      {.word = "l_plate",
+       .ways = {{"size", "arm"}},
+       .extents = 2,
+       .make = [](const ShapeDraft& s) -> Solid {
+         return LPlate{twoExtents(s), length(s, "arm")};
+       },
+       .usual = LPlate{{3, 2}, 0.5}},
+      {.word = "t_handle",
+       .ways = {{"bar_length", "bar_radius", "shaft_length", "shaft_radius"}},
+       .make = tHandle,
+       .usual = THandle{3, 0.2, 1.5, 0.2}},
+      {.word = "racket", .ways = {{"size"}, {"length", "width"}}, .make = racket, .usual = Racket{0.685, 0.26}},
+      {.word = "wing_nut",
+       .ways = {{"hub_radius", "hub_height", "wing", "wing_centre"}},
+       .optional = {"wing_rise"},
+       .make = wingNut,
+       .usual = WingNut{0.5, 1, {1.2, 0.2, 0.9}, 1.1, 0.3}},
+      {.word = "mesh", .ways = {{"file"}}, .optional = {"file_unit"}},
+  };
+}
+
+std::vector<NamedShape> allKinds() {
+  std::vector<NamedShape> all;
+  for (const auto& some : {solidsWithExtents(), roundSolids(), polyhedra(), composites()})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+KeyNames allNames() {
+  KeyNames names{"size"};
+  for (const LengthKey& key : lengthKeys()) names.push_back(key.name);
+  for (const char* name : {"wing", "file", "file_unit"}) names.emplace_back(name);
+  return names;
+}
+
+}  // namespace
+
+const std::vector<NamedShape>& namedShapes() {
+  static const std::vector<NamedShape> kinds = allKinds();
+  return kinds;
+}
+
+std::vector<std::string_view> shapeWords() {
+  std::vector<std::string_view> words;
+  for (const NamedShape& kind : namedShapes()) words.push_back(kind.word);
+  return words;
+}
+
+const std::vector<LengthKey>& lengthKeys() {
+  static const std::vector<LengthKey> table = {
+      {"radius", "Of what is round; of a torus, the circle that its tube follows.", "\"10 cm\""},
+      {"inner_radius", "Of the hollow in a sphere or a cylinder (a tube); without it, none.", "\"5 cm\""},
+      {"height", "Along z; of a capsule, its cylinder between the half balls.", "\"20 cm\""},
+      {"length", "Of a rod, along x; of a racket over all.", "\"68.5 cm\""},
+      {"width", "Of a racket's hoop.", "\"26 cm\""},
+      {"edge", "Of a regular polyhedron.", "\"10 cm\""},
+      {"wall", "Thickness of a hollow box's walls.", "\"5 mm\""},
+      {"tube_radius", "Of a torus's tube.", "\"3 cm\""},
+      {"arm", "Width of both arms of an L plate.", "\"5 cm\""},
+      {"bar_length", "Of a T-handle's bar, along x.", "\"6 cm\""},
+      {"bar_radius", "Of a T-handle's bar.", "\"4 mm\""},
+      {"shaft_length", "Of a T-handle's shaft, from the bar's surface along +y.", "\"3 cm\""},
+      {"shaft_radius", "Of a T-handle's shaft.", "\"4 mm\""},
+      {"hub_radius", "Of a wing nut's hub.", "\"5 mm\""},
+      {"hub_height", "Of a wing nut's hub, along z.", "\"10 mm\""},
+      {"wing_centre", "Distance of a wing's centre from the hub's axis, along x.", "\"11 mm\""},
+      {"wing_rise", "Height of a wing's centre above the hub's; without it, none.", "\"3 mm\"", true},
+  };
+  return table;
+}
+
+const KeyNames& shapeKeyNames() {
+  static const KeyNames names = allNames();
+  return names;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/show_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/shape_reader.h"
+
+namespace poinsot::scene {
+namespace {
+
+struct Thing {
+  const char* name;
+  bool& visible;
+};
+
+/// What Poinsot's construction consists of.
+std::vector<Thing> construction(Show& show) {
+  return {{"ellipsoid", show.ellipsoid.visible},   {"plane", show.plane.visible},
+          {"contact", show.contact.visible},       {"polhode", show.polhode.visible},
+          {"herpolhode", show.herpolhode.visible}, {"height", show.height.visible}};
+}
+
+/// Whether L stays as it is; energy may be lost.
+bool momentumIsConstant(const physics::Forcing& forcing) {
+  physics::Forcing others = forcing;
+  others.dissipation = 0;
+  return others.none();
+}
+
+void withoutConstruction(Findings& findings, Show& show) {
+  for (const Thing& thing : construction(show)) {
+    const std::string path = fmt::format("show.{}.visible", thing.name);
+    if (findings.has(path) && thing.visible)
+      findings.refuse(path,
+                      "under gravity, torque or drag L is not constant, so Poinsot's construction does not exist; "
+                      "leave it out");
+    thing.visible = false;
+  }
+}
+
+/// "show.L, show.omega": what is visible and does not exist for a body at rest.
+std::string needingRotation(Show& show) {
+  std::vector<Thing> things = {{"L", show.L.visible}, {"omega", show.omega.visible}};
+  for (const Thing& thing : construction(show)) things.push_back(thing);
+  std::string names;
+  for (const Thing& thing : things)
+    if (thing.visible) names += fmt::format("{}show.{}", names.empty() ? "" : ", ", thing.name);
+  return names;
+}
+
+/// Of a shape to draw that says nothing of its size: those of the body where they suit it, else the usual ones.
+physics::Solid proportions(const Draft& draft) {
+  const NamedShape& kind = namedShapes()[static_cast<std::size_t>(*draft.drawn.word)];
+  const ShapeDraft& whole = draft.body.whole.shape;
+  const bool takesSize = std::find(kind.ways.begin(), kind.ways.end(), KeyNames{"size"}) != kind.ways.end();
+  if (!takesSize || !whole.size || !extentsSuit(kind, *whole.size)) return kind.usual;
+  ShapeDraft drawn;
+  drawn.size = whole.size;
+  return kind.make(drawn);
+}
+
+}  // namespace
+
+void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show) {
+  ShapeReader reader(draft.drawn, "show.body", findings, folder);
+  if (!reader.given() || findings.failed("show.body.shape")) return;
+  if (!reader.sized() && namedShapes()[static_cast<std::size_t>(*draft.drawn.word)].make)
+    show.body.parts = {asPart(proportions(draft))};
+  else if (const auto figure = reader.figure())
+    show.body.parts = {asPart(*figure)};
+}
+
+void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, Findings& findings, Show& show) {
+  if (!momentumIsConstant(motion.forcing)) withoutConstruction(findings, show);
+  const std::string shown = rest ? needingRotation(show) : "";
+  if (!shown.empty())
+    findings.refuse(rest->path,
+                    fmt::format("must not be zero, got {}: without rotation there is nothing to draw for "
+                                "{}; give a rotation, or set these to false",
+                                rest->value, shown));
+  if (!motion.forcing.none() && show.exaggerateAngles != 1)
+    findings.refuse(
+        "show.exaggerate_angles",
+        "larger angles are another motion, which is exact only where nothing acts on the body; leave it "
+        "out");
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "key_contexts.h"
+
+#include <algorithm>
+#include <map>
+
+#include "scene/shapes.h"
+
+namespace poinsot::scene {
+namespace {
+
+const std::string kMoments = "body.principal_moments = [1.0, 2.0, 2.5]\n";
+const std::string kOmega = "motion.omega_body = [0.01, 3.0, 0.0]\n";
+const std::string kBox = "body.shape = \"box\"\nbody.size = [3, 2, 1]\n";
+
+bool holds(const KeyNames& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// "size = [...]" and so on: the examples of the keys of a way to describe a shape.
+std::string examples(const std::string& table, const NamedShape& shape, const KeyNames& way) {
+  std::string text;
+  for (const std::string_view name : way) {
+    const std::string path = table + "." + std::string(name);
+    const bool flat = name == "size" && shape.extents == 2;
+    text += std::string(name) + " = " + (flat ? "[0.3, 0.2]" : std::string(findKey(path)->example)) + "\n";
+  }
+  return text;
+}
+
+/// The first shape that the key belongs to, and that can turn: not a rod, which has no moment about its line.
+std::string shapeWith(const std::string& table, std::string_view name) {
+  for (const NamedShape& shape : namedShapes())
+    for (const KeyNames& way : shape.ways)
+      if (shape.word != "rod" && (holds(way, name) || holds(shape.optional, name)))
+        return "shape = \"" + std::string(shape.word) + "\"\n" + examples(table, shape, way);
+  return "shape = \"box\"\nsize = [3, 2, 1]\n";
+}
+
+/// What a key needs besides a body and a start, or in their place.
+const std::map<std::string_view, std::string>& contexts() {
+  static const std::string part = "[[body.part]]\nshape = \"box\"\nsize = [3, 2, 1]\n";
+  static const std::string points =
+      "[[body.point_mass]]\nmass = 1\nposition = [1, 2, 3]\n[[body.point_mass]]\nmass = 2\nposition = [1, -2, 1]\n"
+      "[[body.point_mass]]\nmass = 3\nposition = [-1, 0, 5]\n";
+  static const std::map<std::string_view, std::string> all = {
+      {"body.principal_moments", kOmega},
+      {"body.inertia", kOmega},
+      {"body.mass", kOmega + kBox},
+      {"body.density", kOmega + kBox},
+      {"body.pivot", kOmega + kBox + "body.mass = 1\n"},
+      {"body.part[].mass", kOmega + part},
+      {"body.part[].density", kOmega + part},
+      {"body.part[].offset", kOmega + part + "mass = 1\n"},
+      {"body.part[].rotation", kOmega + part + "mass = 1\n"},
+      {"body.part[].axis", kOmega + part + "mass = 1\nangle = 1\n"},
+      {"body.part[].angle", kOmega + part + "mass = 1\naxis = [0, 1, 0]\n"},
+      {"body.point_mass[].mass", kOmega + points},
+      {"body.point_mass[].position", kOmega + points},
+      {"motion.omega_space", kMoments},
+      {"motion.L_body", kMoments},
+      {"motion.L_space", kMoments},
+      {"motion.spin", kMoments + "motion.spin_axis = \"1\"\n"},
+      {"motion.spin_axis", kMoments + "motion.spin = 1\n"},
+      {"motion.tilt", kMoments + "motion.spin = 1\nmotion.spin_axis = \"1\"\n"},
+      {"motion.tilt_towards", kMoments + "motion.spin = 1\nmotion.spin_axis = \"1\"\nmotion.tilt = 0.1\n"},
+      {"motion.energy", kMoments + "motion.L = 4.2\n"},
+      {"motion.L", kMoments + "motion.energy = 4.5\n"},
+      {"motion.phase", kMoments + "motion.energy = 4.5\nmotion.L = 4.2\n"},
+      {"motion.branch", kMoments + "motion.energy = 4.5\nmotion.L = 4.2\n"},
+      {"motion.gravity.g", kOmega + kBox + "body.mass = 1\nbody.pivot = [0, 0, -1]\n"},
+      {"motion.torque.file_axes", kMoments + kOmega + "motion.torque.file = \"torque.csv\"\n"},
+      {"motion.torque.interpolation", kMoments + kOmega + "motion.torque.file = \"torque.csv\"\n"},
+      {"motion.torque.step[].from", kMoments + kOmega + "[[motion.torque.step]]\nbody = [1, 2, 3]\n"},
+      {"motion.torque.step[].body", kMoments + kOmega + "[[motion.torque.step]]\nfrom = 1\n"},
+      {"motion.torque.step[].space", kMoments + kOmega + "[[motion.torque.step]]\nfrom = 1\n"},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string pathIn(const Key& key) {
+  std::string path = key.path;
+  if (const std::size_t element = path.find("[]"); element != std::string::npos) path.insert(element + 1, "0");
+  return path;
+}
+
+std::string sceneFor(const Key& key) {
+  if (const auto found = contexts().find(key.path); found != contexts().end()) return found->second;
+  const std::string_view name = nameOf(key.path);
+  const bool ofShape = name == "shape" || holds(shapeKeyNames(), name);
+  if (ofShape && tableOf(key.path) == "body") return kOmega + "[body]\nmass = 1\n" + shapeWith("body", name);
+  if (ofShape && tableOf(key.path) == "body.part[]")
+    return kOmega + "[[body.part]]\nmass = 1\n" + shapeWith("body.part[]", name);
+  if (ofShape && tableOf(key.path) == "show.body")
+    return kMoments + kOmega + "[show.body]\n" + shapeWith("show.body", name);
+  return kMoments + (key.path == "motion.omega_body" ? "" : kOmega);
+}
+
+}  // namespace poinsot::scene
