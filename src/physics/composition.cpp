@@ -39,39 +39,53 @@ std::vector<double> palindrome(std::vector<double> half, bool centre) {
   return cumulated(mirrored(half, centre));
 }
 
+/// Kicks of half a step around each drift, those that meet as one.
+Composition ofSymmetricSteps(const char* name, int order, const std::vector<double>& drifts) {
+  Composition composition{name, order, true, drifts, {}};
+  double begin = 0;
+  for (const double end : drifts) {
+    composition.kicks.push_back(0.5 * (begin + end));
+    begin = end;
+  }
+  return composition;
+}
+
+/// @pre an odd number of drifts has a centre, and an even number of kicks has none, or the other way round.
+Composition nystrom(const char* name, int order, const std::vector<double>& drifts,
+                    const std::vector<double>& kicks, bool centralDrift) {
+  Composition composition{name, order, false, palindrome(drifts, centralDrift), palindrome(kicks, !centralDrift)};
+  composition.kicks.pop_back();  // what follows the last drift is the rest
+  return composition;
+}
+
 }  // namespace
 
 const Composition& strang2() {
-  static const Composition composition{"Strang splitting", 2, {1}, {}};
+  static const Composition composition = ofSymmetricSteps("Strang splitting", 2, {1});
   return composition;
 }
 
 const Composition& nystrom4() {
-  static const Composition composition{
-      "Runge-Kutta-Nyström splitting, 6 stages", 4, palindrome({0.245298957184271, 0.604872665711080}, false),
-      palindrome({0.0829844064174052, 0.396309801498368, -0.0390563049223486}, true)};
+  static const Composition composition =
+      nystrom("Runge-Kutta-Nyström splitting, 6 stages", 4, {0.245298957184271, 0.604872665711080},
+              {0.0829844064174052, 0.396309801498368, -0.0390563049223486}, false);
   return composition;
 }
 
 const Composition& nystrom6() {
-  static const Composition composition{
+  static const Composition composition = nystrom(
       "Runge-Kutta-Nyström splitting, 11 stages", 6,
-      palindrome({0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928},
-                 true),
-      palindrome(
-          {0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807, -0.0115113874206879},
-          false)};
+      {0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928},
+      {0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807, -0.0115113874206879}, true);
   return composition;
 }
 
 const Composition& kahanLi8() {
-  static const Composition composition{
-      "composition of 17 Strang splittings",
-      8,
+  static const Composition composition = ofSymmetricSteps(
+      "composition of 17 Strang splittings", 8,
       palindrome({.13020248308889008088, .56116298177510838456, -.38947496264484728641, .15884190655515560090,
                   -.39590389413323757734, .18453964097831570709, .25837438768632204729, .29501172360931029887},
-                 true),
-      {}};
+                 true));
   return composition;
 }
 

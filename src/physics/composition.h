@@ -5,15 +5,17 @@
 
 namespace poinsot::physics {
 
-/// How the sub-flows of a splitting are put together into one step of some order. All are palindromes: a step back
-/// undoes a step.
+/// How the sub-flows of a splitting are put together into one step of some order: a kick, a drift, a kick, ... a
+/// kick. All are palindromes: a step back undoes a step.
 struct Composition {
   const char* name;
   int order;
+  /// Made of symmetric steps of order 2, so that a drift may have other flows symmetrically around it. The others
+  /// have their order only for kicks by torques that do not depend on the angular momentum.
+  bool ofSymmetricSteps;
   /// Where in the step, as a part of it, each free flow ends; the last is 1.
   std::vector<double> drifts;
-  /// As much of the torque's impulse as is given before each free flow and after the last, summed up; the last is
-  /// 1. Empty: a composition of symmetric steps of order 2, of the lengths of the drifts.
+  /// As much of the torque's impulse as has been given when each free flow begins; the rest after the last.
   std::vector<double> kicks;
 };
 

@@ -27,61 +27,75 @@ constexpr double kLongestStep = 0.5;
 // Of the first term: what is left out is below the rounding of the change.
 constexpr double kNegligible = 0x1p-56;
 
-using Terms = std::array<double, kMaxOrder + 1>;
+/// Term k of everything that is expanded.
+struct Term {
+  std::array<double, 3> n{};
+  double along = 0;  // of n0·n
+  double g = 0;
+};
 
 struct Series {
-  std::array<Terms, 3> n;
-  Terms g;  // of phi' - phi'(0)
+  std::array<Term, kMaxOrder + 1> terms;
   std::size_t order = 0;
 };
 
-double product(const Terms& a, const Terms& b, std::size_t order) {
-  double sum = 0;
-  for (std::size_t i = 0; i <= order; ++i) sum += a[i] * b[order - i];
+constexpr std::array<double, kMaxOrder + 2> inverses() {
+  std::array<double, kMaxOrder + 2> values{};
+  for (std::size_t k = 1; k < values.size(); ++k) values[k] = 1 / static_cast<double>(k);
+  return values;
+}
+constexpr auto kInverse = inverses();
+
+double largest(const std::array<double, 3>& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
+/// The Cauchy products of n with itself to order k - 1, and of n0·n with g to order k.
+Term products(const Series& s, std::size_t k) {
+  const auto& t = s.terms;
+  Term sum{{t[0].n[1] * t[k - 1].n[2], t[0].n[2] * t[k - 1].n[0], t[0].n[0] * t[k - 1].n[1]}, 0, 0};
+  for (std::size_t i = 1; i < k; ++i) {
+    const Term &a = t[i], &b = t[k - 1 - i];
+    sum.n[0] += a.n[1] * b.n[2];
+    sum.n[1] += a.n[2] * b.n[0];
+    sum.n[2] += a.n[0] * b.n[1];
+    sum.g += a.along * t[k - i].g;
+  }
   return sum;
 }
 
-double largest(const Series& s, std::size_t order) {
-  return std::max({std::abs(s.n[0][order]), std::abs(s.n[1][order]), std::abs(s.n[2][order])});
-}
-
-/// n to the order at which two terms in a row are negligible.
-void expandMomentum(Series& s, const std::array<double, 3>& gamma) {
+/// n and g to the order at which two terms of n in a row are negligible:
+///   n_i' = (gamma_k - gamma_j) n_j n_k,     (1 + n·n0) g = sum (gamma_i - mean) n0_i n_i
+Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& gamma, double mean) {
   const std::array<double, 3> rate = {gamma[2] - gamma[1], gamma[0] - gamma[2], gamma[1] - gamma[0]};
+  const std::array<double, 3> excess = {(gamma[0] - mean) * n0[0], (gamma[1] - mean) * n0[1],
+                                        (gamma[2] - mean) * n0[2]};
+  Series s;
+  s.terms[0].n = n0;
   for (std::size_t k = 1, small = 0; k <= kMaxOrder && small < 2; ++k) {
-    for (std::size_t i = 0; i < 3; ++i)
-      s.n[i][k] = rate[i] * product(s.n[(i + 1) % 3], s.n[(i + 2) % 3], k - 1) / static_cast<double>(k);
+    const Term sum = products(s, k);
+    Term& t = s.terms[k];
+    for (std::size_t i = 0; i < 3; ++i) t.n[i] = rate[i] * sum.n[i] * kInverse[k];
+    t.along = n0[0] * t.n[0] + n0[1] * t.n[1] + n0[2] * t.n[2];
+    t.g = 0.5 * (excess[0] * t.n[0] + excess[1] * t.n[1] + excess[2] * t.n[2] - sum.g);
     s.order = k;
-    small = largest(s, k) <= kNegligible * largest(s, 1) ? small + 1 : 0;
+    small = largest(t.n) <= kNegligible * largest(s.terms[1].n) ? small + 1 : 0;
   }
+  return s;
 }
 
-/// (1 + n·n0) g = sum (gamma_i - mean) n0_i n_i, term by term.
-void expandAngle(Series& s, const std::array<double, 3>& gamma, double mean) {
-  const std::array<double, 3> n0 = {s.n[0][0], s.n[1][0], s.n[2][0]};
-  Terms along{};
-  s.g[0] = 0;
-  for (std::size_t k = 1; k <= s.order; ++k) {
-    const std::array<double, 3> part = {n0[0] * s.n[0][k], n0[1] * s.n[1][k], n0[2] * s.n[2][k]};
-    along[k] = part[0] + part[1] + part[2];
-    double sum = (gamma[0] - mean) * part[0] + (gamma[1] - mean) * part[1] + (gamma[2] - mean) * part[2];
-    for (std::size_t i = 1; i < k; ++i) sum -= along[i] * s.g[k - i];
-    s.g[k] = 0.5 * sum;
+/// n(1) - n(0), and what phi gains beyond its mean; smallest terms first.
+struct Gain {
+  std::array<double, 3> n{};
+  double phi = 0;
+};
+Gain gain(const Series& s) {
+  Gain sum;
+  for (std::size_t k = s.order; k > 0; --k) {
+    for (std::size_t i = 0; i < 3; ++i) sum.n[i] += s.terms[k].n[i];
+    sum.phi += s.terms[k].g * kInverse[k + 1];
   }
-}
-
-/// n(1) - n(0), smallest terms first.
-std::array<double, 3> change(const Series& s) {
-  std::array<double, 3> sum{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = s.order; k > 0; --k) sum[i] += s.n[i][k];
   return sum;
-}
-
-double angle(const Series& s, double mean) {
-  double sum = 0;
-  for (std::size_t k = s.order; k > 0; --k) sum += s.g[k] / static_cast<double>(k + 1);
-  return mean + sum;
 }
 
 }  // namespace
@@ -120,11 +134,8 @@ TurnLessOne FreeFlow::turnOver(const std::array<double, 3>& m, double h) const {
   const std::array<double, 3> gamma = {L / I_[0] * h, L / I_[1] * h, L / I_[2] * h};
   const double square = n0[0] * n0[0] + n0[1] * n0[1] + n0[2] * n0[2];
   const double mean = (gamma[0] * n0[0] * n0[0] + gamma[1] * n0[1] * n0[1] + gamma[2] * n0[2] * n0[2]) / square;
-  Series series;
-  for (std::size_t i = 0; i < 3; ++i) series.n[i][0] = n0[i];
-  expandMomentum(series, gamma);
-  expandAngle(series, gamma, mean);
-  return turnKeeping(n0, change(series), angle(series, mean));
+  const Gain change = gain(expanded(n0, gamma, mean));
+  return turnKeeping(n0, change.n, mean + change.phi);
 }
 
 void FreeFlow::apply(DrivenState& state, double h) const {

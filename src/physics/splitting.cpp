@@ -47,34 +47,27 @@ double Splitting::angularSpeed(const DrivenState& state) const {
 
 void Splitting::step(DrivenState& state, const Composition& composition, const ForcingPiece& piece, double since,
                      double h) const {
-  POINSOT_EXPECT(composition.kicks.empty() || !dependsOnMomentum());
+  POINSOT_EXPECT(composition.ofSymmetricSteps || !dependsOnMomentum());
   const StepGrid grid(h);
   double drifted = 0, kicked = 0;
   for (std::size_t i = 0; i < composition.drifts.size(); ++i) {
-    const double end = grid.at(composition.drifts[i]);
-    if (composition.kicks.empty()) {
-      strangStep(state, piece, since + drifted, end - drifted);
-    } else {
-      const double impulse = grid.at(composition.kicks[i]);
-      kick(state, piece, since + drifted, impulse - kicked);
-      drift(state, end - drifted);
-      kicked = impulse;
-    }
+    const double impulse = grid.at(composition.kicks[i]), end = grid.at(composition.drifts[i]);
+    kick(state, piece, since + drifted, impulse - kicked);
+    driftWithLosses(state, end - drifted);
+    kicked = impulse;
     drifted = end;
   }
-  if (!composition.kicks.empty()) kick(state, piece, since + h, h - kicked);
+  kick(state, piece, since + h, h - kicked);
   state.normalize();
 }
 
-void Splitting::strangStep(DrivenState& state, const ForcingPiece& piece, double since, double h) const {
+void Splitting::driftWithLosses(DrivenState& state, double h) const {
   const double half = 0.5 * h;
-  kick(state, piece, since, half);
   drag(state, half);
   dissipate(state, half);
   drift(state, h);
   dissipate(state, half);
   drag(state, half);
-  kick(state, piece, since + h, half);
 }
 
 void Splitting::kick(DrivenState& state, const ForcingPiece& piece, double since, double h) const {

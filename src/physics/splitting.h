@@ -37,8 +37,8 @@ class Splitting {
   bool dependsOnMomentum() const { return anisotropic_ || alpha_ > 0; }
 
  private:
-  void strangStep(DrivenState& state, const ForcingPiece& piece, double since_s, double h_s) const;
   void kick(DrivenState& state, const ForcingPiece& piece, double since_s, double h_s) const;
+  void driftWithLosses(DrivenState& state, double h_s) const;
   void drift(DrivenState& state, double h_s) const;
   void drag(DrivenState& state, double h_s) const;
   void dissipate(DrivenState& state, double h_s) const;
