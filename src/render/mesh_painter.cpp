@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "render/box_mesh.h"
 #include "render/mesh_edge_lines.h"
 
 namespace poinsot::render {
@@ -10,6 +11,26 @@ namespace {
 
 // The reference renderer's many samples see hard edges: nothing is resolved for it.
 bool hardEdges(float sharpness) { return sharpness > 1; }
+
+// Of a rough face, in pixels: if smaller, one sample a pixel would show a chance choice of faces, and sparkle.
+constexpr double kSmall_px2 = 2;
+
+void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
+  for (const MeshEdge& e : screen.topology->edges)
+    if (screen.isSilhouette(e) || (e.sharp && screen.isFront(e)))
+      marks.markSegment(glm::dvec2(screen.vertices[e.from]), glm::dvec2(screen.vertices[e.to]));
+}
+
+void markSmallFaces(const ScreenMesh& screen, PixelMarks& marks) {
+  for (std::size_t f = 0; f < screen.front.size(); ++f) {
+    if (!screen.front[f] || !screen.topology->rough[f]) continue;
+    const auto t = screen.triangle(f);
+    if (-signedArea(t) > kSmall_px2) continue;
+    PixelBounds bounds;
+    for (const glm::dvec3& v : t) bounds.include(glm::vec2(v));
+    marks.mark(bounds);
+  }
+}
 
 }  // namespace
 
@@ -54,13 +75,15 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
                                                            TileMask& tiles) {
   list_ = &list;
   sharpness_ = sharpness;
+  meshes_ = list.meshes;
+  for (const draw::Box& box : list.boxes) meshes_.push_back(boxMesh(box));
   screens_.clear();
   screensKept_.clear();
   resolved_ = {};
   std::swap(last_, current_);
   current_.clear();
   std::vector<std::vector<draw::Curve>> lines;
-  for (const draw::Mesh& mesh : list.meshes) {
+  for (const draw::Mesh& mesh : meshes_) {
     if (!mesh.mesh || mesh.mesh->triangles.empty()) continue;
     const Kept& own = kept(mesh);
     ScreenMesh screen = screenMesh(list.camera, mesh, own.topology);
@@ -72,19 +95,16 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
   }
   if (screens_.empty()) return lines;
   marks_.reset(glm::ivec2(list.camera.size_px));
-  if (!hardEdges(sharpness)) markEdges();
+  for (const ScreenMesh& screen : screens_) {
+    if (hardEdges(sharpness)) break;
+    markEdges(screen, marks_);
+    markSmallFaces(screen, marks_);
+  }
   marks_.finish();
   resolved_ = resolveMeshes(screens_, marks_, list.camera.focal_px());
   uploadMarks();
   uploadPixels();
   return lines;
-}
-
-void MeshPainter::markEdges() {
-  for (const ScreenMesh& screen : screens_)
-    for (const MeshEdge& e : screen.topology->edges)
-      if (screen.isSilhouette(e) || (e.sharp && screen.isFront(e)))
-        marks_.markSegment(glm::dvec2(screen.vertices[e.from]), glm::dvec2(screen.vertices[e.to]));
 }
 
 void MeshPainter::uploadMarks() {

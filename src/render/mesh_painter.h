@@ -18,9 +18,9 @@
 
 namespace poinsot::render {
 
-/// Draws the triangle meshes of a draw list: the inside of faces by OpenGL, the pixels that an outline or a crease
-/// runs through as the CPU resolved them. A mesh that is not wholly in front of the camera is left out, as every
-/// solid.
+/// Draws the triangle meshes and boxes of a draw list: the inside of faces by OpenGL, the pixels that an outline
+/// or a crease runs through as the CPU resolved them. A mesh that is not wholly in front of the camera is left
+/// out, as every solid.
 class MeshPainter {
  public:
   MeshPainter();
@@ -44,7 +44,6 @@ class MeshPainter {
 
   static Kept keep(const draw::Mesh& mesh);
   const Kept& kept(const draw::Mesh& mesh);
-  void markEdges();
   void uploadMarks();
   void uploadPixels();
   void drawFaces() const;
@@ -60,6 +59,7 @@ class MeshPainter {
   // Of the list last prepared.
   const draw::DrawList* list_ = nullptr;
   float sharpness_ = 1;
+  std::vector<draw::Mesh> meshes_;  // boxes too
   std::vector<ScreenMesh> screens_;
   std::vector<const Kept*> screensKept_;
   PixelMarks marks_;

@@ -130,6 +130,16 @@ void addCorners(const draw::TriangleMesh& mesh, MeshTopology& topology) {
     if (const double length = glm::length(sums[i]); length > 0) topology.corners[i].normal_M = sums[i] / length;
 }
 
+// A tenth of a radian: shading changes by a few steps of 255.
+constexpr double kRoughCosine = 0.995;
+
+bool isRough(const draw::TriangleMesh& mesh, const MeshTopology& topology, Index face) {
+  const auto& corners = topology.triangles[face];
+  return std::any_of(corners.begin(), corners.end(), [&](Index corner) {
+    return glm::dot(dvec3(topology.corners[corner].normal_M), faceNormal(mesh, face)) < kRoughCosine;
+  });
+}
+
 /// Follows sharp edges from vertex to vertex, through those where exactly two meet.
 class ChainFinder {
  public:
@@ -187,6 +197,7 @@ MeshTopology meshTopology(const draw::TriangleMesh& mesh, float crease_rad) {
   findCreases(mesh, crease_rad, topology.edges);
   topology.chains = ChainFinder(mesh.vertices_M.size(), topology.edges).find();
   addCorners(mesh, topology);
+  for (Index f = 0; f < mesh.triangles.size(); ++f) topology.rough.push_back(isRough(mesh, topology, f));
   return topology;
 }
 

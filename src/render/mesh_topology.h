@@ -34,8 +34,9 @@ struct MeshCorner {
 /// What drawing needs to know of a mesh and does not change from frame to frame.
 struct MeshTopology {
   std::vector<MeshEdge> edges;
-  std::vector<EdgeChain> chains;                        ///< of all sharp edges
-  std::vector<MeshCorner> corners;                      ///< one for each patch that a vertex belongs to
+  std::vector<bool> rough;          ///< by face: its corners' normals differ from its own by more than a tenth
+  std::vector<EdgeChain> chains;    ///< of all sharp edges
+  std::vector<MeshCorner> corners;  ///< one for each patch that a vertex belongs to
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of the mesh, by corners
 };
 

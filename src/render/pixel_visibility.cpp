@@ -9,6 +9,8 @@ namespace poinsot::render {
 namespace {
 
 constexpr std::size_t kSamples = 64;
+// Of the area that the samples find inside one edge.
+constexpr double kCoverageError = 0.02;
 
 /// Hammersley's points: one in each of 64 columns and rows, so that an upright edge is seen as well as a slanting
 /// one.
@@ -52,7 +54,8 @@ class SampleDepths {
   }
 
   int wins(int number) const { return static_cast<int>(std::count(winners_.begin(), winners_.end(), number)); }
-  bool full() const { return wins(-1) == 0; }
+  /// The share of the pixel that anything covers.
+  double covered() const { return 1 - static_cast<double>(wins(-1)) / kSamples; }
 
  private:
   std::array<float, kSamples> nearest_;  // 1 / depth
@@ -67,13 +70,26 @@ bool isHidden(const PixelFragment& f, std::span<const PixelFragment> fragments) 
   });
 }
 
+double total(std::span<const PixelFragment> fragments) {
+  return std::accumulate(fragments.begin(), fragments.end(), 0.0,
+                         [](double sum, const PixelFragment& f) { return sum + f.area; });
+}
+
+// Many small folds are hidden by less than a sample each: their sum must not stray from what the samples cover.
+void holdTo(double covered, std::vector<double>& areas) {
+  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double held = std::clamp(sum, covered - kCoverageError, covered + kCoverageError);
+  if (sum > 0)
+    for (double& area : areas) area *= held / sum;
+}
+
 }  // namespace
 
 std::vector<double> visibleAreas(std::span<const PixelFragment> fragments) {
   SampleDepths samples;
   std::vector<int> counts;
   for (const PixelFragment& f : fragments) counts.push_back(samples.add(f, static_cast<int>(counts.size())));
-  const bool full = samples.full();
+  const bool full = samples.covered() == 1;
   std::vector<double> areas;
   std::vector<bool> estimated;
   double open = 0, partlyHidden = 0;  // total areas
@@ -95,6 +111,7 @@ std::vector<double> visibleAreas(std::span<const PixelFragment> fragments) {
   const bool fit = partlyHidden > 0 && (full || partlyHidden > room);
   const double stretch = fit ? room / partlyHidden : 1, shrink = open > 1 ? 1 / open : 1;
   for (std::size_t i = 0; i < areas.size(); ++i) areas[i] *= estimated[i] ? stretch : shrink;
+  if (open < total(fragments)) holdTo(samples.covered(), areas);
   return areas;
 }
 

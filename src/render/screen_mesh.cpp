@@ -26,12 +26,11 @@ bool projectVertices(const draw::Camera& camera, ScreenMesh& screen) {
   return true;
 }
 
-// With y down, what is counter-clockwise to the eye has a negative area.
-bool looksAtEye(const std::array<glm::dvec3, 3>& t) {
-  return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x) < 0;
-}
-
 }  // namespace
+
+double signedArea(const std::array<glm::dvec3, 3>& t) {
+  return 0.5 * ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x));
+}
 
 std::array<glm::dvec3, 3> ScreenMesh::triangle(std::size_t face) const {
   const auto& t = mesh->mesh->triangles[face];
@@ -49,7 +48,7 @@ ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const 
   if (!projectVertices(camera, screen)) return screen;
   for (const glm::dvec3& v : screen.vertices) screen.bounds.include(glm::vec2(v), 1.0f);
   screen.front.resize(mesh.mesh->triangles.size());
-  for (std::size_t f = 0; f < screen.front.size(); ++f) screen.front[f] = looksAtEye(screen.triangle(f));
+  for (std::size_t f = 0; f < screen.front.size(); ++f) screen.front[f] = signedArea(screen.triangle(f)) < 0;
   return screen;
 }
 

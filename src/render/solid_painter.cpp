@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "render/box_outline.h"
 #include "render/frustum_outline.h"
 #include "render/shader_source.h"
 
@@ -25,7 +24,6 @@ SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   Programs programs;  // in the order of Kind
   programs.push_back(solidProgram("tiles.vert", "ellipsoid.frag", pass));
   programs.push_back(solidProgram("tiles.vert", "frustum.frag", pass));
-  programs.push_back(solidProgram("tiles.vert", "box.frag", pass));
   programs.push_back(solidProgram("curve.vert", "curve.frag", pass, "#define TUBE 0\n"));
   programs.push_back(solidProgram("curve.vert", "curve.frag", pass, "#define TUBE 1\n"));
   return programs;
@@ -52,7 +50,6 @@ void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::ve
   strips_.clear();
   for (const draw::Ellipsoid& e : list.ellipsoids) prepareEllipsoid(list.camera, e);
   for (const draw::Frustum& f : list.frustums) prepareFrustum(list.camera, f);
-  for (const draw::Box& b : list.boxes) prepareBox(list.camera, b);
   for (const draw::Curve& c : list.curves) prepareCurves(list.camera, {&c, 1});
   for (const auto& lines : meshEdges) prepareCurves(list.camera, lines);
   upload(GL_ARRAY_BUFFER, cellBuffer_, cells_, GL_STREAM_DRAW);
@@ -103,20 +100,6 @@ void SolidPainter::prepareFrustum(const draw::Camera& camera, const draw::Frustu
     program.set("sides", asVector(outline.sides));
     program.set("visibleCap", outline.visibleCap);
     setMaterial(program, f.material);
-  });
-}
-
-void SolidPainter::prepareBox(const draw::Camera& camera, const draw::Box& box) {
-  const BoxOutline outline = boxOutline(camera, box);
-  if (outline.bounds.empty()) return;
-  const Cells cells = markedCells(outline.bounds, [&](glm::vec2 p) { return outline.inside(p); });
-  addItem(kBox, cells, [=](const ShaderProgram& program) {
-    std::vector<glm::vec3> edges;
-    for (const auto& face : outline.edges) edges.insert(edges.end(), face.begin(), face.end());
-    program.set("edges", edges);
-    program.set("normals_C", asVector(outline.normals_C));
-    program.set("points_C", asVector(outline.points_C));
-    setMaterial(program, box.material);
   });
 }
 

@@ -14,7 +14,7 @@
 
 namespace poinsot::render {
 
-/// Draws the opaque things of a draw list that need no mesh: ellipsoids, frustums, boxes and curves.
+/// Draws the opaque things of a draw list that need no mesh: ellipsoids, frustums and curves.
 class SolidPainter {
  public:
   SolidPainter();
@@ -29,7 +29,7 @@ class SolidPainter {
   void draw(SolidPass pass, GLuint edgeBefore) const;
 
  private:
-  enum Kind : std::size_t { kEllipsoid, kFrustum, kBox, kFlatCurve, kTube, kKinds };
+  enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
   using Programs = std::vector<gl::ShaderProgram>;  // by Kind
 
   /// One draw call: its uniforms and its triangles, those of the edge passes first.
@@ -43,7 +43,6 @@ class SolidPainter {
   static Programs makePrograms(SolidPass pass);
   void prepareEllipsoid(const draw::Camera& camera, const draw::Ellipsoid& ellipsoid);
   void prepareFrustum(const draw::Camera& camera, const draw::Frustum& frustum);
-  void prepareBox(const draw::Camera& camera, const draw::Box& box);
   void prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike);
   void addItem(Kind kind, const Cells& cells, std::function<void(const gl::ShaderProgram&)> setUniforms);
   Cells markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside);

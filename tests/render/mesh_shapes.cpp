@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "random.h"
+
 namespace poinsot::render {
 namespace {
 
@@ -80,6 +82,13 @@ MeshPointer icosphere(int subdivisions) {
                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (vec3& v : mesh.vertices_M) v = glm::normalize(v);
   for (int i = 0; i < subdivisions; ++i) mesh = subdivided(std::move(mesh));
+  return share(mesh);
+}
+
+MeshPointer roughSphere(int subdivisions, float depth) {
+  TriangleMesh mesh = *icosphere(subdivisions);
+  Random random;
+  for (vec3& v : mesh.vertices_M) v *= 1 - random.in(0, depth);
   return share(mesh);
 }
 

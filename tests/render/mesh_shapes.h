@@ -18,6 +18,8 @@ MeshPointer tetrahedron();
 /// Corners on the unit sphere; `subdivisions` times each triangle is cut in four, the new corners put on the
 /// sphere.
 MeshPointer icosphere(int subdivisions);
+/// An icosphere whose corners are up to `depth` nearer the centre, by chance.
+MeshPointer roughSphere(int subdivisions, float depth);
 /// Axis z; the tube's middle has radius 1.
 MeshPointer torus(float tubeRadius, int around, int along);
 /// An L of thickness 1 in z with arms 2 long and 1 wide; its hollow edge is at the origin.

@@ -79,6 +79,7 @@ struct Body {
   const char* name;
   MeshPointer mesh;
   float size;
+  float worstLight = 0.03f;  // 16 x 16 samples may be 1/32 off themselves; measured 0.024
 };
 
 std::vector<Body> bodies() {
@@ -88,6 +89,7 @@ std::vector<Body> bodies() {
           {"icosahedron", icosphere(0), 0.6f},
           {"sphere of 20480 triangles", icosphere(5), 0.6f},
           {"the same, 8 pixels wide", icosphere(5), 0.05f},
+          {"rough, several triangles to a pixel", roughSphere(5, 0.02f), 0.3f, 0.07f},
           {"torus", torus(0.4f, 96, 48), 0.5f},
           {"hemisphere", hemisphere(48, 12), 0.6f}};
 }
@@ -98,8 +100,8 @@ TEST_F(MeshTest, EdgesAgreeWithTheReferencePicture) {
     const Difference d = difference(render(list), renderReference(renderer_, list, kSize, 16));
     RecordProperty(std::string(body.name) + " mean", std::to_string(d.mean));
     RecordProperty(std::string(body.name) + " worst light", std::to_string(d.worstLight));
-    EXPECT_LT(d.mean, 2.0) << body.name;          // of 255; measured 1.1 to 1.6
-    EXPECT_LE(d.worstLight, 0.03f) << body.name;  // measured 0.024; 16 x 16 samples may be 1/32 off themselves
+    EXPECT_LT(d.mean, 2.5) << body.name;                    // of 255; measured 1.1 to 1.6, rough 2.2
+    EXPECT_LE(d.worstLight, body.worstLight) << body.name;  // rough: measured 0.057, small folds along the outline
   }
 }
 
@@ -119,22 +121,30 @@ TEST_F(MeshTest, ManyMeshesAgreeWithTheReferencePicture) {
   const Difference d = difference(picture, renderReference(renderer_, list, kSize, 16));
   RecordProperty("mean", std::to_string(d.mean));
   RecordProperty("worst light", std::to_string(d.worstLight));
-  EXPECT_LT(d.mean, 2.0);          // measured 1.10
-  EXPECT_LE(d.worstLight, 0.04f);  // measured 0.036, where three meet
+  EXPECT_LT(d.mean, 2.0);          // measured 1.20
+  EXPECT_LE(d.worstLight, 0.06f);  // measured 0.049, where three meet
   std::reverse(list.meshes.begin(), list.meshes.end());
   EXPECT_LE(difference(render(list), picture).worst, 1);
 }
 
-TEST_F(MeshTest, ABoxLooksLikeTheBoxOfTheDrawList) {
-  const mat3 axes = tilted(0.4f);
-  DrawList box = emptyList(), mesh = emptyList();
-  box.boxes.push_back({vec3(0), axes, {kGreen, 0.2f}});
+// Each made its own way, and the box's axes left-handed too.
+TEST_F(MeshTest, ABoxIsTheMeshOfACube) {
+  mat3 axes = tilted(0.4f);
+  axes[1] *= 0.6f;
+  DrawList mesh = emptyList();
   mesh.meshes.push_back(meshOf(cube(), axes, {kGreen, 0.2f}));
-  const Difference d = difference(render(box), render(mesh));
-  RecordProperty("mean", std::to_string(d.mean));
-  RecordProperty("worst light", std::to_string(d.worstLight));
-  EXPECT_LT(d.count, 1500);        // of 96000: the edges alone; measured 1081
-  EXPECT_LE(d.worstLight, 0.25f);  // measured 0.21, at the box's corners, where its ramps are multiplied
+  const image::Image expected = render(mesh);
+  for (const float side : {1.0f, -1.0f}) {
+    DrawList box = emptyList();
+    box.boxes.push_back({vec3(0), mat3(axes[0], axes[1], side * axes[2]), {kGreen, 0.2f}});
+    EXPECT_LE(difference(render(box), expected).worst, 1) << side;
+  }
+}
+
+TEST_F(MeshTest, ABoxWithoutVolumeDrawsNothing) {
+  DrawList list = emptyList();
+  list.boxes.push_back({vec3(0), mat3(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0)), black()});
+  EXPECT_EQ(blackArea(render(list)), 0);
 }
 
 // The mesh's corners are on the ellipsoid: its outline lies inside by the sagitta, at most 0.01 pixel here.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/box_outline.h"
 #include "render/cells.h"
 #include "render/frustum_outline.h"
 #include "render/tile_mask.h"
@@ -59,16 +58,6 @@ TEST(FrustumOutline, KnowsWhichCapLooksAtTheEye) {
 
 TEST(FrustumOutline, IsEmptyBehindTheCamera) {
   EXPECT_TRUE(frustumOutline(camera(), {{20, 0, 0}, {21, 0, 0}, 0.3f, 0.3f, {}}).bounds.empty());
-}
-
-TEST(BoxOutline, HoldsItsCornersAndNothingFar) {
-  const draw::Camera c = camera();
-  const BoxOutline outline = boxOutline(c, {vec3(0), glm::mat3(0.3f), {}});
-  EXPECT_TRUE(outline.inside(project(c, vec3(0))));
-  EXPECT_FALSE(outline.inside({5, 5}));
-  int faces = 0;
-  for (const vec3& n : outline.normals_C) faces += n != vec3(0, 0, 1);
-  EXPECT_EQ(faces, 3);
 }
 
 TEST(Cells, CoverTheBoundsOnceAndTellInsideFromEdge) {
