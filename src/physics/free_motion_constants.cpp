@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/free_motion_constants.h"
 
-#include <utility>
-
 #include "core/error.h"
 #include "physics/elliptic.h"
 #include "physics/expansion.h"
@@ -18,8 +16,9 @@ DD square(const DD& x) { return x * x; }
 
 /// m x omega = 0, decided without rounding.
 bool isSteady(const ScaledStart& start) {
-  const auto& [I, w] = std::pair(start.I, start.omega);
-  const auto couples = [&](std::size_t j, std::size_t k) { return I[j] != I[k] && w[j] != 0 && w[k] != 0; };
+  const auto couples = [&](std::size_t j, std::size_t k) {
+    return start.I[j] != start.I[k] && start.omega[j] != 0 && start.omega[k] != 0;
+  };
   return !couples(0, 1) && !couples(1, 2) && !couples(0, 2);
 }
 
@@ -81,7 +80,8 @@ void setEllipticConstants(FreeMotionConstants& k) {
 /// u0 from (sn, cn)(u0) by the integral R_F, never through an angle: near the middle axis cn is tiny and an
 /// arctangent would throw its relative accuracy away.
 void setPhase(FreeMotionConstants& k) {
-  const auto& [I, w] = std::pair(k.start.I, k.start.omega);
+  const auto& I = k.start.I;
+  const auto& w = k.start.omega;
   DD sn = twoProduct(I[1], k.sigma * w[1]) / k.A_2, cn = twoProduct(I[k.a], w[k.a]) / k.A_a;
   if (!k.periodic()) {
     k.sigmaA = cn < DD(0) ? -1 : 1;

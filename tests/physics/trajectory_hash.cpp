@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints a hash of every bit of a few trajectories, for the test that the CPU's features change none.
+// Prints a hash of every bit of some trajectories and of the functions under them, for the test that neither the
+// CPU nor the compiler changes one. With --libm, a hash of the C library's functions instead: the control, which
+// does change where the library has code for the CPU's vector units.
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
 #include "physics/free_motion.h"
 #include "physics/herpolhode.h"
 #include "physics/polhode.h"
+#include "physics/transcendental.h"
 
 using namespace poinsot::physics;
 
@@ -19,35 +23,81 @@ class Hash {
     std::memcpy(bytes, &value, sizeof value);
     for (const unsigned char byte : bytes) value_ = (value_ ^ byte) * 0x100000001b3u;
   }
+  void add(std::initializer_list<double> values) {
+    for (const double value : values) add(value);
+  }
   std::uint64_t value() const { return value_; }
 
  private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-void addTrajectory(Hash& hash, const Eigen::Vector3d& I, const Eigen::Vector3d& omega0) {
-  const PrincipalMoments moments(I);
-  const FreeMotion motion(moments, omega0, Eigen::Quaterniond(0.5, -0.25, 0.75, 1.5));
-  for (int k = -2000; k < 2000; ++k) {
-    const RigidBodyState s = motion.at(k * 0.37 + k * 1e3);
-    for (int i = 0; i < 4; ++i) hash.add(s.q_WB.coeffs()[i]);
-    for (int i = 0; i < 3; ++i) hash.add(s.omega_B[i]), hash.add(s.omega_W[i]);
-  }
+void addState(Hash& hash, const RigidBodyState& s) {
+  for (int i = 0; i < 4; ++i) hash.add(s.q_WB.coeffs()[i]);
+  for (int i = 0; i < 3; ++i) hash.add({s.omega_B[i], s.omega_W[i], s.L_W[i]});
+  hash.add(s.kineticEnergy);
+}
+
+void addTrajectory(Hash& hash, const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B) {
+  const FreeMotion motion(axes, omega0_B, Eigen::Quaterniond(0.5, -0.25, 0.75, 1.5));
+  for (int k = -2000; k < 2000; ++k) addState(hash, motion.at(k * 0.37 + k * 1e3));
+}
+
+void addCurves(Hash& hash, const PrincipalMoments& moments, const Eigen::Vector3d& omega0) {
   for (const PolhodeSample& sample : Polhode(moments, omega0).samples(100))
     hash.add(sample.t_s + sample.omega_P[0]);
   hash.add(Herpolhode(moments, omega0).anglePerRadialPeriod());
 }
 
+void addMotions(Hash& hash) {
+  const struct {
+    Eigen::Vector3d I, omega0;
+  } starts[] = {
+      {{2, 3, 4}, {.5, .25, 1}},          // about the largest
+      {{2, 3, 4}, {1, .25, .25}},         // about the smallest
+      {{1, 2, 2.25}, {.75, .5, 1}},       // separatrix
+      {{3, 1, 2}, {.25, 1, -.5}},         // axes in an odd order
+      {{1.5, 1.5, .9}, {.5, 0, 2}},       // symmetric
+      {{1, 1 + 1e-12, 1.1}, {1, .5, 1}},  // nearly so
+      {{1e-9, 1, 1}, {1, .5, -.25}},      // a needle
+      {{1, 2, 3}, {1e-9, 1, 0}},          // about the middle axis
+      {{2, 3, 4}, {0, 0, 1.3}},           // steady
+  };
+  for (const auto& start : starts) {
+    addTrajectory(hash, PrincipalMoments(start.I), start.omega0);
+    addCurves(hash, PrincipalMoments(start.I), start.omega0);
+  }
+  Eigen::Matrix3d inertia_B;
+  inertia_B << 8.5, -0.25, 1.0, -0.25, 8.625, 2.125, 1.0, 2.125, 9.25;
+  addTrajectory(hash, PrincipalAxes(inertia_B), {0.6, -1.1, 0.8});
+}
+
+void addFunctions(Hash& hash) {
+  for (int k = -20000; k <= 20000; ++k) {
+    const double x = k * 0.00137 + k * 1e-9;
+    const SineCosine angle = sineCosine(x);
+    const HyperbolicPair h = hyperbolicPair(x);
+    hash.add({angle.sine, angle.cosine, arcTangent(x), exponential(x), h.tanh, h.sech, logarithm(x * x + 1e-9)});
+  }
+}
+
+void addCLibrary(Hash& hash) {
+  for (int k = -20000; k <= 20000; ++k) {
+    const double x = k * 0.00137 + k * 1e-9;
+    hash.add({std::sin(x), std::cos(x), std::tan(x), std::atan(x), std::exp(x), std::log(x * x + 1e-9),
+              std::pow(x * x, 0.3)});
+  }
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
   Hash hash;
-  addTrajectory(hash, {2, 3, 4}, {.5, .25, 1});
-  addTrajectory(hash, {2, 3, 4}, {1, .25, .25});
-  addTrajectory(hash, {1, 2, 2.25}, {.75, .5, 1});
-  addTrajectory(hash, {3, 1, 2}, {.25, 1, -.5});
-  addTrajectory(hash, {1.5, 1.5, .9}, {.5, 0, 2});
-  addTrajectory(hash, {1, 2, 3}, {1e-9, 1, 0});
-  addTrajectory(hash, {2, 3, 4}, {0, 0, 1.3});
+  if (count > 1 && std::strcmp(arguments[1], "--libm") == 0) {
+    addCLibrary(hash);
+  } else {
+    addMotions(hash);
+    addFunctions(hash);
+  }
   std::printf("%016" PRIx64 "\n", hash.value());
 }

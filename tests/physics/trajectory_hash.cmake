@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+# The same bits on every CPU, from every optimiser and from another compiler: the motion as built, with the CPU's
+# vector units hidden from the C library, and built again from its sources.
+
+# What the hash runs, with what that calls; a file missing here fails to link.
+set(hash_sources elliptic.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp polhode.cpp
+  principal_axes.cpp principal_moments.cpp scaled_start.cpp symmetric_eigen.cpp transcendental.cpp)
+list(TRANSFORM hash_sources PREPEND ${CMAKE_SOURCE_DIR}/src/physics/)
+list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
+
+add_executable(physics_trajectory_hash trajectory_hash.cpp)
+target_link_libraries(physics_trajectory_hash PRIVATE poinsot::physics poinsot_flags)
+
+get_target_property(physics_options poinsot_physics COMPILE_OPTIONS)
+function(hash_variant name)
+  add_executable(physics_trajectory_hash_${name} ${hash_sources})
+  target_compile_options(physics_trajectory_hash_${name} PRIVATE ${physics_options} ${ARGN})
+  target_include_directories(physics_trajectory_hash_${name} PRIVATE ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(physics_trajectory_hash_${name} PRIVATE poinsot::core Eigen3::Eigen poinsot_flags)
+endfunction()
+hash_variant(o0 -O0)
+hash_variant(o3 -O3)
+hash_variant(native -O3 -march=native)
+string(JOIN "|" variants "-O0=$<TARGET_FILE:physics_trajectory_hash_o0>"
+  "-O3=$<TARGET_FILE:physics_trajectory_hash_o3>"
+  "-O3 -march native=$<TARGET_FILE:physics_trajectory_hash_native>")
+add_test(NAME Physics.TrajectoryIsTheSameOnEveryCpu
+  COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:physics_trajectory_hash> "-DOTHERS=${variants}"
+          -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_hashes.cmake)
+
+# CMake knows one compiler a build; the other one is called by hand.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  find_program(POINSOT_OTHER_COMPILER NAMES g++)
+else()
+  find_program(POINSOT_OTHER_COMPILER NAMES clang++ clang++-14)
+endif()
+if(POINSOT_OTHER_COMPILER)
+  set(other ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/physics_trajectory_hash_other)
+  file(GLOB hash_headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/physics/*.h)
+  get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  add_custom_command(OUTPUT ${other}
+    COMMAND ${POINSOT_OTHER_COMPILER} -std=c++20 -O3 -march=native -ffp-contract=off -I ${CMAKE_SOURCE_DIR}/src
+            -isystem ${eigen_folder} ${hash_sources} $<TARGET_FILE:poinsot_core> $<TARGET_FILE:fmt::fmt> -o ${other}
+    DEPENDS ${hash_sources} ${hash_headers} poinsot_core
+    COMMENT "Building the trajectory hash with ${POINSOT_OTHER_COMPILER}")
+  add_custom_target(physics_trajectory_hash_other ALL DEPENDS ${other})
+  add_test(NAME Physics.TrajectoryIsTheSameFromAnotherCompiler
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:physics_trajectory_hash>
+            "-DOTHERS=${POINSOT_OTHER_COMPILER}=${other}" -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_hashes.cmake)
+else()
+  add_test(NAME Physics.TrajectoryIsTheSameFromAnotherCompiler
+    COMMAND ${CMAKE_COMMAND} -E echo "SKIPPED: no second compiler (clang++) here")
+  set_tests_properties(Physics.TrajectoryIsTheSameFromAnotherCompiler PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED")
+endif()
+set_tests_properties(Physics.TrajectoryIsTheSameOnEveryCpu Physics.TrajectoryIsTheSameFromAnotherCompiler
+  PROPERTIES LABELS unit)
