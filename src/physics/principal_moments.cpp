@@ -6,12 +6,10 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "physics/inertia_tensor.h"
 
 namespace poinsot::physics {
 namespace {
-
-// A lamina has I3 = I1 + I2 exactly; its moments, computed in doubles, may exceed that by a few roundings.
-constexpr double kTriangleSlack = 1e-12;
 
 [[noreturn]] void refuse(const Eigen::Vector3d& I, const char* reason) {
   throw core::Error(core::ErrorKind::kPhysics,
@@ -25,7 +23,7 @@ PrincipalMoments::PrincipalMoments(const Eigen::Vector3d& moments) : moments_(mo
   if (moments.minCoeff() <= 0) refuse(moments, "principal moments must be positive");
   const double largest = moments.maxCoeff();
   const Eigen::Vector3d scaled = moments / largest;  // sums of these cannot overflow
-  if (1.0 > (scaled.sum() - 1.0) * (1 + kTriangleSlack))
+  if (1.0 > (scaled[0] + scaled[1] + scaled[2] - 1.0) * (1 + kTensorSlack))
     refuse(moments, "no moment may exceed the sum of the other two (a solid body cannot have these values)");
 }
 

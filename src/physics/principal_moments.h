@@ -24,7 +24,8 @@ class PrincipalMoments {
 
   /// T = ½ ω·I·ω (eq 12), in joules.
   double kineticEnergy(const Eigen::Vector3d& omega_B) const {
-    return 0.5 * omega_B.dot(moments_.cwiseProduct(omega_B));
+    const Eigen::Vector3d twice = moments_.cwiseProduct(omega_B).cwiseProduct(omega_B);
+    return 0.5 * (twice[0] + twice[1] + twice[2]);  // not dot(): its order depends on the vector unit
   }
 
  private:

@@ -2,12 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "physics/mass_properties.h"
+#include "physics/mass_testing.h"
 #include "physics/principal_axes.h"
 #include "physics/residual.h"
 
@@ -16,10 +17,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-double relative(const Vector3d& measured, const Vector3d& expected) {
-  return (measured - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
-}
 
 struct Row {
   const char* name;
@@ -78,7 +75,7 @@ TEST(Solid, MomentsOfTheTable) {
   for (const Row& row : table()) {
     const MassProperties whole = massProperties(row.solid, 1);
     const Matrix3d& I = whole.inertia_B();
-    expectResidual(row.name, relative(I.diagonal(), row.moments), 3e-15);  // 15 digits given; measured 1.8e-15
+    expectResidual(row.name, relative(I.diagonal(), row.moments), 3e-15);  // measured 2e-15: 15 digits given
     EXPECT_LE((whole.centre_B() - row.centre).norm(), 2e-15) << row.name;
     EXPECT_TRUE(PrincipalAxes(I + Matrix3d::Identity()).aligned()) << row.name;  // no axis is invented
     EXPECT_TRUE(I.isDiagonal(0)) << row.name;
@@ -95,9 +92,10 @@ TEST(Solid, LPlateHasItsLeastAxisAt22AndAHalfDegrees) {
                  4e-15);  // measured 2.2e-15: 15 digits given
   expectResidual("centre", (plate.centre_B() - Vector3d(13. / 12, 7. / 12, 0)).norm(), 1e-15);  // measured 0
   const PrincipalAxes axes(plate.inertia_B());
-  expectResidual("moments",
-                 relative(axes.moments().values(), {0.183551788229696, 0.969225989548082, 1.15277777777778}),
-                 3e-15);  // measured 1.9e-15
+  expectResidual(
+      "moments",
+      relative(axes.moments().values(), Vector3d(0.183551788229696, 0.969225989548082, 1.15277777777778)),
+      3e-15);  // measured 1.9e-15
   const Vector3d least = axes.toB(Vector3d::UnitX());
   expectResidual("direction", std::abs(std::atan2(least[1], least[0]) + M_PI / 8), 1e-15);  // measured 5.6e-17
   EXPECT_EQ(axes.toB(Vector3d::UnitZ()), Vector3d::UnitZ());
@@ -109,6 +107,92 @@ TEST(Solid, MassIsAFactor) {
     EXPECT_EQ(many.mass_kg(), 12.5);
     EXPECT_LE(relative(many.inertia_B().diagonal(), 12.5 * one.inertia_B().diagonal()), 1e-15) << row.name;
   }
+}
+
+TEST(Solid, ThinWallsKeepTheirDigits) {
+  const double wall = 1e-9;
+  const Vector3d e(1.2, .9, .5);
+  const double ab = e[0] * e[1], bc = e[1] * e[2], ca = e[2] * e[0];  // the six faces as plates
+  const double area = 2 * (ab + bc + ca);
+  Vector3d squares;  // ∫x² etc. over the faces, per area
+  squares[0] = (2 * ab + 2 * ca) * e[0] * e[0] / 12 + 2 * bc * e[0] * e[0] / 4;
+  squares[1] = (2 * ab + 2 * bc) * e[1] * e[1] / 12 + 2 * ca * e[1] * e[1] / 4;
+  squares[2] = (2 * bc + 2 * ca) * e[2] * e[2] / 12 + 2 * ab * e[2] * e[2] / 4;
+  squares /= area;
+  const Vector3d faces(squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1]);
+  expectResidual("hollow box", relative(massProperties(HollowBox{e, wall}, 1).inertia_B().diagonal(), faces),
+                 1e-8);
+  EXPECT_NEAR(volume(HollowBox{e, wall}) / (area * wall), 1, 1e-8);
+  EXPECT_NEAR(massProperties(Sphere{1, 1 - 1e-12}, 1).inertia_B()(0, 0), 2. / 3, 1e-12);
+  EXPECT_NEAR(volume(Sphere{1, 1 - 0x1p-40}) / (4 * M_PI * 0x1p-40), 1, 2e-12);
+  EXPECT_NEAR(volume(Cylinder{1, 1, 1 - 0x1p-40}) / (2 * M_PI * 0x1p-40), 1, 2e-12);
+}
+
+TEST(Solid, PartsOfACompositeAreTheWhole) {
+  for (const Solid& solid : std::vector<Solid>{LPlate{{3, 2}, .5}, THandle{3, .2, 1.5, .2}, Racket{.68, .26},
+                                               WingNut{.5, 1, {1.2, .2, .9}, 1.1, .3}}) {
+    const std::vector<SolidPart> parts = partsOf(solid, 4);
+    EXPECT_GT(parts.size(), 1U);
+    std::vector<MassProperties> pieces;
+    for (const SolidPart& part : parts) pieces.push_back(massProperties(part));
+    const MassProperties sum = combined(pieces), whole = massProperties(solid, 4);
+    EXPECT_NEAR(sum.mass_kg(), 4, 1e-15);
+    EXPECT_LE((sum.inertia_B() - whole.inertia_B()).cwiseAbs().maxCoeff() / whole.inertia_B().maxCoeff(), 1e-15);
+    EXPECT_LE((sum.centre_B() - whole.centre_B()).norm(), 4e-16);
+  }
+  const std::vector<SolidPart> alone = partsOf(Capsule{.45, 1}, 4);
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_EQ(alone[0].mass_kg, 4);
+}
+
+TEST(Solid, ARacketIsALamina) {
+  const Vector3d I = massProperties(Racket{.68, .26}, .33).inertia_B().diagonal();
+  EXPECT_NEAR(I[2] / (I[0] + I[1]), 1, 3e-16);
+  EXPECT_NEAR(massProperties(Racket{.68, .26}, .33).centre_B()[0] + .55, 0.385151515152, 1e-12);  // from the butt
+}
+
+TEST(Solid, VolumesOfComposites) {
+  EXPECT_NEAR(volume(THandle{3, .2, 1.5, .2}), M_PI * .04 * 4.5, 1e-15);
+  EXPECT_NEAR(volume(WingNut{.5, 1, {1.2, .2, .9}, 1.1, .3}), M_PI * .25 + .432, 3e-16);
+  for (const Solid& thin : std::vector<Solid>{Plate{{3, 2}}, EllipsoidShell{{1, 2, 3}}, SphereShell{1}, Disc{1},
+                                              Hoop{1}, Rod{1}, CylinderShell{1, 1}, ConeShell{1, 1},
+                                              TorusShell{2, 1}, LPlate{{3, 2}, .5}, Racket{.68, .26}})
+    EXPECT_EQ(volume(thin), 0);
+  EXPECT_NEAR(volume(Ellipsoid{{1, 2, 3}}), 8 * M_PI, 1e-14);
+}
+
+std::string verdict(const Solid& solid, double mass_kg = 1) {
+  EXPECT_EQ(refusal([&] { partsOf(solid, mass_kg); }), refusal([&] { massProperties(solid, mass_kg); }));
+  return refusal([&] { massProperties(solid, mass_kg); });
+}
+
+TEST(Solid, RefusesLengthsThatAreNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(verdict(Sphere{1}, 0), "mass must be positive and finite, got 0");
+  EXPECT_EQ(verdict(Box{{1, -1, 1}}), "edge of the box must be positive and finite, got -1");
+  EXPECT_EQ(verdict(Plate{{1, 0}}), "edge of the plate must be positive and finite, got 0");
+  EXPECT_EQ(verdict(Ellipsoid{{1, nan, 1}}), "semi-axis of the ellipsoid must be positive and finite, got nan");
+  EXPECT_EQ(verdict(Cylinder{0, 1}), "radius of the cylinder must be positive and finite, got 0");
+  EXPECT_EQ(verdict(Cone{1, 0}), "height of the cone must be positive and finite, got 0");
+  EXPECT_EQ(verdict(Capsule{1, -2}), "height of the capsule's cylinder must be positive and finite, got -2");
+  EXPECT_EQ(verdict(Polyhedron{PolyhedronKind::kCube, 0}),
+            "edge of the polyhedron must be positive and finite, got 0");
+  EXPECT_EQ(verdict(THandle{1, 1, 1, 0}), "radius of the T-handle's shaft must be positive and finite, got 0");
+  EXPECT_EQ(verdict(Racket{.25, .25}), "length of the racket less its width must be positive and finite, got 0");
+  EXPECT_THROW(volume(Rod{0}), core::Error);
+}
+
+TEST(Solid, RefusesLengthsThatDoNotFitTogether) {
+  EXPECT_EQ(verdict(HollowBox{{1, 2, 3}, .5}),
+            "two walls of the hollow box must be less than its least edge 1, got a wall of 0.5");
+  EXPECT_EQ(verdict(Sphere{1, 1}),
+            "inner radius of the sphere must be at least 0 and less than its radius 1, got 1");
+  EXPECT_EQ(verdict(Cylinder{1, 1, -.5}),
+            "inner radius of the cylinder must be at least 0 and less than its radius 1, got -0.5");
+  EXPECT_EQ(verdict(Torus{1, 1}), "tube radius of the torus must be less than its radius 1, got 1");
+  EXPECT_EQ(verdict(LPlate{{3, 2}, 2}), "arm width of the L plate must be less than its least edge 2, got 2");
+  EXPECT_EQ(verdict(WingNut{.5, 1, {1.2, .2, .9}, 1, .3}),
+            "wings of the wing nut must not enter its hub of radius 0.5, got an inner edge at 0.4");
 }
 
 }  // namespace
