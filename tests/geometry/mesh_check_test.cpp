@@ -36,10 +36,9 @@ TEST(MeshCheck, EveryMissingTriangleIsFound) {
 TEST(MeshCheck, ATriangleFacingInwardNamesTheEdge) {
   Mesh mesh = boxMesh({2, 4, 6});
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
-  EXPECT_EQ(
-      verdict(mesh),
-      "two neighbouring triangles of the mesh run the same way along the edge from (1, 2, 3) to (1, -2, -3); "
-      "one of them faces inward");
+  EXPECT_EQ(verdict(mesh),
+            "two neighbouring triangles of the mesh run the same way along the edge from (1, 2, 3) to (1, -2, 3); "
+            "one of them faces inward");
 }
 
 TEST(MeshCheck, InsideOutIsRefusedWithTheRepair) {
