@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/heavy_top.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "physics/elliptic.h"
+#include "physics/fixed_order.h"
+#include "physics/transcendental.h"
+
+namespace poinsot::physics {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// f(u0 + v) = f0 + f1 v + f2 v² + a v³, f0 >= 0: nothing cancels where the swing is small.
+struct Cubic {
+  double f0, f1, f2, a;
+
+  double at(double v) const { return f0 + v * (f1 + v * (f2 + v * a)); }
+};
+
+struct Roots {
+  double v1, v2, v3;
+};
+
+/// The root between a place where f >= 0 and one where f <= 0, to the last bit.
+double rootBetween(const Cubic& f, double positive, double negative) {
+  for (;;) {
+    const double middle = positive + (negative - positive) / 2;
+    if (middle == positive || middle == negative) return middle;
+    (f.at(middle) >= 0 ? positive : negative) = middle;
+  }
+}
+
+/// The roots of f/v for f0 = 0, ascending: f1 + f2 v + a v² = 0.
+std::array<double, 2> otherRoots(const Cubic& f) {
+  const double root = std::sqrt(std::max(0.0, f.f2 * f.f2 - 4 * f.a * f.f1));
+  const double q = -0.5 * (f.f2 + std::copysign(root, f.f2));
+  const double first = q / f.a, second = q == 0 ? 0 : f.f1 / q;
+  return {std::min(first, second), std::max(first, second)};
+}
+
+/// Least and greatest v that the swing from v = 0 reaches, and the third root. `lowest` and `highest`: u = -1, 1.
+Roots rootsOf(const Cubic& f, double lowest, double highest) {
+  if (f.f0 == 0) {  // let go at rest: an end of the swing is known
+    const auto [lower, upper] = otherRoots(f);
+    const bool atTheLowEnd = f.f1 > 0 || (f.f1 == 0 && f.f2 <= 0);
+    return atTheLowEnd ? Roots{0, std::min(lower, highest), upper} : Roots{std::max(lower, lowest), 0, upper};
+  }
+  Roots roots{rootBetween(f, 0, lowest), rootBetween(f, 0, highest), 0};
+  roots.v3 = -f.f2 / f.a - roots.v1 - roots.v2;
+  return roots;
+}
+
+double tilt(double u) { return 2 * arcTangent(std::sqrt(std::max(0.0, 1 - u) / (1 + u))); }
+
+/// Integral of 1/((1 - n sin²) sqrt(1 - k² sin²)) over a quarter period, 1 - n = complement.
+double thirdKind(double mc, double complement) { return cel<double>(std::sqrt(mc), complement, 1, 1); }
+
+}  // namespace
+
+std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P) {
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    if (gravity_P[k] == 0 || gravity_P[i] != 0 || gravity_P[j] != 0 || moments[i] != moments[j]) continue;
+    const double weight = std::abs(gravity_P[k]);
+    return HeavyTop{gravity_P / weight, moments[i], moments[k], weight};
+  }
+  return std::nullopt;
+}
+
+double HeavyTop::sleepingSpin() const { return 2 * std::sqrt(across * weight) / along; }
+
+std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, double spin) const {
+  const double L3 = along * spin, stiffness = across * sineCosine(tilt_rad).cosine;
+  const double square = L3 * L3 - 4 * stiffness * weight;
+  if (square < 0 || (L3 == 0 && square == 0)) return std::nullopt;
+  const double sum = L3 + std::copysign(std::sqrt(square), L3);  // of one sign
+  return SteadyPrecession{2 * weight / sum, stiffness == 0 ? kInfinity : sum / (2 * stiffness)};
+}
+
+Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const {
+  const double u0 = dotProduct(k_P, up_P), spin = dotProduct(omega_P, k_P), L3 = along * spin;
+  const Eigen::Vector3d across_P = omega_P - spin * k_P;
+  const double Lz = across * dotProduct(across_P, up_P) + L3 * u0;
+  const double a = 2 * weight / across, b = Lz / across, c = L3 / across;
+  const double speed = dotProduct(crossProduct(omega_P, k_P), up_P);         // u'
+  const double excess = dotProduct(across_P, across_P), twist = b - c * u0;  // alpha - a u0; I1 (1 - u²) phi'
+  const double sin2 = (1 - u0) * (1 + u0);
+  const Cubic f{speed * speed, -2 * u0 * excess - a * sin2 + 2 * c * twist, 2 * a * u0 - excess - c * c, a};
+  const Roots v = rootsOf(f, -1 - u0, 1 - u0);
+  const double u1 = u0 + v.v1, u2 = u0 + v.v2, span = v.v3 - v.v1;
+  Nutation swing{tilt(u2), tilt(u1), kInfinity, kInfinity};
+  const double mc = std::clamp((v.v3 - v.v2) / span, 0.0, 1.0);
+  if (mc == 0) return swing;
+  const double unit = 4 / std::sqrt(a * span);
+  swing.period_s = unit * completeK(mc);
+  // 1/(1 - u²) in partial fractions; through a pole, b = ± c and its fraction is 0.
+  const double up = b == c ? 0 : (b - c) / (1 - u1) * thirdKind(mc, (1 - u2) / (1 - u1));
+  const double down = b == -c ? 0 : (b + c) / (1 + u1) * thirdKind(mc, (1 + u2) / (1 + u1));
+  swing.precession_rad = unit * (up + down) / 2;
+  return swing;
+}
+
+}  // namespace poinsot::physics

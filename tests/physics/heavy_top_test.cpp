@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/heavy_top.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "physics/driven_motion.h"
+#include "physics/random_bodies.h"
+#include "physics/residual.h"
+
+namespace poinsot::physics {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+// The top of the project's notes; expected values from two other methods, a closed form and a Taylor integration.
+const PrincipalMoments kMoments({1.40625, 1.40625, 0.65625});
+const Vector3d kGravity(0, 0, 2.84375);
+constexpr double kSpin = 9.15625;
+
+Vector3d upAtTilt(double tilt_rad) { return {std::sin(tilt_rad), 0, std::cos(tilt_rad)}; }
+
+TEST(HeavyTop, SleepingLimit) {
+  EXPECT_NEAR(heavyTop(kMoments, kGravity)->sleepingSpin(), 6.09449400220044, 3e-15);
+}
+
+TEST(HeavyTop, SteadyPrecession) {
+  const auto rates = heavyTop(kMoments, kGravity)->steadyPrecession(30 * kDegree, kSpin);
+  ASSERT_TRUE(rates);
+  EXPECT_NEAR(rates->slow, 0.530251265914263, 6e-16);
+  EXPECT_NEAR(rates->fast, 4.40368790953541, 6e-15);
+  // Below the least spin for the tilt there are none; a hanging top needs no spin.
+  EXPECT_FALSE(heavyTop(kMoments, kGravity)->steadyPrecession(30 * kDegree, 5));
+  const auto pendulum = heavyTop(kMoments, kGravity)->steadyPrecession(120 * kDegree, 0);
+  ASSERT_TRUE(pendulum);
+  EXPECT_NEAR(std::abs(pendulum->slow), std::sqrt(2.84375 / (1.40625 * 0.5)), 2e-15);  // conical: Mgl = I1 cos W²
+  EXPECT_EQ(pendulum->slow, -pendulum->fast);
+  const auto level = heavyTop(kMoments, kGravity)->steadyPrecession(0.5 * 180 * kDegree, kSpin);
+  EXPECT_NEAR(level->slow, 2.84375 / (0.65625 * kSpin), 1e-15);  // Mgl/(I3 omega_3)
+}
+
+TEST(HeavyTop, NutationOfATopLetGo) {
+  const Nutation swing = heavyTop(kMoments, kGravity)->nutation({0, 0, kSpin}, upAtTilt(30 * kDegree));
+  EXPECT_NEAR(swing.leastTilt_rad / kDegree, 30, 1e-13);
+  EXPECT_NEAR(swing.mostTilt_rad / kDegree, 38.840183490757, 6e-13);
+  EXPECT_NEAR(swing.period_s, 1.83064120697989845, 4e-15);
+  EXPECT_NEAR(swing.precession_rad, 0.958047879275758037, 4e-15);
+}
+
+// Started with the steady rate the tilt stays; the swing's period is then that of small nutations.
+TEST(HeavyTop, SteadyPrecessionDoesNotNutate) {
+  const HeavyTop top = *heavyTop(kMoments, kGravity);
+  const Vector3d up = upAtTilt(30 * kDegree);
+  for (const double rate :
+       {top.steadyPrecession(30 * kDegree, kSpin)->slow, top.steadyPrecession(30 * kDegree, kSpin)->fast}) {
+    // omega = rate up + the rest along k, which makes up omega_3.
+    const Vector3d omega = rate * up + (kSpin - rate * up[2]) * Vector3d::UnitZ();
+    const Nutation swing = top.nutation(omega, up);
+    EXPECT_NEAR(swing.leastTilt_rad, 30 * kDegree, 1e-7);
+    EXPECT_NEAR(swing.mostTilt_rad, 30 * kDegree, 1e-7);
+    EXPECT_NEAR(swing.precession_rad / swing.period_s, rate, 1e-7);
+  }
+}
+
+// Against the integrated motion: at the least tilt, and a period later again at it, turned by the precession.
+TEST(HeavyTop, SwingIsThatOfTheMotion) {
+  Draw draw(301);
+  double tilt = 0, turned = 0;
+  for (int i = 0; i < 25; ++i) {
+    const double Ip = draw.between(0.6, 2);
+    const PrincipalMoments moments({Ip, Ip, Ip * draw.between(0.1, 1.9)});
+    Forcing forcing;
+    forcing.gravity_B = {0, 0, draw.sign() * draw.between(0.3, 2)};
+    const Vector3d omega0 = draw.direction() * draw.between(0.5, 4);
+    const Quaterniond q0 = draw.attitude();
+    const HeavyTop top = *heavyTop(moments, forcing.gravity_B);
+    const Nutation swing = top.nutation(omega0, q0.conjugate() * Vector3d::UnitZ());
+    const DrivenMotion motion(moments, omega0, q0, forcing, {0, 2 * swing.period_s});
+    const auto k_W = [&](double t) { return Vector3d(motion.at(t).q_WB * top.k_P); };
+    double highest = -1, lowest = 1, swept = 0;
+    constexpr int kSteps = 400;
+    for (int j = 0; j < kSteps; ++j) {
+      const Vector3d k = k_W(swing.period_s * j / kSteps), next = k_W(swing.period_s * (j + 1) / kSteps);
+      highest = std::max(highest, k[2]);
+      lowest = std::min(lowest, k[2]);
+      swept += std::atan2(k[0] * next[1] - k[1] * next[0], k[0] * next[0] + k[1] * next[1]);
+    }
+    EXPECT_LE(highest, std::cos(swing.leastTilt_rad) + 1e-12);
+    EXPECT_GE(lowest, std::cos(swing.mostTilt_rad) - 1e-12);
+    const double range = std::cos(swing.leastTilt_rad) - std::cos(swing.mostTilt_rad);
+    EXPECT_GE(highest - lowest, range * (1 - 1e-3));
+    tilt = std::max(tilt, std::abs(k_W(swing.period_s)[2] - k_W(0)[2]));
+    turned = std::max(turned, std::abs(std::remainder(swept - swing.precession_rad, 2 * 180 * kDegree)));
+  }
+  expectResidual("height of the axis after a period", tilt, 1e-11);
+  expectResidual("precession in a period, rad", turned, 1e-10);
+}
+
+TEST(HeavyTop, OfASleepingTop) {
+  const HeavyTop top = *heavyTop(kMoments, kGravity);
+  const Nutation upright = top.nutation({0, 0, kSpin}, {0, 0, 1});
+  EXPECT_EQ(upright.leastTilt_rad, 0);
+  EXPECT_EQ(upright.mostTilt_rad, 0);
+  // Too slow: it falls from upright, in infinite time, down to the tilt where f's other root is:
+  // cos theta = L3²/(2 I1 Mgl) - 1 by hand.
+  const double slow = 4;
+  const Nutation falling = top.nutation({0, 0, slow}, {0, 0, 1});
+  EXPECT_EQ(falling.leastTilt_rad, 0);
+  EXPECT_EQ(falling.period_s, INFINITY);
+  const double L3 = 0.65625 * slow;
+  EXPECT_NEAR(std::cos(falling.mostTilt_rad), L3 * L3 / (2 * 1.40625 * 2.84375) - 1, 1e-15);
+}
+
+TEST(HeavyTop, NeedsGravityAlongTheSymmetryAxis) {
+  EXPECT_FALSE(heavyTop(kMoments, {0, 0, 0}));
+  EXPECT_FALSE(heavyTop(kMoments, {1, 0, 0}));
+  EXPECT_FALSE(heavyTop(kMoments, {0, 0.1, 1}));
+  EXPECT_FALSE(heavyTop(PrincipalMoments({2, 3, 4}), kGravity));
+  EXPECT_TRUE(heavyTop(PrincipalMoments({2, 2, 2}), {0, -1, 0}));
+  EXPECT_EQ(heavyTop(kMoments, {0, 0, -3})->k_P, Vector3d(0, 0, -1));
+}
+
+}  // namespace
+}  // namespace poinsot::physics
