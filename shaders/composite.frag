@@ -50,7 +50,7 @@ vec4 layOver(vec4 over, vec4 under) {
 
 #if ELLIPSOIDS > 0
 void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
-  float coverage = covered(insideDistance(ScreenEllipse(outlineCentre_px[k], outlineForm[k]), p_px));
+  float coverage = covered(edgeAt(ScreenEllipse(outlineCentre_px[k], outlineForm[k]), p_px));
   float t0 = dot(centre_C[k], ray) / dot(ray, ray);
   vec3 o = toUnitSphere[k] * (t0 * ray - centre_C[k]), d = toUnitSphere[k] * ray;
   float a = dot(d, d), along = dot(o, d) / a;
@@ -96,10 +96,10 @@ void addPlane(int k, int slot, vec2 p_px, vec3 ray) {
   float dark = shadow[k].w * exp2(-2.0 * dot(fromShadow, fromShadow));
   color = layOver(vec4(vec3(0.02), dark), color);
   // The border is a line just inside the edge of the sheet.
-  float edge = min(min(insideDistance(planeEdges[4 * k], p_px), insideDistance(planeEdges[4 * k + 1], p_px)),
-                   min(insideDistance(planeEdges[4 * k + 2], p_px), insideDistance(planeEdges[4 * k + 3], p_px)));
+  vec3 edge = outerOf(outerOf(edgeAt(planeEdges[4 * k], p_px), edgeAt(planeEdges[4 * k + 1], p_px)),
+                      outerOf(edgeAt(planeEdges[4 * k + 2], p_px), edgeAt(planeEdges[4 * k + 3], p_px)));
   float lines = max(gridLines(uv.x / options.z, options.w), gridLines(uv.y / options.z, options.w));
-  lines = max(lines, covered(1.5 * options.w - edge));
+  lines = max(lines, covered(vec3(-edge.xy, 1.5 * options.w - edge.z)));
   color = layOver(vec4(gridColor[k].rgb, gridColor[k].a * lines), color);
   colors[slot] = vec4(color.rgb, t > 0.0 ? color.a * coverage : 0.0);
   depths[slot] = toDepth(t);

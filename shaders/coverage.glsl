@@ -3,10 +3,24 @@
 // 1 for pictures; large for the reference renderer, whose many samples see hard edges.
 uniform float sharpness;
 
+// For lines on a surface, whose direction in the picture is not known: right on average.
 float covered(float d_px) { return clamp(0.5 + d_px * sharpness, 0.0, 1.0); }
 
 // A strip between two parallel edges, right also where it is thinner than a pixel.
 float coveredStrip(float a_px, float b_px) { return max(covered(a_px) + covered(b_px) - 1.0, 0.0); }
+
+// A straight edge as a pixel sees it: xy the unit vector towards the inside, z the distance of the pixel's centre.
+// The area is exact: a triangle until the edge has passed a corner of the pixel, then a trapezium.
+float covered(vec3 edge) {
+  vec2 n = abs(edge.xy);
+  float a = max(n.x, n.y), b = max(min(n.x, n.y), 1e-4);
+  float d = edge.z * sharpness;
+  float beyond = max(0.5 * (a + b) - abs(d), 0.0);  // what the edge has still to go to leave the pixel
+  float smaller = beyond < b ? beyond * beyond / (2.0 * a * b) : (beyond - 0.5 * b) / a;
+  return d > 0.0 ? 1.0 - smaller : smaller;
+}
+
+float coveredStrip(vec3 a, vec3 b) { return max(covered(a) + covered(b) - 1.0, 0.0); }
 
 // An ellipse in the picture: centre and inverse covariance (xx, xy, yy), rho = 1 on its edge. rho grows
 // linearly from the centre, so that the first-order distance is exact for a circle.
@@ -15,18 +29,22 @@ struct ScreenEllipse {
   vec3 form;
 };
 
-float insideDistance(ScreenEllipse e, vec2 p_px) {
+// The straight edge nearest like it.
+vec3 edgeAt(ScreenEllipse e, vec2 p_px) {
   vec2 q = p_px - e.centre_px;
   vec2 g = vec2(e.form.x * q.x + e.form.y * q.y, e.form.y * q.x + e.form.z * q.y);
-  float rho = sqrt(max(dot(q, g), 1e-12));
-  return (1.0 - rho) * rho / max(length(g), 1e-12);
+  float rho = sqrt(max(dot(q, g), 1e-12)), slope = max(length(g), 1e-12);
+  return vec3(-g / slope, (1.0 - rho) * rho / slope);
 }
 
-// Signed distance to a line (a, b, c): a x + b y + c, (a, b) a unit vector towards the inside.
-float insideDistance(vec3 line, vec2 p_px) { return dot(line.xy, p_px) + line.z; }
+// A line (a, b, c): a x + b y + c, (a, b) a unit vector towards the inside.
+vec3 edgeAt(vec3 line, vec2 p_px) { return vec3(line.xy, dot(line.xy, p_px) + line.z); }
+
+// The edge that is farther in, and the one that is farther out.
+vec3 innerOf(vec3 a, vec3 b) { return a.z > b.z ? a : b; }
+vec3 outerOf(vec3 a, vec3 b) { return a.z > b.z ? b : a; }
 
 // A convex quadrilateral whose opposite edges are 0, 2 and 1, 3.
 float coveredQuad(vec3 e0, vec3 e1, vec3 e2, vec3 e3, vec2 p_px) {
-  return coveredStrip(insideDistance(e0, p_px), insideDistance(e2, p_px)) *
-         coveredStrip(insideDistance(e1, p_px), insideDistance(e3, p_px));
+  return coveredStrip(edgeAt(e0, p_px), edgeAt(e2, p_px)) * coveredStrip(edgeAt(e1, p_px), edgeAt(e3, p_px));
 }

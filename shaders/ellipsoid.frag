@@ -15,7 +15,7 @@ uniform vec4 marking;  // colour of the lines on it, and their width in px (0: n
 
 void main() {
   vec2 p_px = gl_FragCoord.xy;
-  float coverage = covered(insideDistance(ScreenEllipse(outlineCentre_px, outlineForm), p_px));
+  float coverage = covered(edgeAt(ScreenEllipse(outlineCentre_px, outlineForm), p_px));
   vec3 ray = rayThrough(p_px);
   // From the point of the ray nearest the centre, so that no large numbers cancel.
   float t0 = dot(centre_C, ray) / dot(ray, ray);

@@ -17,11 +17,11 @@ uniform float gloss;
 
 void main() {
   vec2 p_px = gl_FragCoord.xy;
-  float first = insideDistance(ScreenEllipse(discCentres_px.xy, firstForm), p_px);
-  float second = insideDistance(ScreenEllipse(discCentres_px.zw, secondForm), p_px);
-  float strip = min(min(insideDistance(sides[0], p_px), insideDistance(sides[1], p_px)),
-                    min(insideDistance(sides[2], p_px), insideDistance(sides[3], p_px)));
-  float whole = covered(max(max(first, second), strip));
+  vec3 first = edgeAt(ScreenEllipse(discCentres_px.xy, firstForm), p_px);
+  vec3 second = edgeAt(ScreenEllipse(discCentres_px.zw, secondForm), p_px);
+  vec3 strip = outerOf(outerOf(edgeAt(sides[0], p_px), edgeAt(sides[1], p_px)),
+                       outerOf(edgeAt(sides[2], p_px), edgeAt(sides[3], p_px)));
+  float whole = covered(innerOf(innerOf(first, second), strip));
   float cap = visibleCap == 0 ? 0.0 : covered(visibleCap == 1 ? first : second);
 
   vec3 ray = rayThrough(p_px), towardEye_C = -normalize(ray);

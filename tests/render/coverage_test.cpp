@@ -121,22 +121,42 @@ TEST_F(CoverageTest, JointsOfACurveDoNotShow) {
   EXPECT_LT(most, 1.07);
 }
 
-// The whole picture against 16 x 16 hard samples a pixel, over its edge pixels.
-TEST_F(CoverageTest, EdgesAgreeWithTheReferencePicture) {
-  DrawList list = emptyList();
-  list.boxes.push_back({{0, -0.6f, 0.1f},
-                        glm::mat3(0.2f, 0.1f, 0, -0.1f, 0.2f, 0.05f, 0, -0.06f, 0.25f),
-                        {draw::fromSrgb(0x009E73), 0.2f}});
-  list.frustums.push_back({{0, 0.3f, -0.5f}, {0.2f, 0.7f, 0.1f}, 0.15f, 0, {draw::fromSrgb(0x0072B2), 0.2f}});
-  list.ellipsoids.push_back(
-      {{0.5f, 0, 0.5f}, glm::mat3(0.2f, 0, 0, 0, 0.3f, 0.1f, 0, -0.05f, 0.15f), {draw::fromSrgb(0x2B2F36), 0.2f}});
+// A box, a cone, an ellipsoid and glass that cut each other, against 16 x 16 hard samples a pixel.
+class ReferenceTest : public CoverageTest {
+ protected:
+  static DrawList solids() {
+    DrawList list = emptyList();
+    list.boxes.push_back({{0, -0.6f, 0.1f},
+                          glm::mat3(0.2f, 0.1f, 0, -0.1f, 0.2f, 0.05f, 0, -0.06f, 0.25f),
+                          {draw::fromSrgb(0x009E73), 0.2f}});
+    list.frustums.push_back({{0, 0.3f, -0.5f}, {0.2f, 0.7f, 0.1f}, 0.15f, 0, {draw::fromSrgb(0x0072B2), 0.2f}});
+    list.ellipsoids.push_back({{0.5f, 0, 0.5f},
+                               glm::mat3(0.2f, 0, 0, 0, 0.3f, 0.1f, 0, -0.05f, 0.15f),
+                               {draw::fromSrgb(0x2B2F36), 0.2f}});
+    return list;
+  }
+
+  Difference fromReference(const DrawList& list) {
+    return difference(render(list), renderReference(renderer_, list, kSize, 16));
+  }
+};
+
+TEST_F(ReferenceTest, EdgesOfSolidsAgree) {
+  const Difference d = fromReference(solids());
+  ASSERT_GT(d.count, 500);
+  RecordProperty("mean", std::to_string(d.mean));
+  EXPECT_LT(d.mean, 2.0);  // of 255, over the values that differ at all; measured 1.5
+}
+
+TEST_F(ReferenceTest, EdgesAndSeamsInGlassAgree) {
+  DrawList list = solids();
   draw::GlassEllipsoid glass;
   glass.semiAxes_W = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
   glass.color = draw::fromSrgb(0xE69F00);
   list.glassEllipsoids.push_back(glass);
-  const Difference d = difference(render(list), renderReference(renderer_, list, kSize, 16));
+  const Difference d = fromReference(list);
   ASSERT_GT(d.count, 500);
-  EXPECT_LT(d.mean, 5.0);  // of 255, over the pixels that differ at all; measured 4.3
+  EXPECT_LT(d.mean, 4.5);  // measured 4.0: most of it where glass cuts a solid, which is seen once a pixel
 }
 
 }  // namespace
