@@ -136,7 +136,8 @@ std::optional<double> DrivenMotion::Solution::energyDrift(const TimeSpan& span) 
   const double start = totalEnergy(at(0));
   double largest = 0, scale = 0;
   for (int i = 0; i <= kSamples; ++i) {
-    const RigidBodyState state = at(span.from_s + (span.to_s - span.from_s) * i / kSamples);
+    const double t = span.from_s + (span.to_s - span.from_s) * i / kSamples;
+    const RigidBodyState state = at(std::clamp(t, span.from_s, span.to_s));  // rounding may have left the span
     largest = std::max(largest, std::abs(totalEnergy(state) - start));
     scale = std::max({scale, state.kineticEnergy, std::abs(potentialEnergy(forcing, state.q_WB))});
   }

@@ -98,8 +98,9 @@ TEST(HeavyTop, SwingIsThatOfTheMotion) {
     tilt = std::max(tilt, std::abs(k_W(swing.period_s)[2] - k_W(0)[2]));
     turned = std::max(turned, std::abs(std::remainder(swept - swing.precession_rad, 2 * 180 * kDegree)));
   }
-  expectResidual("height of the axis after a period", tilt, 1e-11);
-  expectResidual("precession in a period, rad", turned, 1e-10);
+  expectResidual("height of the axis after a period", tilt, 1e-12);  // measured 3.2e-14
+  // An axis that passes close to the vertical turns about it as fast as that is close.
+  expectResidual("precession in a period, rad", turned, 2e-10);  // measured 2.3e-11
 }
 
 TEST(HeavyTop, OfASleepingTop) {
