@@ -68,9 +68,10 @@ struct TriangleMesh {
 };
 
 /// A solid with the surface `mesh`, at origin_W + axes_W x_M: the columns of `axes_W` are the M axes, scaled to W
-/// and right-handed. Edges whose faces meet at more than `crease_rad` are sharp: flat normals on either side and,
-/// with `edge_px` > 0, a line of that width in `edgeColor`. The others are shaded smoothly. No mesh (null) draws
-/// nothing.
+/// and right-handed. Edges whose faces meet at more than `crease_rad` (in M) are sharp: flat normals on either
+/// side and, with `edge_px` > 0, a line of that width in `edgeColor`. The others are shaded smoothly. No mesh
+/// (null) draws nothing. As every solid, one that is not wholly in front of the camera is left out. Share one
+/// TriangleMesh from picture to picture: what is made of it is kept while its address is the same.
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
   glm::vec3 origin_W{0};
