@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// The pages for people: what they link to is there, and the page on physics leaves no equation of the lecture out.
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::IsEmpty;
+
+std::string textOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// Targets of [text](target) in Markdown, without #fragments; addresses of other places left out.
+std::vector<std::string> fileLinks(const std::string& markdown) {
+  static const std::regex kLink(R"(\]\(([^)#\s]+)[^)]*\))");
+  std::vector<std::string> links;
+  for (std::sregex_iterator match(markdown.begin(), markdown.end(), kLink), end; match != end; ++match)
+    if ((*match)[1].str().find("://") == std::string::npos) links.push_back((*match)[1]);
+  return links;
+}
+
+std::vector<std::string> broken(const fs::path& page, const std::string& markdown) {
+  std::vector<std::string> missing;
+  for (const std::string& link : fileLinks(markdown))
+    if (!fs::exists(page.parent_path() / link)) missing.push_back(page.filename().string() + ": " + link);
+  return missing;
+}
+
+std::vector<fs::path> pages() {
+  const fs::path root = POINSOT_SOURCE_DIR;
+  std::vector<fs::path> found{root / "README.md"};
+  for (const auto& entry : fs::directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
+TEST(Docs, LinksLeadToFiles) {
+  std::size_t links = 0;
+  for (const fs::path& page : pages()) {
+    const std::string markdown = textOf(page);
+    EXPECT_THAT(broken(page, markdown), IsEmpty());
+    links += fileLinks(markdown).size();
+  }
+  EXPECT_GT(links, 50u);  // had none been found, none would be broken
+}
+
+TEST(Docs, ABrokenLinkIsSeen) {
+  const fs::path page = fs::path(POINSOT_SOURCE_DIR) / "docs/physics.md";
+  EXPECT_THAT(fileLinks("[a](b.md) ![c](d/e.png) [f](g.md#h \"title\") [i](https://example.org/j) [k](#l)"),
+              ::testing::ElementsAre("b.md", "d/e.png", "g.md"));
+  EXPECT_THAT(broken(page, "[a](physics.md) [b](no_such_page.md)"),
+              ::testing::ElementsAre("physics.md: no_such_page.md"));
+}
+
+/// The equations n or n–m that begin the rows of a table.
+std::multiset<int> equationRows(const std::string& markdown) {
+  static const std::regex kRow(R"(\n\| (\d+)(?:–(\d+))? \|)");
+  std::multiset<int> equations;
+  for (std::sregex_iterator match(markdown.begin(), markdown.end(), kRow), end; match != end; ++match) {
+    const int first = std::stoi((*match)[1]), last = (*match)[2].matched ? std::stoi((*match)[2]) : first;
+    for (int n = first; n <= last; ++n) equations.insert(n);
+  }
+  return equations;
+}
+
+TEST(Docs, EveryEquationOfTheLectureHasItsPlace) {
+  std::multiset<int> all;
+  for (int n = 1; n <= 40; ++n) all.insert(n);
+  EXPECT_EQ(equationRows(textOf(fs::path(POINSOT_SOURCE_DIR) / "docs/physics.md")), all);
+}
+
+}  // namespace
+}  // namespace poinsot
