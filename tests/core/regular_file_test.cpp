@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/regular_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <string>
+#include <utility>
+
+#include "support/scratch_folder.h"
+
+namespace poinsot::core {
+namespace {
+
+/// The kind and what was said, or "read".
+std::pair<ErrorKind, std::string> refusal(const std::filesystem::path& path, std::size_t mostBytes) {
+  try {
+    readRegularFile(path, mostBytes, ErrorKind::kScene);
+  } catch (const Error& error) {
+    return {error.kind(), error.message()};
+  }
+  return {ErrorKind::kUsage, "read"};
+}
+
+TEST(RegularFile, AllBytesUpToTheLimit) {
+  const ScratchFolder folder;
+  const std::string bytes("a\0\n\xff b", 6);
+  const std::filesystem::path file = folder.put("bytes", bytes);
+  EXPECT_EQ(readRegularFile(file, 6, ErrorKind::kIo), bytes);
+  EXPECT_EQ(readRegularFile(folder.put("empty", ""), 0, ErrorKind::kIo), "");
+  const auto [kind, message] = refusal(file, 5);
+  EXPECT_EQ(kind, ErrorKind::kLimit);
+  EXPECT_EQ(message, file.string() + " has more than 5 bytes, the most that are read");
+}
+
+TEST(RegularFile, NothingElseIsOpened) {
+  const ScratchFolder folder;
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  using Refusal = std::pair<ErrorKind, std::string>;
+  EXPECT_EQ(refusal(pipe, 9),
+            Refusal(ErrorKind::kScene, "cannot read " + pipe.string() + ": it is not a regular file"));
+  EXPECT_EQ(refusal(folder.path(), 9),
+            Refusal(ErrorKind::kScene, "cannot read " + folder.path().string() + ": it is a directory"));
+  EXPECT_EQ(refusal(folder / "none", 9), Refusal(ErrorKind::kScene, "cannot read " + (folder / "none").string() +
+                                                                        ": No such file or directory"));
+  EXPECT_EQ(refusal("/dev/zero", 9),
+            Refusal(ErrorKind::kScene, "cannot read /dev/zero: it is not a regular file"));
+}
+
+}  // namespace
+}  // namespace poinsot::core
