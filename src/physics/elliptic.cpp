@@ -58,13 +58,6 @@ double seriesRJ(double e2, double e3, double e4, double e5) {
               3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e22 * e3 / 272 - 9 * (e3 * e4 + e2 * e5) / 68);
 }
 
-/// R_C(1, 1 + e) = atan(sqrt e)/sqrt e, e >= 0.
-double carlsonRCFromOne(double e) {
-  if (e < 1e-8) return 1 - e / 3;  // the next term is e^2/5
-  const double root = sqrt(e);
-  return arcTangent(root) / root;
-}
-
 /// (sqrt a - sqrt b)/(sqrt a + sqrt b) from the difference a - b and the two roots.
 double rootContrast(double difference, double rootA, double rootB) {
   const double sum = rootA + rootB;
@@ -114,7 +107,7 @@ double carlsonRJ(double x, double y, double z, double p) {
     // e as a product of contrasts: delta/d^2 of the textbook form underflows near the separatrix.
     const double e =
         rootContrast(power * px, rp, rx) * rootContrast(power * py, rp, ry) * rootContrast(power * pz, rp, rz);
-    sum += power / ((rp + rx) * (rp + ry) * (rp + rz)) * carlsonRCFromOne(std::max(e, 0.0));
+    sum += power / ((rp + rx) * (rp + ry) * (rp + rz)) * arcTangentQuotient(std::max(e, 0.0));  // R_C(1, 1 + e)
     const double lambda = rx * ry + rx * rz + ry * rz;
     x = (x + lambda) / 4;
     y = (y + lambda) / 4;

@@ -10,7 +10,7 @@
 namespace poinsot::physics {
 
 /// Torque-free rotation of a rigid body in closed form: any body, any start, any time, without stepping.
-/// Immutable and thread-safe; at(t) costs the same for every t (about 0.5 us) and gives the same bits on every
+/// Immutable and thread-safe; at(t) costs the same for every t (0.15 to 0.55 us) and gives the same bits on every
 /// CPU.
 ///
 /// Error, the inputs taken as the exact doubles given: attitude below 4e-15 rad, omega below 4e-15 of the largest

@@ -139,6 +139,13 @@ double arcTangent(double x) {
   return std::copysign((kHalfPi - complement).hi, x);
 }
 
+double arcTangentQuotient(double e) {
+  constexpr double kSeriesEnds = 9.0 / 256;  // of kArcTangent
+  if (e <= kSeriesEnds) return 1 + e * polynomial(kArcTangent, e);
+  const double root = std::sqrt(e);
+  return arcTangent(root) / root;
+}
+
 double exponential(double x) {
   if (x < kSmallestExponent) return 0;
   const ScaledValue e = scaledExponential(x);

@@ -22,6 +22,9 @@ double arcTangent(double x);
 
 inline constexpr double kLargestExponent = 700;
 
+/// atan(sqrt e)/sqrt e, which is R_C(1, 1 + e) of Carlson; 1 at 0. Within 2 ulp. @pre e >= 0.
+double arcTangentQuotient(double e);
+
 /// e^x; 0 below the smallest double. @pre x <= kLargestExponent.
 double exponential(double x);
 
