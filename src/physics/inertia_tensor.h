@@ -12,9 +12,9 @@ namespace poinsot::physics {
 /// doubles leaves of an equality (a lamina has I3 = I1 + I2).
 inline constexpr double kTensorSlack = 1e-12;
 
-/// Twice the steps of a double that a computed tensor's entries are off by, relative to the largest: moments
-/// nearer to each other than this are equal.
-inline constexpr double kTensorRounding = 0x1p-49;  // 8 ulp of 1
+/// Of the largest entry: moments nearer to each other than this are equal, and entries off the diagonal below it
+/// are 0. A tensor composed of parts, or turned, is off by a few roundings.
+inline constexpr double kTensorRounding = 0x1p-49;  // 8 steps of a double at 1
 
 /// The tensor made exactly symmetric. @throws core::Error(kPhysics) naming an entry that is not finite, or a pair
 /// that differs.

@@ -102,9 +102,9 @@ PrincipalMoments momentsOf(const std::array<double, 3>& moments) {
   return PrincipalMoments({moments[0], moments[1], moments[2]});
 }
 
-/// A thin rod's tensor, turned, has a moment of a few roundings in place of 0.
-void requireThickness(const Sorted& system) {
-  const auto& [low, middle, high] = system.moments;
+/// A thin rod's tensor, turned, has a moment of a few roundings in place of 0. Ascending.
+void requireThickness(const std::array<double, 3>& moments) {
+  const auto& [low, middle, high] = moments;
   if (low > 0 && low <= kTensorRounding * high)
     throw core::Error(
         core::ErrorKind::kPhysics,
@@ -120,6 +120,7 @@ PrincipalMoments keptMoments(const Eigen::Matrix3d& inertia_B) {
   std::array<std::size_t, 3> order{0, 1, 2};
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return diagonal[i]; });
   std::array<double, 3> ascending{diagonal[order[0]], diagonal[order[1]], diagonal[order[2]]};
+  requireThickness(ascending);
   equalize(ascending);
   std::array<double, 3> kept{};
   for (std::size_t i = 0; i < 3; ++i) kept[order[i]] = ascending[i];
@@ -128,8 +129,8 @@ PrincipalMoments keptMoments(const Eigen::Matrix3d& inertia_B) {
 
 PrincipalAxes turnedAxes(const Eigen::Matrix3d& inertia_B) {
   const Sorted system = sorted(symmetricEigen(inertia_B));
-  requireThickness(system);
   std::array<double, 3> moments = system.moments;
+  requireThickness(moments);
   equalize(moments);
   const PrincipalMoments checked = momentsOf(moments);
   const bool low = moments[0] == moments[1], high = moments[1] == moments[2];

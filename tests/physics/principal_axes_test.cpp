@@ -203,6 +203,10 @@ TEST(PrincipalAxes, RefusesARodHoweverItLies) {
   for (int i = 0; i < 300; ++i)
     EXPECT_EQ(verdict(turnedTensor(draw.attitude(), diagonal({0, 1, 1}))).substr(0, 34),
               "principal moments must be positive");
+  EXPECT_EQ(
+      verdict(Matrix3d{{1e-17, 1e-17, 0}, {1e-17, 1, 0}, {0, 0, 1}}),
+      "principal moments must be positive; the least of (1e-17, 1, 1) kg·m² is nothing but rounding (a thin rod "
+      "has no moment about its own line)");
 }
 
 TEST(PrincipalAxes, AsymmetryByRoundingIsTakenOut) {
