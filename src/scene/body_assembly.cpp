@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "physics/catalogue.h"
 #include "scene/limits.h"
 #include "scene/piece_reader.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr const char* kWays = "principal_moments, inertia, shape, or parts and point masses";
+constexpr const char* kWays = "principal_moments, inertia, shape, catalogue, or parts and point masses";
 
 std::string vectorText(const Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
@@ -59,7 +60,7 @@ class BodyAssembly {
   /// For each way to describe a body that is used, the key to name it by.
   std::vector<std::string> waysGiven() const {
     std::vector<std::string> ways;
-    for (const char* path : {"body.principal_moments", "body.inertia"})
+    for (const char* path : {"body.principal_moments", "body.inertia", "body.catalogue"})
       if (findings_.has(path)) ways.emplace_back(path);
     if (const std::string path = wholePath(); !path.empty()) ways.push_back(path);
     for (const char* array : {"body.part", "body.point_mass"})
@@ -91,6 +92,7 @@ class BodyAssembly {
   void describe(const std::string& way) {
     if (way == "body.principal_moments") return bareMoments();
     if (way == "body.inertia") return bareTensor();
+    if (way == "body.catalogue") return fromCatalogue();
     if (way == wholePath()) return onePiece();
     pieces();
   }
@@ -112,10 +114,10 @@ class BodyAssembly {
 
   bool refusesPivot() {
     if (!findings_.has("body.pivot")) return false;
-    findings_.refuse(
-        "body.pivot",
-        "needs a body with a mass (a shape, parts or point masses); moments and tensors given as numbers "
-        "are those about the point that stands still");
+    findings_.refuse("body.pivot",
+                     "needs a body with a mass (a shape, one of the catalogue, parts or point masses); moments "
+                     "and tensors given as numbers "
+                     "are those about the point that stands still");
     return true;
   }
 
@@ -132,6 +134,14 @@ class BodyAssembly {
     const std::string problem = outOfReach(body_.axes.moments().values());
     if (!problem.empty()) findings_.refuse(path, problem);
     whole_ = problem.empty();
+  }
+
+  void fromCatalogue() {
+    if (!draft_.catalogue) return;
+    const auto& entry = physics::catalogue()[static_cast<std::size_t>(*draft_.catalogue)];
+    for (const physics::SolidPart& part : entry.parts)
+      body_.parts.push_back({part.solid, part.mass_kg, part.q_BS, part.offset_B});
+    setMass(physics::massProperties(entry), "body.catalogue");
   }
 
   void onePiece() {
@@ -170,8 +180,16 @@ class BodyAssembly {
       masses.push_back(piece.mass);
       body_.parts.push_back(std::move(piece.part));
     }
-    if (findings_.has("body.pivot") && !body_.pivot_B) return;
-    body_.mass = physics::combined(masses);
+    try {
+      setMass(physics::combined(masses), path);
+    } catch (const core::Error& error) {
+      findings_.refuse(path, error.message());
+    }
+  }
+
+  void setMass(const physics::MassProperties& mass, const std::string& path) {
+    if (findings_.failed("body.pivot")) return;
+    body_.mass = mass;
     const Eigen::Matrix3d inertia_B = body_.mass->inertiaAbout(body_.fixedPoint_B());
     if (inertia_B.diagonal().minCoeff() == 0)
       findings_.refuse(path,

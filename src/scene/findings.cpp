@@ -26,13 +26,4 @@ void Findings::refuse(std::string_view path, std::string_view message) {
 
 void Findings::refuseFile(std::string message) { problems_.add(file_, std::move(message)); }
 
-std::string listed(const std::vector<std::string_view>& names, std::string_view last) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 < names.size() ? ", " : fmt::format(" {} ", last);
-    text += names[i];
-  }
-  return text;
-}
-
 }  // namespace poinsot::scene

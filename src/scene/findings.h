@@ -42,7 +42,4 @@ class Findings {
   Problems& problems_;
 };
 
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string_view>& names, std::string_view last = "and");
-
 }  // namespace poinsot::scene

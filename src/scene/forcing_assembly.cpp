@@ -52,12 +52,12 @@ class ForcingAssembly {
   void weight() {
     if (!body_ || !draft_.g) return;
     if (!body_->mass || !body_->pivot_B)
-      return findings_.refuse(
-          "motion.gravity.g",
-          body_->mass
-              ? "body.pivot is missing: about its centre of mass a body's weight has no moment"
-              : "needs a body with a mass (a shape, parts or point masses) and body.pivot; for moments given "
-                "as numbers, give motion.gravity.mgr_body");
+      return findings_.refuse("motion.gravity.g",
+                              body_->mass
+                                  ? "body.pivot is missing: about its centre of mass a body's weight has no moment"
+                                  : "needs a body with a mass (a shape, one of the catalogue, parts or point "
+                                    "masses) and body.pivot; for moments given "
+                                    "as numbers, give motion.gravity.mgr_body");
     forcing_.gravity_B = body_->mass->mass_kg() * *draft_.g * (body_->mass->centre_B() - *body_->pivot_B);
   }
 

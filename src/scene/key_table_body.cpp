@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "physics/catalogue.h"
 #include "scene/key_tables.h"
 #include "scene/put.h"
 
@@ -23,6 +24,12 @@ Put intoPoint(F place) {
   return into([place](Draft& d, std::size_t i) { return place(elementAt(d.body.points, i)); });
 }
 
+std::vector<std::string_view> catalogueWords() {
+  std::vector<std::string_view> words;
+  for (const physics::CatalogueBody& body : physics::catalogue()) words.push_back(body.name);
+  return words;
+}
+
 std::vector<Key> momentKeys() {
   return {
       {.path = "body.principal_moments",
@@ -41,6 +48,12 @@ std::vector<Key> momentKeys() {
        .help = "Inertia tensor about the point that stands still, in body axes; its products of inertia have the "
                "sign that L = I omega gives them.",
        .put = into([](Draft& d) { return &d.body.inertia; })},
+      {.path = "body.catalogue",
+       .type = kWord,
+       .words = catalogueWords(),
+       .example = "\"t_handle\"",
+       .help = "A body of the real world, with its mass; see Catalogue below for where its numbers are from.",
+       .put = into([](Draft& d) { return &d.body.catalogue; })},
   };
 }
 

@@ -9,7 +9,7 @@ using enum ValueType;
 using enum Dimension;
 
 // A moment times the square of a spin.
-constexpr Range kTorques{.least = 1e-140, .most = 1e140, .ofSize = true};
+constexpr Range kTorques{.least = 1e-140, .most = kMostTorque, .ofSize = true};
 constexpr Range kAccelerations{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kVelocities{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kPull{.least = 0, .most = 1e12};

@@ -86,7 +86,7 @@ std::vector<Key> drawnShapeKeys() {
                                  "uniform box that has the moments).",
                     .sizeHelp =
                         "Extents of the shape to draw; only their proportions count. Without it: body.size "
-                        "where that is given, else proportions usual for the shape."});
+                        "where that is given and suits the shape, else proportions usual for it."});
 }
 
 std::vector<Key> drawnThingKeys() {

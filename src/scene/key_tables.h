@@ -19,7 +19,7 @@ using Put = decltype(Key::put);
 constexpr Range kMoments{.least = kLeastMoment, .most = kMostMoment};
 constexpr Range kMasses{.least = kLeastMoment, .most = kMostMoment};
 constexpr Range kSpins{.least = kLeastSpin, .most = kMostSpin, .ofSize = true};  // each part may be zero
-constexpr Range kInstants{.least = -1e20, .most = 1e20};                         // times the spin it is an angle
+constexpr Range kInstants{.least = -kMostInstant_s, .most = kMostInstant_s};     // times the spin it is an angle
 constexpr Range kExtent{.least = 1e-12, .most = 1e12};  // what is drawn is cast to float in the end
 constexpr Range kPositions{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kQuaternionNorm{.least = 1e-6, .most = 1e6};

@@ -19,6 +19,8 @@ constexpr double kLeastMoment = 1e-60;  ///< kg·m², given or of a shape; a mas
 constexpr double kMostMoment = 1e60;
 constexpr double kLeastSpin = 1e-40;  ///< rad/s, of each component that is not zero
 constexpr double kMostSpin = 1e40;
+constexpr double kMostInstant_s = 1e20;       ///< either way; times the spin it is an angle
+constexpr double kMostTorque = 1e140;         ///< N·m, a moment times the square of a spin
 constexpr double kMostRatioOfMoments = 1e20;  ///< largest to smallest; physics::FreeMotion solves no more
 
 constexpr std::size_t kMostElements = 1000;  ///< of an array of tables: parts, point masses, steps of a torque

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "physics/start.h"
 #include "scene/limits.h"
+#include "scene/shapes.h"
 
 namespace poinsot::scene {
 namespace {

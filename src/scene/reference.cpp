@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/reference.h"
-#include "scene/key_text.h"
 
 #include <fmt/format.h>
 
+#include "physics/catalogue.h"
 #include "scene/document.h"
+#include "scene/key_text.h"
 #include "scene/keys.h"
 #include "scene/limits.h"
+#include "scene/shapes.h"
 
 namespace poinsot::scene {
 namespace {
@@ -27,16 +29,17 @@ omega_body = [0.01, 3.0, 0.0]
 ```
 
 `poinsot check scene.toml` reports every problem of a file, with its line and column. `-D key.path=value` after any
-command that takes a scene overrides a key, with the same checks: `-D time.duration=5 -D style.theme=dark`.
+command that takes a scene overrides a key, with the same checks: `-D time.duration=5 -D style.theme=dark`; a table of
+an array is named by its number from 0: `-D 'body.part[0].mass=2'`.
 `poinsot schema` prints a JSON Schema of the format for editors.
 
 )";
 
 constexpr std::string_view kUnitsOpening = R"(## Numbers and units
 
-A bare number is in SI units: metres, kilograms, seconds, radians, rad/s, kg·m². Text gives a number another unit:
+A bare number is in SI units: metres, kilograms, seconds, radians, and their products. Text gives a number another unit:
 `"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`, `"2.5e4 g cm^2"`. Any product of powers of the units below is
-understood (`"3 deg/min"`, `"1 kg*cm^2"`); a `/` divides by the one unit after it. A plain number may be a
+understood (`"3 deg/min"`, `"1 kg*cm^2"`); a `/` divides by the one unit after it (`"2 1/min"`). A plain number may be a
 percentage (`"13 %"`). One `Hz` is one turn a second.
 
 | quantity | SI | units |
@@ -95,6 +98,24 @@ std::string tables() {
   return text + "\n";
 }
 
+std::string shapes() {
+  std::string text =
+      "## Shapes\n\nThe keys that each shape takes, in `[body]`, `[[body.part]]` and `[show.body]` alike, and how "
+      "it "
+      "lies\nin its axes; its origin is its centre of mass where nothing else is said.\n\n"
+      "| shape | keys | is |\n| --- | --- | --- |\n";
+  for (const NamedShape& shape : namedShapes())
+    text += fmt::format("| `{}` | {} | {} |\n", shape.word, described(shape), cell(shape.help));
+  return text + "\n";
+}
+
+std::string catalogueTable() {
+  std::string text = "## Catalogue\n\n| `catalogue` | is | where its numbers are from |\n| --- | --- | --- |\n";
+  for (const physics::CatalogueBody& body : physics::catalogue())
+    text += fmt::format("| `{}` | {} | {} |\n", body.name, cell(body.title), cell(body.source));
+  return text + "\n";
+}
+
 std::string presets() {
   std::string text = "## Quality\n\n| `quality` | `size` | `crf` |\n| --- | --- | --- |\n";
   for (const QualityPreset& preset : qualityPresets())
@@ -106,16 +127,20 @@ std::string limits() {
   return fmt::format(
       "## Limits\n\nA scene comes from anywhere, so it is bounded: at most {} MiB of text, {} KiB in one string, "
       "{} "
-      "levels of nesting,\n{} values; {} frames, {} frames per second, {} s of film; sides of {} to {} pixels, {} "
-      "pixels in all.\nNumbers are finite; unknown and repeated keys are refused. A scene holds no paths, no code "
-      "and "
-      "no expressions.\n",
-      kMostBytes >> 20, kLongestString >> 10, kDeepestNesting, kMostNodes, kMostFrames, kMostFps, kLongestFilm_s,
-      kLeastSide, kMostSide, kMostPixels);
+      "levels of nesting,\n{} values, {} elements of an array of tables; {} frames, {} frames per second, {} s of "
+      "film; sides of {} to {} pixels,\n{} pixels in all. Numbers are finite; unknown and repeated keys are "
+      "refused. "
+      "A scene holds no code and no expressions.\nThe files that it names (meshes, torques) are regular files in "
+      "its "
+      "own folder or below it, of at most {} MiB: no absolute\npath, no `..`, no symbolic link.\n",
+      kMostBytes >> 20, kLongestString >> 10, kDeepestNesting, kMostNodes, kMostElements, kMostFrames, kMostFps,
+      kLongestFilm_s, kLeastSide, kMostSide, kMostPixels, kMostFileBytes >> 20);
 }
 
 }  // namespace
 
-std::string referenceMarkdown() { return std::string(kOpening) + units() + tables() + presets() + limits(); }
+std::string referenceMarkdown() {
+  return std::string(kOpening) + units() + tables() + shapes() + catalogueTable() + presets() + limits();
+}
 
 }  // namespace poinsot::scene

@@ -19,19 +19,6 @@
 /// The whole request as values. Made by scene_file.h, never changed afterwards. SI units, radians.
 namespace poinsot::scene {
 
-/// Solids a body may be made of or drawn as. `size` is always the extent along the body's x, y, z axes, in m.
-enum class ShapeKind {
-  kBox,        ///< edges along the axes
-  kEllipsoid,  ///< axes along the axes
-  kCylinder,   ///< about z; x and y extents equal
-  kRacket,     ///< in the xy plane, handle along -x; hoop of the width y, handle of length x - y
-};
-
-struct Shape {
-  ShapeKind kind = ShapeKind::kBox;
-  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
-};
-
 /// A mass without extent; drawn as a small ball.
 struct PointMass {};
 
@@ -49,7 +36,6 @@ struct Body {
   std::optional<physics::MassProperties> mass;  ///< none for bare moments or a bare tensor
   std::optional<Eigen::Vector3d> pivot_B;       ///< the point held fixed; none: the centre of mass
   std::vector<Part> parts;                      ///< none for bare moments or a bare tensor
-  std::optional<Shape> shape;
 
   /// The point that the body turns about, in B, m.
   Eigen::Vector3d fixedPoint_B() const {
@@ -99,7 +85,6 @@ struct Show {
   double exaggerateAngles = 1;  ///< > 1: transverse omega is drawn that many times larger, and the picture says so
   bool labels = true;
   struct : Drawn {
-    std::optional<Shape> shape;
     std::vector<Part> parts;  ///< drawn in place of what sets the inertia; only their proportions count
   } body;
   Drawn principalAxes, L, omega;

@@ -154,6 +154,7 @@ void addRequired(Json& json, const std::string& table) {
     json["oneOf"] = {required({"principal_moments"}),
                      required({"inertia"}),
                      required({"shape"}),
+                     required({"catalogue"}),
                      {{"anyOf", Json::array({required({"part"}), required({"point_mass"})})}}};
   if (table == "motion")
     json["oneOf"] = {required({"omega_body"}), required({"omega_space"}),       required({"L_body"}),

@@ -45,13 +45,6 @@ bool extentsSuit(const NamedShape& kind, const std::vector<double>& size) {
   return extentsProblem(kind, size).empty();
 }
 
-std::string described(const NamedShape& kind) {
-  std::string text;
-  for (const KeyNames& way : kind.ways) text += (text.empty() ? "" : ", or ") + listed(way);
-  if (!kind.optional.empty()) text += fmt::format(" (and {}, if wanted)", listed(kind.optional));
-  return text;
-}
-
 bool ShapeReader::sized() const {
   const KeyNames& names = shapeKeyNames();
   return std::any_of(names.begin(), names.end(), [this](std::string_view name) { return has(name); });

@@ -61,7 +61,4 @@ class ShapeReader {
 /// Whether `size` may have these extents.
 bool extentsSuit(const NamedShape& kind, const std::vector<double>& size);
 
-/// "size, or radius and height".
-std::string described(const NamedShape& kind);
-
 }  // namespace poinsot::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/shapes.h"
 
-#include "core/expect.h"
+#include <fmt/format.h>
 
 namespace poinsot::scene {
 namespace {
@@ -61,6 +61,7 @@ Solid ofTwoRadii(const ShapeDraft& s) {
 
 NamedShape polyhedron(std::string_view word, PolyhedronKind kind) {
   return {.word = word,
+          .help = "Regular; origin at its centre.",
           .ways = {{"edge"}},
           .make = [kind](const ShapeDraft& s) -> Solid {
             return Polyhedron{kind, length(s, "edge")};
@@ -73,25 +74,30 @@ NamedShape polyhedron(std::string_view word, PolyhedronKind kind) {
 std::vector<NamedShape> solidsWithExtents() {
   return {
       {.word = "box",
+       .help = "Edges along the axes.",
        .ways = {{"size"}},
        .make = [](const ShapeDraft& s) -> Solid { return Box{extents(s)}; },
        .usual = Box{{0.24, 0.16, 0.04}}},
       {.word = "hollow_box",
+       .help = "A box with walls of constant thickness.",
        .ways = {{"size", "wall"}},
        .make = [](const ShapeDraft& s) -> Solid {
          return HollowBox{extents(s), length(s, "wall")};
        },
        .usual = HollowBox{{1.2, 0.9, 0.5}, 0.05}},
       {.word = "plate",
+       .help = "A rectangle of no thickness in the xy plane.",
        .ways = {{"size"}},
        .extents = 2,
        .make = [](const ShapeDraft& s) -> Solid { return Plate{twoExtents(s)}; },
        .usual = Plate{{0.297, 0.21}}},
       {.word = "ellipsoid",
+       .help = "Axes along the axes.",
        .ways = {{"size"}},
        .make = [](const ShapeDraft& s) -> Solid { return Ellipsoid{extents(s) / 2}; },
        .usual = Ellipsoid{{0.15, 0.10, 0.08}}},
       {.word = "ellipsoid_shell",
+       .help = "The matter between two similar, concentric ellipsoids that nearly touch.",
        .ways = {{"size"}},
        .make = [](const ShapeDraft& s) -> Solid { return EllipsoidShell{extents(s) / 2}; },
        .usual = EllipsoidShell{{0.15, 0.10, 0.08}}},
@@ -101,40 +107,72 @@ std::vector<NamedShape> solidsWithExtents() {
 std::vector<NamedShape> roundSolids() {
   return {
       {.word = "sphere",
+       .help = "A ball; hollow with inner_radius.",
        .ways = {{"radius"}},
        .optional = {"inner_radius"},
        .make = [](const ShapeDraft& s) -> Solid {
          return Sphere{length(s, "radius"), length(s, "inner_radius")};
        },
        .usual = Sphere{0.1, 0}},
-      {.word = "sphere_shell", .ways = {{"radius"}}, .make = ofRadius<SphereShell>, .usual = SphereShell{0.1}},
-      {.word = "hemisphere", .ways = {{"radius"}}, .make = ofRadius<Hemisphere>, .usual = Hemisphere{0.1}},
+      {.word = "sphere_shell",
+       .help = "A ball without an inside.",
+       .ways = {{"radius"}},
+       .make = ofRadius<SphereShell>,
+       .usual = SphereShell{0.1}},
+      {.word = "hemisphere",
+       .help = "Half a ball; origin at the centre of its flat face, dome towards +z.",
+       .ways = {{"radius"}},
+       .make = ofRadius<Hemisphere>,
+       .usual = Hemisphere{0.1}},
       {.word = "cylinder",
+       .help = "About z; a tube with inner_radius. Of size, the x and y extents are equal.",
        .ways = {{"size"}, {"radius", "height"}},
        .optional = {"inner_radius"},
        .make = cylinder,
        .usual = Cylinder{0.033, 0.115, 0}},
       {.word = "cylinder_shell",
+       .help = "The wall of a cylinder, about z, without its ends.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<CylinderShell>,
        .usual = CylinderShell{0.033, 0.115}},
-      {.word = "disc", .ways = {{"radius"}}, .make = ofRadius<Disc>, .usual = Disc{0.1}},
-      {.word = "hoop", .ways = {{"radius"}}, .make = ofRadius<Hoop>, .usual = Hoop{0.1}},
+      {.word = "disc",
+       .help = "A disc of no thickness in the xy plane.",
+       .ways = {{"radius"}},
+       .make = ofRadius<Disc>,
+       .usual = Disc{0.1}},
+      {.word = "hoop",
+       .help = "A thin ring in the xy plane.",
+       .ways = {{"radius"}},
+       .make = ofRadius<Hoop>,
+       .usual = Hoop{0.1}},
       {.word = "rod",
+       .help = "A thin straight rod along x.",
        .ways = {{"length"}},
        .make = [](const ShapeDraft& s) -> Solid { return Rod{length(s, "length")}; },
        .usual = Rod{0.3}},
-      {.word = "cone", .ways = {{"radius", "height"}}, .make = ofRadiusAndHeight<Cone>, .usual = Cone{0.05, 0.12}},
+      {.word = "cone",
+       .help = "About z, apex towards +z; origin at its centre of mass, a quarter of the height above the base.",
+       .ways = {{"radius", "height"}},
+       .make = ofRadiusAndHeight<Cone>,
+       .usual = Cone{0.05, 0.12}},
       {.word = "cone_shell",
+       .help = "The side of a cone without its base; origin at its centre of mass, a third of the height above "
+               "the base.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<ConeShell>,
        .usual = ConeShell{0.05, 0.12}},
-      {.word = "torus", .ways = {{"radius", "tube_radius"}}, .make = ofTwoRadii<Torus>, .usual = Torus{0.1, 0.03}},
+      {.word = "torus",
+       .help = "About z.",
+       .ways = {{"radius", "tube_radius"}},
+       .make = ofTwoRadii<Torus>,
+       .usual = Torus{0.1, 0.03}},
       {.word = "torus_shell",
+       .help = "The surface of a torus.",
        .ways = {{"radius", "tube_radius"}},
        .make = ofTwoRadii<TorusShell>,
        .usual = TorusShell{0.1, 0.03}},
       {.word = "capsule",
+       .help = "About z: a cylinder with half balls on its ends.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<Capsule>,
        .usual = Capsule{0.05, 0.12}},
@@ -151,6 +189,7 @@ std::vector<NamedShape> polyhedra() {
 std::vector<NamedShape> composites() {
   return {
       {.word = "l_plate",
+       .help = "A plate of two arms in the xy plane: outer corner at the origin, one arm along +x, one along +y.",
        .ways = {{"size", "arm"}},
        .extents = 2,
        .make = [](const ShapeDraft& s) -> Solid {
@@ -158,16 +197,28 @@ std::vector<NamedShape> composites() {
        },
        .usual = LPlate{{3, 2}, 0.5}},
       {.word = "t_handle",
+       .help = "Two round bars of one density: the bar centred at the origin along x, the shaft from the bar's "
+               "surface along +y.",
        .ways = {{"bar_length", "bar_radius", "shaft_length", "shaft_radius"}},
        .make = tHandle,
        .usual = THandle{3, 0.2, 1.5, 0.2}},
-      {.word = "racket", .ways = {{"size"}, {"length", "width"}}, .make = racket, .usual = Racket{0.685, 0.26}},
+      {.word = "racket",
+       .help = "A hoop in the xy plane and a thin handle from its rim along -x, masses 17 : 16; origin at the "
+               "hoop's centre. Of size, x is the length over all and y the hoop's width.",
+       .ways = {{"size"}, {"length", "width"}},
+       .make = racket,
+       .usual = Racket{0.685, 0.26}},
       {.word = "wing_nut",
+       .help = "A hub about z, centred at the origin, with two boxes for wings along +x and -x.",
        .ways = {{"hub_radius", "hub_height", "wing", "wing_centre"}},
        .optional = {"wing_rise"},
        .make = wingNut,
        .usual = WingNut{0.5, 1, {1.2, 0.2, 0.9}, 1.1, 0.3}},
-      {.word = "mesh", .ways = {{"file"}}, .optional = {"file_unit"}},
+      {.word = "mesh",
+       .help = "The inside of a closed surface of triangles, each counter-clockwise from outside; axes and origin "
+               "of the file.",
+       .ways = {{"file"}},
+       .optional = {"file_unit"}},
   };
 }
 
@@ -224,6 +275,22 @@ const std::vector<LengthKey>& lengthKeys() {
 const KeyNames& shapeKeyNames() {
   static const KeyNames names = allNames();
   return names;
+}
+
+std::string listed(const KeyNames& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " and ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string described(const NamedShape& kind) {
+  std::string text;
+  for (const KeyNames& way : kind.ways) text += (text.empty() ? "" : ", or ") + listed(way);
+  if (!kind.optional.empty()) text += fmt::format(" (and {}, if wanted)", listed(kind.optional));
+  return text;
 }
 
 }  // namespace poinsot::scene

@@ -18,6 +18,7 @@ using KeyNames = std::vector<std::string_view>;
 
 struct NamedShape {
   std::string_view word;
+  std::string_view help;       ///< where its origin and its axes are
   std::vector<KeyNames> ways;  ///< any one of them
   KeyNames optional{};
   std::size_t extents = 3;  ///< how many `size` has; 2 of what is flat
@@ -42,5 +43,11 @@ const std::vector<LengthKey>& lengthKeys();
 
 /// Names of all keys that describe shapes, in the order of the table: size, lengths, wing, file, file_unit.
 const KeyNames& shapeKeyNames();
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const KeyNames& names);
+
+/// "size, or radius and height (and inner_radius, if wanted)".
+std::string described(const NamedShape& shape);
 
 }  // namespace poinsot::scene

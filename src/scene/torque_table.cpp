@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "scene/limits.h"
 
 namespace poinsot::scene {
 namespace {
@@ -84,6 +85,9 @@ class TableReader {
   void add(const std::array<double, 4>& row) {
     if (!history_.empty() && !(row[0] > history_.t_s.back()))
       refuse(fmt::format("line {}: times must ascend, got {} after {}", line_, row[0], history_.t_s.back()));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (const double most = i == 0 ? kMostInstant_s : kMostTorque; std::abs(row[i]) > most)
+        refuse(fmt::format("line {}: numbers must be at most {:g} in size, got {}", line_, most, row[i]));
     if (history_.t_s.size() == kMostLines) refuse(fmt::format("line {}: more than {} lines", line_, kMostLines));
     history_.t_s.push_back(row[0]);
     history_.torque.emplace_back(row[1], row[2], row[3]);

@@ -65,42 +65,15 @@ void addPointMasses(Figure& figure, const std::vector<scene::Part>& parts, const
   sketch.ball(centre_B, 1.6 * kRod * extent, Paint::kRod);
 }
 
-physics::Solid solidOf(const scene::Shape& shape) {
-  const Vector3d& size = shape.size_m;
-  switch (shape.kind) {
-    case scene::ShapeKind::kBox:
-      break;
-    case scene::ShapeKind::kEllipsoid:
-      return physics::Ellipsoid{0.5 * size};
-    case scene::ShapeKind::kCylinder:
-      return physics::Cylinder{0.5 * size.x(), size.z()};
-    case scene::ShapeKind::kRacket:
-      return physics::Racket{size.x(), size.y()};
-  }
-  return physics::Box{size};
-}
-
-/// A body of one solid about its centre of mass.
-std::vector<scene::Part> partsOf(const scene::Shape& shape) {
-  scene::Part part{.figure = solidOf(shape)};
-  part.offset_B = -centreOf(part);
-  return {part};
-}
-
-bool showsOther(const scene::Scene& scene) { return !scene.show.body.parts.empty() || scene.show.body.shape; }
-
 }  // namespace
 
 std::vector<scene::Part> partsToShow(const scene::Scene& scene) {
-  if (!scene.show.body.parts.empty()) return scene.show.body.parts;
-  if (scene.show.body.shape) return partsOf(*scene.show.body.shape);
-  if (!scene.body.parts.empty()) return scene.body.parts;
-  return scene.body.shape ? partsOf(*scene.body.shape) : std::vector<scene::Part>{};
+  return scene.show.body.parts.empty() ? scene.body.parts : scene.show.body.parts;
 }
 
 Vector3d originOfFigure(const scene::Scene& scene, const std::vector<scene::Part>& shown) {
   const bool pivoted = scene.body.pivot_B || !scene.motion.forcing.gravity_B.isZero(0);
-  return showsOther(scene) && !pivoted ? centreOfMass(shown) : scene.body.fixedPoint_B();
+  return !scene.show.body.parts.empty() && !pivoted ? centreOfMass(shown) : scene.body.fixedPoint_B();
 }
 
 Figure partsFigure(const std::vector<scene::Part>& parts, const Vector3d& origin_B) {

@@ -46,6 +46,7 @@ const std::map<std::string_view, std::string>& contexts() {
   static const std::map<std::string_view, std::string> all = {
       {"body.principal_moments", kOmega},
       {"body.inertia", kOmega},
+      {"body.catalogue", kOmega},
       {"body.mass", kOmega + kBox},
       {"body.density", kOmega + kBox},
       {"body.pivot", kOmega + kBox + "body.mass = 1\n"},

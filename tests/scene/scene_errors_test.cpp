@@ -250,8 +250,9 @@ TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
 TEST(Report, PointsAtTheTableFromWhichSomethingIsMissing) {
   const auto body = problemsOf("[motion]\nomega_body = [1, 0, 0]\n[body]\n");
   ASSERT_EQ(body.size(), 1u);
-  EXPECT_EQ(body[0].message,
-            "body: the body is missing; give principal_moments, inertia, shape, or parts and point masses");
+  EXPECT_EQ(
+      body[0].message,
+      "body: the body is missing; give principal_moments, inertia, shape, catalogue, or parts and point masses");
   EXPECT_EQ(core::toString(body[0].where), "test.toml:3:2");
   const auto motion = problemsOf("[body]\nprincipal_moments = [1, 1, 1]\n  [motion]\n");
   ASSERT_EQ(motion.size(), 1u);

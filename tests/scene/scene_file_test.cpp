@@ -199,6 +199,17 @@ TEST(SceneFile, AtRestNeedsNothingThatRests) {
   EXPECT_EQ(messagesOf(kMinimal, hidden), "");
 }
 
+TEST(Gallery, HoldsScenesThatSayWhatToLookAt) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(POINSOT_SOURCE_DIR) + "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++count;
+    EXPECT_NO_THROW(loadScene(entry.path())) << entry.path();
+    EXPECT_EQ(std::ifstream(entry.path()).peek(), '#') << entry.path();
+  }
+  EXPECT_GE(count, 7);
+}
+
 class NoScene : public testing::Test {
  protected:
   void SetUp() override {

@@ -51,6 +51,20 @@ TEST(Units, AreReadIntoSi) {
       {"5 sec", Dimension::kTime, 5},
       {"5 seconds", Dimension::kTime, 5},
       {"180 degrees", Dimension::kAngle, kPi},
+      {"2.7 g/cm^3", Dimension::kDensity, 2700},
+      {"36 km/h", Dimension::kVelocity, 10},
+      {"981 cm/s^2", Dimension::kAcceleration, 9.81},
+      {"5 mN m", Dimension::kTorque, 5e-3},
+      {"3 N*cm", Dimension::kTorque, 0.03},
+      {"2 kJ", Dimension::kEnergy, 2000},
+      {"1 kg m^2/s^2", Dimension::kEnergy, 1},
+      {"4 J s", Dimension::kAngularMomentum, 4},
+      {"4 g cm^2/s", Dimension::kAngularMomentum, 4e-7},
+      {"6 /min", Dimension::kRate, 0.1},
+      {"6 1/min", Dimension::kRate, 0.1},
+      {"6 1 / min", Dimension::kRate, 0.1},
+      {"6min^-1", Dimension::kRate, 0.1},
+      {"2 s/kg/m^2", Dimension::kInverseAction, 2},
   };
   for (const Case& c : cases) {
     const Quantity read = parseQuantity(c.text, c.dimension);
@@ -66,6 +80,9 @@ TEST(Units, OfTheWrongDimensionAreRefusedWithTheRightOnes) {
             "expected an angular velocity in one of rad/s, deg/s, rpm, rev/s, rev/d, Hz, got \"3 deg\"");
   EXPECT_FALSE(parseQuantity("3 m^2", Dimension::kLength).ok());
   EXPECT_FALSE(parseQuantity("3 rad", Dimension::kNone).ok());
+  EXPECT_FALSE(parseQuantity("3 Hz", Dimension::kRate).ok());  // turns, not a decay
+  EXPECT_FALSE(parseQuantity("3 /", Dimension::kRate).ok());
+  EXPECT_FALSE(parseQuantity("3 1", Dimension::kRate).ok());
 }
 
 TEST(Units, ThatAreNoneAreNamed) {
