@@ -12,8 +12,8 @@ namespace poinsot::physics {
 
 /// Binet's picture of a free rotation, in the space of the body's angular momentum m = I omega: the tip of m stays
 /// on the momentum sphere |m| = L and on the energy ellipsoid sum m_i²/I_i = 2T; their intersection is the polhode
-/// in m. (Poinsot's picture is the same in omega.) Source: J. Binet (1851), as in Goldstein, Classical Mechanics,
-/// section 5.6.
+/// in m. (Poinsot's picture is the same in omega.) Source: Goldstein, Classical Mechanics,
+/// section 5.6 (Binet's ellipsoid).
 class BinetConstruction {
  public:
   /// omega_P in rad/s at any one time of the motion.

@@ -13,6 +13,8 @@
 namespace poinsot::physics {
 namespace {
 
+// What turning r into the principal axes leaves of a component that is 0.
+constexpr double kRounding = 1e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// f(u0 + v) = f0 + f1 v + f2 v² + a v³, f0 >= 0: nothing cancels where the swing is small.
@@ -65,9 +67,10 @@ double thirdKind(double mc, double complement) { return cel<double>(std::sqrt(mc
 std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P) {
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    if (gravity_P[k] == 0 || gravity_P[i] != 0 || gravity_P[j] != 0 || moments[i] != moments[j]) continue;
     const double weight = std::abs(gravity_P[k]);
-    return HeavyTop{gravity_P / weight, moments[i], moments[k], weight};
+    const double across = std::max(std::abs(gravity_P[i]), std::abs(gravity_P[j]));
+    if (weight == 0 || across > kRounding * weight || moments[i] != moments[j]) continue;
+    return HeavyTop{(gravity_P[k] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(k), moments[i], moments[k], weight};
   }
   return std::nullopt;
 }

@@ -52,8 +52,8 @@ struct HeavyTop {
   Nutation nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const;
 };
 
-/// gravity_P: M g r of the centre of mass from the fixed point, N·m. Empty unless r is along a principal axis and
-/// not 0, and the moments about the other two are equal.
+/// gravity_P: M g r of the centre of mass from the fixed point, N·m. Empty unless r is along a principal axis, to
+/// 1e-14 of its length, and not 0, and the moments about the other two are equal.
 std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P);
 
 }  // namespace poinsot::physics

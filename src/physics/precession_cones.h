@@ -60,7 +60,8 @@ struct PrecessionCones {
 /// z. @throws core::Error(kPhysics) if omega_P is not finite.
 std::optional<PrecessionCones> precessionCones(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
 
-/// The Earth's turn against the stars, s: IERS Conventions (2010), nominal rate 7.292115e-5 rad/s.
+/// Mean sidereal day, s (IERS, "Useful constants": 86164.09053). Against the stars and not the equinox the Earth's
+/// turn is 8 ms longer.
 inline constexpr double kSiderealDay_s = 86164.0905;
 inline constexpr double kSolarDay_s = 86400;
 

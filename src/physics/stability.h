@@ -31,8 +31,9 @@ SpinStability spinStability(const PrincipalMoments& moments, int axis, double sp
 struct FlipTimes {
   /// Half the polhode's period, s: 2K/lambda. 0 for a steady motion, infinite on the separatrix.
   double interval_s = 0;
-  /// (2/lambda) ln(4/sqrt(mc)), s: what it tends to near the separatrix, too short by mc ln(4/sqrt(mc))/(2
-  /// lambda). Each decade of the disturbance adds (2/lambda) ln 10.
+  /// (2/lambda) ln(4/sqrt(mc)), s: what it tends to near the separatrix, too short by
+  /// (mc/(2 lambda)) (ln(4/sqrt(mc)) - 1) to first order in mc. Each decade of the disturbance adds (2/lambda)
+  /// ln 10.
   double asymptotic_s = 0;
   double growthRate = 0;     ///< lambda, 1/s
   double complementary = 1;  ///< mc = 1 - k² of the elliptic functions: 0 on the separatrix

@@ -121,7 +121,8 @@ TEST(HeavyTop, OfASleepingTop) {
 TEST(HeavyTop, NeedsGravityAlongTheSymmetryAxis) {
   EXPECT_FALSE(heavyTop(kMoments, {0, 0, 0}));
   EXPECT_FALSE(heavyTop(kMoments, {1, 0, 0}));
-  EXPECT_FALSE(heavyTop(kMoments, {0, 0.1, 1}));
+  EXPECT_FALSE(heavyTop(kMoments, {0, 1e-13, 1}));
+  EXPECT_TRUE(heavyTop(kMoments, {0, 1e-16, 1}));
   EXPECT_FALSE(heavyTop(PrincipalMoments({2, 3, 4}), kGravity));
   EXPECT_TRUE(heavyTop(PrincipalMoments({2, 2, 2}), {0, -1, 0}));
   EXPECT_EQ(heavyTop(kMoments, {0, 0, -3})->k_P, Vector3d(0, 0, -1));

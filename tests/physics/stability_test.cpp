@@ -85,11 +85,10 @@ TEST(FlipTimes, OfTheTHandle) {
     const FlipTimes flip = flipTimes(kTHandle, {disturbance, kTurn, 0});
     EXPECT_NEAR(flip.interval_s, flip_s, 5.1e-9);
     EXPECT_NEAR(flip.growthRate, 3.3282, 2e-3);
-    // The next term of K: (mc/4)(ln(4/sqrt mc) - 1), so the difference is that times 2/lambda and less than mc
-    // times it.
-    EXPECT_LT(flip.asymptotic_s, flip.interval_s);
-    EXPECT_NEAR(flip.asymptotic_s, flip.interval_s,
-                flip.complementary * (flip.asymptotic_s / 4 + 1e-9 * flip.asymptotic_s));
+    // The next term: K = ln(4/sqrt mc) + (mc/4)(ln(4/sqrt mc) - 1) + ...
+    const double mc = flip.complementary, logarithm = std::log(4 / std::sqrt(mc));
+    EXPECT_NEAR(flip.interval_s - flip.asymptotic_s, mc / (2 * flip.growthRate) * (logarithm - 1),
+                mc * mc * flip.interval_s + 2e-15);
   }
   const double decade =
       flipTimes(kTHandle, {1e-6, kTurn, 0}).interval_s - flipTimes(kTHandle, {1e-5, kTurn, 0}).interval_s;
