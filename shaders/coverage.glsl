@@ -3,7 +3,7 @@
 // 1 for pictures; large for the reference renderer, whose many samples see hard edges.
 uniform float sharpness;
 
-// For lines on a surface, whose direction in the picture is not known: right on average.
+// For lines and curves, whose direction in the picture is not at hand: right on average.
 float covered(float d_px) { return clamp(0.5 + d_px * sharpness, 0.0, 1.0); }
 
 // A strip between two parallel edges, right also where it is thinner than a pixel.

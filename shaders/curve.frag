@@ -13,10 +13,7 @@ noperspective in vec4 tangentOut_C;
 
 void main() {
   float offset = acrossOut.x, halfWidth = acrossOut.y;
-  // The strip lies straight in pixels: across it is where the offset grows.
-  vec2 across = normalize(vec2(dFdx(offset), dFdy(offset)) + vec2(0.0, 1e-9));
-  float coverage = coveredStrip(vec3(across, halfWidth - offset), vec3(across, halfWidth + offset)) *
-                   covered(vec3(across.y, across.x, acrossOut.z));
+  float coverage = coveredStrip(halfWidth - offset, halfWidth + offset) * covered(acrossOut.z);
   float t = acrossOut.w;
 #if TUBE
   float u = clamp(offset / max(halfWidth, 1e-6), -1.0, 1.0), front = sqrt(1.0 - u * u);
