@@ -57,10 +57,15 @@ Roots rootsOf(const Cubic& f, double lowest, double highest) {
   return roots;
 }
 
-double tilt(double u) { return 2 * arcTangent(std::sqrt(std::max(0.0, 1 - u) / (1 + u))); }
+/// theta from 1 - cos theta and 1 + cos theta.
+double tilt(double below, double above) { return 2 * arcTangent(std::sqrt(std::max(0.0, below) / above)); }
 
-/// Integral of 1/((1 - n sin²) sqrt(1 - k² sin²)) over a quarter period, 1 - n = complement.
-double thirdKind(double mc, double complement) { return cel<double>(std::sqrt(mc), complement, 1, 1); }
+/// Integral over half a swing of rate/(1 ∓ u), in the unit of the caller: 1 ∓ u is `near` at one end and `far` at
+/// the other. 0 for a swing through the pole, whose two sides turn opposite ways.
+double turning(double mc, double rate, double near, double far) {
+  if (rate == 0 || !(near > 0 && far > 0)) return 0;
+  return rate / near * cel<double>(std::sqrt(mc), far / near, 1, 1);
+}
 
 }  // namespace
 
@@ -86,25 +91,24 @@ std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, doub
 }
 
 Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const {
-  const double u0 = dotProduct(k_P, up_P), spin = dotProduct(omega_P, k_P), L3 = along * spin;
-  const Eigen::Vector3d across_P = omega_P - spin * k_P;
-  const double Lz = across * dotProduct(across_P, up_P) + L3 * u0;
-  const double a = 2 * weight / across, b = Lz / across, c = L3 / across;
-  const double speed = dotProduct(crossProduct(omega_P, k_P), up_P);         // u'
-  const double excess = dotProduct(across_P, across_P), twist = b - c * u0;  // alpha - a u0; I1 (1 - u²) phi'
-  const double sin2 = (1 - u0) * (1 + u0);
-  const Cubic f{speed * speed, -2 * u0 * excess - a * sin2 + 2 * c * twist, 2 * a * u0 - excess - c * c, a};
-  const Roots v = rootsOf(f, -1 - u0, 1 - u0);
-  const double u1 = u0 + v.v1, u2 = u0 + v.v2, span = v.v3 - v.v1;
-  Nutation swing{tilt(u2), tilt(u1), kInfinity, kInfinity};
-  const double mc = std::clamp((v.v3 - v.v2) / span, 0.0, 1.0);
-  if (mc == 0) return swing;
+  const double u0 = dotProduct(k_P, up_P), spin = dotProduct(omega_P, k_P), c = along * spin / across;
+  const Eigen::Vector3d across_P = omega_P - spin * k_P, down_P = up_P - k_P, sum_P = up_P + k_P;
+  const double below = dotProduct(down_P, down_P) / 2, above = dotProduct(sum_P, sum_P) / 2;  // 1 - u0, 1 + u0
+  const double speed = dotProduct(crossProduct(omega_P, k_P), up_P);                          // u'
+  const double excess = dotProduct(across_P, across_P), twist = dotProduct(across_P, up_P);   // (1 - u0²) phi'
+  const double a = 2 * weight / across;
+  const Cubic f{speed * speed, -2 * u0 * excess - a * below * above + 2 * c * twist, 2 * a * u0 - excess - c * c,
+                a};
+  const Roots v = rootsOf(f, -above, below);
+  const double span = v.v3 - v.v1, mc = std::min(1.0, (v.v3 - v.v2) / span);
+  Nutation swing{tilt(below - v.v2, above + v.v2), tilt(below - v.v1, above + v.v1), kInfinity, kInfinity};
+  if (!(mc > 0)) return swing;
   const double unit = 4 / std::sqrt(a * span);
   swing.period_s = unit * completeK(mc);
-  // 1/(1 - u²) in partial fractions; through a pole, b = ± c and its fraction is 0.
-  const double up = b == c ? 0 : (b - c) / (1 - u1) * thirdKind(mc, (1 - u2) / (1 - u1));
-  const double down = b == -c ? 0 : (b + c) / (1 + u1) * thirdKind(mc, (1 + u2) / (1 + u1));
-  swing.precession_rad = unit * (up + down) / 2;
+  // phi' = (b - c u)/(1 - u²) in partial fractions, b = L_z/I1: b - c and b + c without cancellation.
+  swing.precession_rad = unit / 2 *
+                         (turning(mc, twist - c * below, below - v.v1, below - v.v2) +
+                          turning(mc, twist + c * above, above + v.v1, above + v.v2));
   return swing;
 }
 
