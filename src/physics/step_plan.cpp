@@ -18,6 +18,10 @@ constexpr double kLongestTurn_rad = 1;
 // Steps of the pilot for one part of a piece, where energy is not conserved; and the most parts.
 constexpr std::size_t kStepsPerPart = 32, kMostParts = 16;
 
+// Angular momentum below this part of the largest yet is as good as none: else the pilot would follow the decay of
+// a body at rest down to the smallest doubles, whose digits are few.
+constexpr double kAtRest = 1e-12;
+
 struct PilotStep {
   double since_s = 0;   // from the piece's begin, at the start of the step
   double length_s = 0;  // that would have been good, were the piece long enough
@@ -36,7 +40,7 @@ double size(const DrivenState& s) { return norm({s.L_W[0].hi, s.L_W[1].hi, s.L_W
 class Pilot {
  public:
   Pilot(const Splitting& splitting, const Composition& composition, const DrivenState& start)
-      : splitting_(splitting), composition_(composition), state_(start) {}
+      : splitting_(splitting), composition_(composition), state_(start), largest_(size(start)) {}
 
   /// The steps over one piece.
   std::vector<PilotStep> over(const ForcingPiece& piece);
@@ -51,7 +55,8 @@ class Pilot {
   const Splitting& splitting_;
   const Composition& composition_;
   DrivenState state_;
-  double h_ = 0;  // > 0, carried from piece to piece
+  double largest_;  // |L| so far
+  double h_ = 0;    // > 0, carried from piece to piece
   double taken_ = 0;
   double turned_ = 0;
 };
@@ -69,7 +74,8 @@ double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenSta
   splitting_.step(after, composition_, piece, since, 0.5 * h);
   splitting_.step(after, composition_, piece, since + 0.5 * h, 0.5 * h);
   const double turned = splitting_.angularSpeed(after) * std::abs(h);
-  const double error = difference(once, after, std::max(size(state_), size(after)));
+  const double scale = std::max({size(state_), size(after), kAtRest * largest_});
+  const double error = difference(once, after, scale);
   return turned > 2 * kLongestTurn_rad ? HUGE_VAL : error;
 }
 
@@ -100,6 +106,7 @@ std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
     }
     steps.push_back({sense * since, h_});
     state_ = after;
+    largest_ = std::max(largest_, size(state_));
     turned_ += splitting_.angularSpeed(state_) * h;
     since = h < h_ || since + h >= length ? length : since + h;
     taken_ += 1;

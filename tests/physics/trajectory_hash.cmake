@@ -3,8 +3,10 @@
 # vector units hidden from the C library, and built again from its sources.
 
 # What the hash runs, with what that calls; a file missing here fails to link.
-set(hash_sources elliptic.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp polhode.cpp
-  principal_axes.cpp principal_moments.cpp scaled_start.cpp symmetric_eigen.cpp transcendental.cpp)
+set(hash_sources composition.cpp decaying_motion.cpp driven_motion.cpp driven_trajectory.cpp elliptic.cpp forcing.cpp
+  forcing_piece.cpp free_flow.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp
+  polhode.cpp principal_axes.cpp principal_moments.cpp scaled_start.cpp splitting.cpp step_choice.cpp step_plan.cpp
+  symmetric_eigen.cpp transcendental.cpp)
 list(TRANSFORM hash_sources PREPEND ${CMAKE_SOURCE_DIR}/src/physics/)
 list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
 

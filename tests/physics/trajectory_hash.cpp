@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "physics/driven_motion.h"
 #include "physics/free_motion.h"
 #include "physics/herpolhode.h"
 #include "physics/polhode.h"
@@ -72,12 +73,31 @@ void addMotions(Hash& hash) {
   addTrajectory(hash, PrincipalAxes(inertia_B), {0.6, -1.1, 0.8});
 }
 
+// Every kind of forcing, and both compositions that the integrator chooses from.
+void addDrivenMotions(Hash& hash) {
+  Forcing forcing;
+  forcing.gravity_B = {0.3, 0.5, 1};
+  forcing.torque_B = {0, 0.2, 0.1};
+  forcing.torqueHistory_W = {{-1, 0.5, 2}, {{1, 0, 0}, {0, 1, 0.3}, {0.1, 0.2, 0.3}}, true};
+  Eigen::Matrix3d inertia_B;
+  inertia_B << 8.5, -0.25, 1.0, -0.25, 8.625, 2.125, 1.0, 2.125, 9.25;
+  for (const Eigen::Vector3d& drag : {Eigen::Vector3d(0.1, 0.1, 0.1), Eigen::Vector3d(0.1, 0.2, 0.05)}) {
+    forcing.dragRate_P = drag;
+    const DrivenMotion motion(PrincipalAxes(inertia_B), {0.5, 1, 2}, Eigen::Quaterniond(0.5, -0.25, 0.75, 1.5),
+                              forcing, {-3, 5});
+    for (int k = -30; k <= 50; ++k) addState(hash, motion.at(k * 0.1));
+    hash.add(motion.report().estimatedAttitudeError_rad);
+    forcing.dissipation = 0.02;
+  }
+}
+
 void addFunctions(Hash& hash) {
   for (int k = -20000; k <= 20000; ++k) {
     const double x = k * 0.00137 + k * 1e-9;
     const SineCosine angle = sineCosine(x);
     const HyperbolicPair h = hyperbolicPair(x);
-    hash.add({angle.sine, angle.cosine, arcTangent(x), exponential(x), h.tanh, h.sech, logarithm(x * x + 1e-9)});
+    hash.add({angle.sine, angle.cosine, arcTangent(x), exponential(x), exponentialLessOne(x), h.tanh, h.sech,
+              logarithm(x * x + 1e-9)});
   }
 }
 
@@ -97,6 +117,7 @@ int main(int count, char** arguments) {
     addCLibrary(hash);
   } else {
     addMotions(hash);
+    addDrivenMotions(hash);
     addFunctions(hash);
   }
   std::printf("%016" PRIx64 "\n", hash.value());
