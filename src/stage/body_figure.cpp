@@ -90,7 +90,7 @@ BodyFigure::BodyFigure(const scene::Scene& scene)
   for (int i = 0; i < 3; ++i) {
     const Vector3d axis_B = R_PB_.row(i).transpose();
     const double ahead = axis_B.dot(supportPoint(axis_B)), behind = -axis_B.dot(supportPoint(-axis_B));
-    reachAlongAxes_[i] = std::max(ahead, behind);
+    reachAlongAxes_[i] = ahead;
     halfExtents_[i] = 0.5 * (ahead + behind);
   }
 }

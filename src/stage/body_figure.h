@@ -17,7 +17,8 @@ class BodyFigure {
  public:
   explicit BodyFigure(const scene::Scene& scene);
 
-  /// How far it reaches from the fixed point along each principal axis, the farther of both ways, in m.
+  /// How far it reaches from the fixed point in the direction of each principal axis, in m; negative where it lies
+  /// behind.
   const Eigen::Vector3d& reachAlongAxes() const { return reachAlongAxes_; }
   /// Half its extent along each principal axis, in m.
   const Eigen::Vector3d& halfExtents() const { return halfExtents_; }

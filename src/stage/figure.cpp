@@ -15,6 +15,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr float kLift = 0.02f;  // of marks before their surface, in picture lengths
+constexpr double kStep = 0.2;   // longest piece of a mark, in picture lengths
 
 // ---- support ---------------------------------------------------------------------------------------------------
 
@@ -140,8 +141,20 @@ struct Draw {
     mesh.edge_px = m.edges ? static_cast<float>(lineWidth_px) : 0.0f;
     list.meshes.push_back(std::move(mesh));
   }
+  // A curve's depth is interpolated along the picture, where it is not linear: a long line would sink into its
+  // surface.
+  std::vector<Vector3d> inShortSteps(const std::vector<Vector3d>& points_B) const {
+    std::vector<Vector3d> dense{points_B.front()};
+    for (std::size_t i = 1; i < points_B.size(); ++i) {
+      const Vector3d &from = points_B[i - 1], &to = points_B[i];
+      const int steps = std::max(1, static_cast<int>(std::ceil(place.scale * (to - from).norm() / kStep)));
+      for (int k = 1; k <= steps; ++k) dense.push_back(k == steps ? to : Vector3d(from + (to - from) * k / steps));
+    }
+    return dense;
+  }
+
   void operator()(const Mark& mark) const {
-    draw::Curve line = curve(mark.points_B, mark.closed);
+    draw::Curve line = curve(mark.closed ? mark.points_B : inShortSteps(mark.points_B), mark.closed);
     line.width_px = static_cast<float>(mark.width * lineWidth_px);
     line.lift_W = kLift;
     line.material.color = colors.bodyEdge;

@@ -29,6 +29,7 @@ using Eigen::Vector3d;
 // In picture lengths.
 constexpr double kVectorRadius = 0.019, kAxisRadius = 0.0125;
 constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
+constexpr double kLeastAxis = 0.4;  // of half the body's longest extent: for an axis that leads away from it
 constexpr double kMostAxes =
     0.8;  // of an axis is framed: labels keep themselves inside, and few axes point outwards
 // In shares of the reference height.
@@ -76,11 +77,13 @@ struct Stage::Plan {
     extent = wholeExtent();
   }
 
-  // One principal axis, from the centre to inside the ellipsoid or beyond the body.
+  // One principal axis, from the fixed point to inside the ellipsoid or beyond the body.
   double axisLength(int axis) const {
-    const double body_length = kAxisBeyondBody * scales.body * body.reachAlongAxes()[axis] + 0.12;
-    if (!construction || !scene.show.ellipsoid.visible) return scene.show.principalAxes.scale * body_length;
-    return scene.show.principalAxes.scale * kAxisInEllipsoid * construction->semiAxes()[axis];
+    if (construction && scene.show.ellipsoid.visible)
+      return scene.show.principalAxes.scale * kAxisInEllipsoid * construction->semiAxes()[axis];
+    const double least_m = kLeastAxis * body.halfExtents().maxCoeff();
+    const double reach_m = std::max(body.reachAlongAxes()[axis], least_m);
+    return scene.show.principalAxes.scale * (kAxisBeyondBody * scales.body * reach_m + 0.12);
   }
 
   Extent wholeExtent() const;
@@ -113,10 +116,10 @@ Extent Stage::Plan::wholeExtent() const {
 
 void Stage::Plan::addAxes(Extent& whole) const {
   for (int axis = 0; axis < 3; ++axis) {
-    const double length = kMostAxes * axisLength(axis);
-    if (!stand) whole.ballRadius = std::max(whole.ballRadius, length);
+    if (!stand) whole.ballRadius = std::max(whole.ballRadius, kMostAxes * axisLength(axis));
+    if (!stand) continue;
     for (const PathPoint& p : motion.outline())
-      if (stand) whole.points_V.push_back(length * motion.at(p.filmTime_s).R_VP.col(axis));
+      whole.points_V.push_back(axisLength(axis) * motion.at(p.filmTime_s).R_VP.col(axis));
   }
 }
 

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "scene_samples.h"
+#include "stage/to_picture.h"
 
 namespace poinsot::stage {
 namespace {
@@ -28,6 +32,97 @@ TEST(BodyFigure, FitsInsideTheEllipsoidItIsScaledTo) {
   // A box touches first with its corner.
   EXPECT_DOUBLE_EQ(figure.reachIn(semiAxes), figure.reachAlongAxes().cwiseQuotient(semiAxes).norm());
   EXPECT_DOUBLE_EQ(figure.radius(), figure.reachAlongAxes().norm());
+}
+
+// Moments of a uniform cone about its apex, radius 0.45, height 1.7, per unit mass: table 3.1 of the project's
+// physics notes with eq 14, 0.13875 + (3h/4)², and 0.06075 about its axis.
+TEST(EquivalentCone, GivesTheConeBack) {
+  const Vector3d lengths = equivalentCone(physics::PrincipalMoments({1.764375, 1.764375, 0.06075}), 2);
+  EXPECT_NEAR(lengths.x() / lengths.z(), 0.45 / 1.7, 1e-14);
+  EXPECT_NEAR(lengths.y() / lengths.z(), 0.45 / 1.7, 1e-14);
+}
+
+// An elliptic cone, base a, b across z, height h: I_x = 3/20 m b² + 3/5 m h² and so on, here along axis y.
+TEST(EquivalentCone, MayBeEllipticAndAboutAnyAxis) {
+  const double a = 0.7, b = 0.4, h = 1.1;  // a along z, b along x
+  const Vector3d second(0.15 * b * b, 0.6 * h * h, 0.15 * a * a);
+  const Vector3d moments = Vector3d::Constant(second.sum()) - second;
+  const Vector3d lengths = equivalentCone(physics::PrincipalMoments(moments), 1);
+  EXPECT_NEAR(lengths.x() / lengths.y(), b / h, 1e-14);
+  EXPECT_NEAR(lengths.z() / lengths.y(), a / h, 1e-14);
+}
+
+// What is drawn for a bare tensor, turned against the axes it is given in, has a tensor in the same proportions:
+// of a box with half edges h_i along u_i it is m/3 Σ h_i² (1 - u_i u_iᵀ).
+TEST(BodyFigure, OfABareTensorIsTheBoxTurnedToItsAxes) {
+  const Eigen::Matrix3d R = Eigen::Quaterniond(0.5, 0.3, -0.7, 0.4).normalized().toRotationMatrix();
+  const Eigen::Matrix3d inertia_B = R * Vector3d(2, 3, 4).asDiagonal() * R.transpose();
+  scene::Scene scene = sample();
+  scene.body.axes = physics::PrincipalAxes(Eigen::Matrix3d(0.5 * (inertia_B + inertia_B.transpose())));
+  draw::DrawList list;
+  BodyFigure(scene).add(list, Eigen::Matrix3d::Identity(), 1, palette(scene::Theme::kLight), 2);
+  ASSERT_EQ(list.boxes.size(), 1u);
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d half = fromPicture(list.boxes[0].halfAxes_W[i]);
+    second += half * half.transpose();
+  }
+  const Eigen::Matrix3d drawn = second.trace() * Eigen::Matrix3d::Identity() - second;
+  const Eigen::Matrix3d difference = drawn / drawn.trace() - inertia_B / inertia_B.trace();
+  EXPECT_LT(difference.norm(), 1e-6);  // measured 3e-8: floats
+}
+
+// A box turned in the body: the farthest corner under the map is the reach.
+TEST(BodyFigure, ReachesAsFarAsItsFarthestCorner) {
+  const Eigen::Quaterniond q = Eigen::Quaterniond(0.8, 0.1, -0.5, 0.3).normalized();
+  scene::Scene scene = sample();
+  scene.body.parts = {scene::Part{physics::Solid(physics::Box{{0.6, 0.4, 1.2}}), 1, q, {0.3, -0.2, 0.1}}};
+  const Vector3d semiAxes(1, 0.5, 0.7);
+  double farthest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d p((corner & 1 ? 0.3 : -0.3), (corner & 2 ? 0.2 : -0.2), (corner & 4 ? 0.6 : -0.6));
+    farthest = std::max(farthest, (q * p + Vector3d(0.3, -0.2, 0.1)).cwiseQuotient(semiAxes).norm());
+  }
+  EXPECT_NEAR(BodyFigure(scene).reachIn(semiAxes), farthest, 1e-14);
+}
+
+// Five masses (the test system of the project's physics notes, centre of mass given there): balls of one density
+// at their places about the centre of mass, each on a rod from it.
+TEST(BodyFigure, OfPointMassesIsBallsOnRods) {
+  const double masses[] = {1.5, 0.75, 2.25, 1.125, 0.375};
+  const Vector3d places[] = {
+      {0.5, -1.25, 0.75}, {-1, 0.25, 1.5}, {0.125, 0.875, -0.625}, {1.75, 0.5, -0.25}, {-0.5, -0.75, -1.125}};
+  scene::Scene scene = sample();
+  std::vector<physics::MassProperties> points;
+  for (std::size_t i = 0; i < 5; ++i) {
+    points.push_back(physics::MassProperties::ofPoint(masses[i], places[i]));
+    scene.body.parts.push_back({scene::PointMass{}, masses[i], Eigen::Quaterniond::Identity(), places[i]});
+  }
+  scene.body.mass = physics::combined(points);
+  draw::DrawList list;
+  BodyFigure(scene).add(list, Eigen::Matrix3d::Identity(), 1, palette(scene::Theme::kLight), 2);
+  ASSERT_EQ(list.ellipsoids.size(), 6u);  // and the joint in the middle
+  ASSERT_EQ(list.frustums.size(), 5u);
+  const Vector3d centre(0.34375, 0.09375, 0.0234375);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_LT((fromPicture(list.ellipsoids[i].centre_W) - (places[i] - centre)).norm(), 1e-6);
+    EXPECT_LT((fromPicture(list.frustums[i].to_W) - (places[i] - centre)).norm(), 1e-6);
+    EXPECT_LT(fromPicture(list.frustums[i].from_W).norm(), 1e-6);
+    const double ratio = static_cast<double>(glm::length(list.ellipsoids[i].semiAxes_W[0]) /
+                                             glm::length(list.ellipsoids[2].semiAxes_W[0]));
+    EXPECT_NEAR(ratio * ratio * ratio, masses[i] / 2.25, 1e-5);
+  }
+}
+
+// A body on a pivot stands with the pivot at the origin.
+TEST(BodyFigure, StandsWithItsPivotAtTheOrigin) {
+  scene::Scene scene = sample();
+  scene.body.parts = {scene::Part{physics::Solid(physics::Rod{2}), 1}};
+  scene.body.mass = physics::massProperties(physics::Rod{2}, 1);
+  scene.body.pivot_B = Vector3d(-1, 0, 0);
+  const BodyFigure figure(scene);
+  EXPECT_NEAR(figure.supportPoint({1, 0, 0}).x(), 2, 1e-14);
+  EXPECT_NEAR(figure.supportPoint({-1, 0, 0}).x(), 0, 1e-14);
 }
 
 TEST(BodyFigure, DrawsTheShapeAskedFor) {
