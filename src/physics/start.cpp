@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +11,8 @@
 #include "core/expect.h"
 #include "physics/expansion.h"
 #include "physics/free_motion.h"
+#include "physics/inertia_tensor.h"
 #include "physics/polhode.h"
-#include "physics/rotor.h"
 #include "physics/transcendental.h"
 
 namespace poinsot::physics {
@@ -23,12 +24,6 @@ using DD = DoubleDouble;
 
 void requireFinite(double value, const char* name) {
   if (!std::isfinite(value)) refuse(fmt::format("{} must be finite, got {}", name, value));
-}
-
-Eigen::Vector3d toBody(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& v_W) {
-  const auto v =
-      rotated(Rotor<double>{q_WB.w(), -q_WB.x(), -q_WB.y(), -q_WB.z()}, std::array{v_W[0], v_W[1], v_W[2]});
-  return {v[0], v[1], v[2]};
 }
 
 int exponentOf(double x) {
@@ -120,12 +115,12 @@ Eigen::Vector3d omegaAtPhaseZero(const PrincipalMoments& moments, const EnergySt
 }  // namespace
 
 Eigen::Vector3d omegaFromSpace(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& omega_W) {
-  return toBody(q_WB, omega_W);
+  return turnedVector(q_WB.conjugate(), omega_W);
 }
 
 Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Eigen::Quaterniond& q_WB,
                                   const Eigen::Vector3d& L_W) {
-  return axes.angularVelocity(toBody(q_WB, L_W));
+  return axes.angularVelocity(turnedVector(q_WB.conjugate(), L_W));
 }
 
 Eigen::Vector3d omegaFromSpin(const PrincipalAxes& axes, const SpinStart& start) {

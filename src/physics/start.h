@@ -11,10 +11,10 @@ namespace poinsot::physics {
 // Ways to say how a body turns at the start; each gives omega_B, rad/s. (L given in B: PrincipalAxes::
 // angularVelocity.)
 
-/// omega_B of an angular velocity given in W. @pre q_WB is of unit length.
+/// omega_B of an angular velocity given in W. @pre q_WB is not 0; its length does not matter.
 Eigen::Vector3d omegaFromSpace(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& omega_W);
 
-/// omega_B of an angular momentum given in W, kg·m²/s. @pre q_WB is of unit length.
+/// omega_B of an angular momentum given in W, kg·m²/s. @pre q_WB is not 0; its length does not matter.
 Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Eigen::Quaterniond& q_WB,
                                   const Eigen::Vector3d& L_W);
 

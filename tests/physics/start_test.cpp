@@ -62,8 +62,8 @@ TEST(Start, SpinMeansWhatItSays) {
     const double leans = std::atan2(unit(2).dot(L), unit(1).dot(L));
     side = std::max(side, std::abs(std::remainder(leans - start.towards_rad, 360 * kDegree)) * start.tilt_rad);
   }
-  expectResidual("angle of L and the axis, rad", angle, 1e-14);  // measured 8.9e-16
-  expectResidual("side that L leans to, rad", side, 1e-14);      // measured 1.5e-15
+  expectResidual("angle of L and the axis, rad", angle, 1e-14);  // measured 4.4e-16
+  expectResidual("side that L leans to, rad", side, 1e-14);      // measured 1.3e-15
 }
 
 TEST(Start, SpinWithoutTiltIsSteady) {
@@ -96,7 +96,7 @@ TEST(Start, FromSpace) {
     velocity = std::max(velocity, (R_WB * omegaFromSpace(q_WB, given_W) - given_W).norm());
     momentum = std::max(momentum, (inertia_W * R_WB * omegaFromMomentum(axes, q_WB, given_W) - given_W).norm());
   }
-  expectResidual("omega_W", velocity, 4e-15);                // measured 1.3e-15
+  expectResidual("omega_W", velocity, 4e-15);                // measured 8e-16
   expectResidual("L_W = R I R^T omega_W", momentum, 2e-14);  // measured 3.1e-15
 }
 
@@ -132,8 +132,8 @@ TEST(Start, EnergyAndMomentumAreThoseGiven) {
     const Vector3d there = FreeMotion(axes, zero_B, Quaterniond::Identity()).at(start.phase * period).omega_B;
     late = std::max(late, (there - omega_B).norm() / omega_B.norm());
   }
-  expectResidual("T, relative", energy, 1e-14);                    // measured 2.9e-15
-  expectResidual("|L|, relative", momentum, 1e-14);                // measured 2.2e-15
+  expectResidual("T, relative", energy, 1e-14);                    // measured 1.3e-15
+  expectResidual("|L|, relative", momentum, 1e-14);                // measured 6.7e-16
   expectResidual("omega after the phase, relative", late, 1e-14);  // measured 2e-15
 }
 
