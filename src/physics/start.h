@@ -47,8 +47,8 @@ struct EnergyStart {
 
 /// At phase 0:  m_1² = I1 (2 T I3 - L²)/(I3 - I1),  m_2 = 0,  m_3² = I3 (L² - 2 T I1)/(I3 - I1),   I1 <= I2 <= I3;
 /// the solution of eq (38) and |m| = |L|. T and |L| of the result are those given to a few roundings (measured
-/// 3e-15). So L² = 2 T I2 is met to rounding too: such a start leaves the middle axis again after some 36/lambda.
-/// A body of equal moments spins about its z axis P.
+/// 1.3e-15). So L² = 2 T I2 is met to rounding too: such a start leaves the middle axis again after some
+/// 36/lambda. A body of equal moments spins about its z axis P.
 /// @throws core::Error(kPhysics) if |L| is outside sqrt(2 T I1) to sqrt(2 T I3), with that interval; for a phase
 /// outside [0, 1); for a phase other than 0 on the separatrix, which has no period; for what is not finite.
 Eigen::Vector3d omegaFromEnergy(const PrincipalAxes& axes, const EnergyStart& start);
