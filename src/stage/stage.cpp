@@ -29,7 +29,7 @@ using Eigen::Vector3d;
 // In picture lengths.
 constexpr double kVectorRadius = 0.019, kAxisRadius = 0.0125;
 constexpr double kAxisInEllipsoid = 0.88, kAxisBeyondBody = 1.3;
-constexpr double kLeastAxis = 0.4;  // of half the body's longest extent: for an axis that leads away from it
+constexpr double kLeastAxis = 0.3;  // of half the body's longest extent: for an axis that leads away from it
 constexpr double kMostAxes =
     0.8;  // of an axis is framed: labels keep themselves inside, and few axes point outwards
 // In shares of the reference height.

@@ -54,6 +54,18 @@ const Golden kGoldens[] = {
     {"body_frame",
      "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\n[camera]\nframe = \"body\"\n",
      3.0},
+    {"torus",
+     "[body]\nshape = \"torus\"\nradius = 1.1\ntube_radius = 0.35\nmass = 1\n[motion]\nomega_body = [0.6, 0, "
+     "2]\n[show]\nellipsoid = false\nplane = false\npolhode = false\n",
+     2.5},
+    {"t_handle",
+     "[body]\nshape = \"t_handle\"\nbar_length = 3\nbar_radius = 0.2\nshaft_length = 1.5\nshaft_radius = "
+     "0.2\nmass = 1\n[motion]\nomega_body = [0.1, 3, 0]\n",
+     2.0},
+    {"heavy_top",
+     "[body]\nprincipal_moments = [1.40625, 1.40625, 0.65625]\n[motion]\nomega_body = [0, 0, 9.15625]\n"
+     "orientation = [0.966, 0.259, 0, 0]\n[motion.gravity]\nmgr_body = [0, 0, 2.84375]\n[time]\nspeed = 0.4\n",
+     4.0},
     {"portrait",
      "[body]\nprincipal_moments = [1, 3, 3]\n[motion]\nomega_body = [2, 1, 0]\n[show]\ntitle = \"A "
      "rod\"\n[style]\n"
