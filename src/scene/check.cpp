@@ -160,11 +160,14 @@ class Checker {
     return Checked(*value);
   }
 
+  /// The word itself; a number without quotes where that is one.
   std::optional<Checked> word(const Node& node) {
     const auto* value = node.as<std::string>();
-    if (!value) return refuseType(node);
+    const auto* number = node.as<std::int64_t>();
+    const std::string given = value ? *value : number ? fmt::format("{}", *number) : "";
     for (std::size_t i = 0; i < key_.words.size(); ++i)
-      if (key_.words[i] == *value) return Checked(Word{static_cast<int>(i)});
+      if (key_.words[i] == given) return Checked(Word{static_cast<int>(i)});
+    if (!value) return refuseType(node);
     std::string message = fmt::format("expected {}, got {}", wordsText(key_), describe(node));
     const std::vector<std::string> words(key_.words.begin(), key_.words.end());
     if (value->size() <= 64)

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "scene/document.h"
 #include "scene/key_text.h"
@@ -73,7 +74,20 @@ Json quantity(const Key& key) {
           {"pattern", fmt::format("^ *{} *{} *$", kNumberPattern, unitPattern(key.dimension))}};
 }
 
-Json words(const Key& key) { return {{"enum", std::vector<std::string>(key.words.begin(), key.words.end())}}; }
+std::optional<int> wholeNumber(std::string_view word) {
+  int number = 0;
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return status == std::errc() && end == word.data() + word.size() ? std::optional(number) : std::nullopt;
+}
+
+/// A word that is a number may stand without quotes.
+Json words(const Key& key) {
+  Json any = Json::array();
+  for (const std::string_view word : key.words) any.push_back(std::string(word));
+  for (const std::string_view word : key.words)
+    if (const auto number = wholeNumber(word)) any.push_back(*number);
+  return {{"enum", any}};
+}
 
 Json number(const Key& key) {
   Json any = Json::array({bareNumber(key, "number"), quantity(key)});

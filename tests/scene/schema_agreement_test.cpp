@@ -138,7 +138,7 @@ const Samples kSamples[] = {
     {"motion.gravity.g",
      {"9.81", "0", "\"981 cm/s^2\"", "\"9.81 m s^-2\""},
      {"-9.81", "\"9.81 m/s\"", "\"9.81 N\""}},
-    {"motion.spin_axis", {"\"1\"", "\"middle\""}, {"1", "\"x\""}},
+    {"motion.spin_axis", {"\"1\"", "2", "\"middle\""}, {"4", "0", "\"x\"", "true"}},
     {"camera.azimuth",
      {"0.5", "\"-120 deg\"", "\"90°\"", "\"1 rev\""},
      {"\"3 rad/s\"", "\"90\"", "90", "\"90 Grad\""}},
