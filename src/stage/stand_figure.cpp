@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "stage/to_picture.h"
 
@@ -52,7 +53,7 @@ StandFigure::StandFigure(const scene::Scene& scene, const PictureMotion& motion,
   if (scene.body.mass && apart) toCentre_B_ = scale * (scene.body.mass->centre_B() - scene.body.fixedPoint_B());
   if (!hasTable_) return;
   for (int i = 0; i < 12; ++i) {
-    const double angle = M_PI * i / 6;
+    const double angle = std::numbers::pi * i / 6;
     outermostPoints_.emplace_back(tableRadius_ * std::cos(angle), tableRadius_ * std::sin(angle),
                                   -kTableThickness);
   }
