@@ -20,9 +20,11 @@ struct DrivenState {
   Rotor<DoubleDouble> q_WP;
   std::array<DoubleDouble, 3> L_W;  ///< kg·m²/s
 
-  /// Angular momentum along the principal axes, kg·m²/s.
+  /// Angular momentum along the principal axes, kg·m²/s. Each component to its own last digits: that along the
+  /// axis of a thin rod is small, and what turns the rod fastest.
   std::array<double, 3> momentum_P() const {
-    return rotated(conjugate(toDouble(q_WP)), std::array{L_W[0].hi, L_W[1].hi, L_W[2].hi});
+    const auto m = rotated(conjugate(q_WP), L_W);
+    return {m[0].hi, m[1].hi, m[2].hi};
   }
 
   /// q becomes q (1 + turn): a turn about axes of the body.

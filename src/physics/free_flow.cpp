@@ -22,8 +22,9 @@ namespace poinsot::physics {
 namespace {
 
 constexpr std::size_t kMaxOrder = 40;
-// Terms fall at least like (2/pi)^n times this one's power; 0.5^40 is below the rounding.
-constexpr double kLongestStep = 0.5;
+// Of |omega| h. The series converges up to pi/2 over the rate at which n moves, and no body's n moves faster than
+// 2 |omega|: terms fall at least like 0.32^n.
+constexpr double kLongestStep = 0.25;
 // Of the first term: what is left out is below the rounding of the change.
 constexpr double kNegligible = 0x1p-56;
 
@@ -66,8 +67,8 @@ Term products(const Series& s, std::size_t k) {
 
 /// n and g to the order at which two terms of n in a row are negligible:
 ///   n_i' = (gamma_k - gamma_j) n_j n_k,     (1 + n·n0) g = sum (gamma_i - mean) n0_i n_i
-Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& gamma, double mean) {
-  const std::array<double, 3> rate = {gamma[2] - gamma[1], gamma[0] - gamma[2], gamma[1] - gamma[0]};
+Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& gamma,
+                const std::array<double, 3>& rate, double mean) {
   const std::array<double, 3> excess = {(gamma[0] - mean) * n0[0], (gamma[1] - mean) * n0[1],
                                         (gamma[2] - mean) * n0[2]};
   Series s;
@@ -132,16 +133,19 @@ TurnLessOne FreeFlow::turnOver(const std::array<double, 3>& m, double h) const {
   if (L == 0) return {};
   const std::array<double, 3> n0 = {m[0] / L, m[1] / L, m[2] / L};
   const std::array<double, 3> gamma = {L / I_[0] * h, L / I_[1] * h, L / I_[2] * h};
+  // gamma_k - gamma_j, from the difference of the moments themselves: small for a rod.
+  const std::array<double, 3> rate = {L * h * ((I_[1] - I_[2]) / I_[1] / I_[2]),
+                                      L * h * ((I_[2] - I_[0]) / I_[2] / I_[0]),
+                                      L * h * ((I_[0] - I_[1]) / I_[0] / I_[1])};
   const double square = n0[0] * n0[0] + n0[1] * n0[1] + n0[2] * n0[2];
   const double mean = (gamma[0] * n0[0] * n0[0] + gamma[1] * n0[1] * n0[1] + gamma[2] * n0[2] * n0[2]) / square;
-  const Gain change = gain(expanded(n0, gamma, mean));
+  const Gain change = gain(expanded(n0, gamma, rate, mean));
   return turnKeeping(n0, change.n, mean + change.phi);
 }
 
 void FreeFlow::apply(DrivenState& state, double h) const {
   const std::array<double, 3> m = state.momentum_P();
-  const auto [least, most] = std::minmax({I_[0], I_[1], I_[2]});
-  const double turned = norm(m) * std::abs(h) * (1 / least - 1 / most);
+  const double turned = norm({m[0] / I_[0], m[1] / I_[1], m[2] / I_[2]}) * std::abs(h);
   if (turned <= kLongestStep) return state.turn(turnOver(m, h));
   const double parts = std::ceil(turned / kLongestStep);
   for (double i = 0; i < parts; ++i) state.turn(turnOver(state.momentum_P(), h / parts));

@@ -45,6 +45,13 @@ double Splitting::angularSpeed(const DrivenState& state) const {
   return norm({m[0] / I_[0], m[1] / I_[1], m[2] / I_[2]});
 }
 
+double Splitting::fastestRate(const DrivenState& state) const {
+  const auto [least, most] = std::minmax({I_[0], I_[1], I_[2]});
+  const double L = norm(state.momentum_P());
+  const double loss = alpha_ * L * L * (1 / least - 1 / most);
+  return std::max({angularSpeed(state), loss, dragRate_[0], dragRate_[1], dragRate_[2]});
+}
+
 void Splitting::step(DrivenState& state, const Composition& composition, const ForcingPiece& piece, double since,
                      double h) const {
   POINSOT_EXPECT(composition.ofSymmetricSteps || !dependsOnMomentum());

@@ -31,6 +31,9 @@ class Splitting {
 
   /// |omega|, rad/s.
   double angularSpeed(const DrivenState& state) const;
+  /// The fastest of |omega|, the drag and the dissipation, 1/s: stages that run backwards undo the latter two, and
+  /// would blow up in steps much longer than their time.
+  double fastestRate(const DrivenState& state) const;
 
   /// Whether the kicks are joined by flows that depend on the angular momentum, so that only compositions of
   /// symmetric steps keep their order.

@@ -62,8 +62,8 @@ class Pilot {
 };
 
 double Pilot::longest() const {
-  const double omega = splitting_.angularSpeed(state_);
-  return omega > 0 ? kLongestTurn_rad / omega : HUGE_VAL;
+  const double rate = splitting_.fastestRate(state_);
+  return rate > 0 ? kLongestTurn_rad / rate : HUGE_VAL;
 }
 
 /// The error of a step of signed length h; `after` it, from two halves.

@@ -48,7 +48,7 @@ double worstError(std::uint64_t seed, const std::function<void(Draw&, Vector3d& 
   return worst;
 }
 
-TEST(FreeFlow, IsExactToRoundings) {  // measured 1.7 to 2.3
+TEST(FreeFlow, IsExactToRoundings) {  // measured 1.1 to 1.4
   const auto moments = [](Draw& draw) { return draw.moments().values(); };
   expectResidual("random bodies, roundings",
                  worstError(201,
@@ -87,15 +87,21 @@ TEST(FreeFlow, IsExactToRoundings) {  // measured 1.7 to 2.3
                  4);
 }
 
-// Rods, where the axis may turn many times as fast as |omega|: the step is cut.
-TEST(FreeFlow, CutsStepsOfRods) {
-  expectResidual("rods, roundings",
-                 worstError(206,
-                            [](Draw& draw, Vector3d& I, Vector3d& omega) {
-                              I = {draw.decade(-2, -1), 1, 1};
-                              omega = draw.direction();
-                            }),
-                 60);  // measured 14.5
+void drawRod(Draw& draw, double thinnest, Vector3d& I, Vector3d& omega) {
+  const double thin = draw.decade(thinnest, -1);
+  I = {thin, 1, 1 + thin * draw.between(-0.9, 0.9)};
+  omega = draw.direction();
+}
+
+// A rounding of the attitude is one of the momentum along the rod, which its small moment makes a large one of the
+// spin about it: up to I_max/I_min roundings where the step is cut into parts.
+TEST(FreeFlow, Rods) {
+  expectResidual("rods to 1 : 100, roundings",
+                 worstError(206, [](Draw& draw, Vector3d& I, Vector3d& omega) { drawRod(draw, -2, I, omega); }),
+                 60);  // measured 8.1
+  expectResidual("rods to 1 : 1e6, roundings",
+                 worstError(207, [](Draw& draw, Vector3d& I, Vector3d& omega) { drawRod(draw, -6, I, omega); }),
+                 1e5);  // measured 2.5e4
 }
 
 TEST(FreeFlow, KeepsTheMomentumAndRest) {
@@ -135,11 +141,11 @@ TEST(FreeFlow, AgreesWithTheClosedForm) {
       FreeMotion(PrincipalMoments(I), omega, Eigen::Quaterniond::Identity()).at(625).q_WB;
   const Rotor<double> d =
       conjugate(toDouble(state.q_WP)) * Rotor<double>{exact.w(), exact.x(), exact.y(), exact.z()};
-  expectResidual("10000 free flows, rad", 2 * norm({d.x, d.y, d.z}), 2e-12);  // measured 3.9e-13
+  expectResidual("10000 free flows, rad", 2 * norm({d.x, d.y, d.z}), 5e-13);  // measured 5.1e-14
   const auto m = state.momentum_P();
   const double twoT = m[0] * m[0] / I[0] + m[1] * m[1] / I[1] + m[2] * m[2] / I[2];
   const double twoT0 = omega.cwiseProduct(I).dot(omega);
-  expectResidual("  energy", std::abs(twoT / twoT0 - 1), 1e-14);  // measured 1.1e-15
+  expectResidual("  energy", std::abs(twoT / twoT0 - 1), 1e-14);  // measured 0
 }
 
 }  // namespace
