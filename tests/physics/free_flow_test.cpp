@@ -56,7 +56,7 @@ TEST(FreeFlow, IsExactToRoundings) {  // measured 1.1 to 1.4
                               I = moments(draw);
                               omega = draw.direction() * draw.decade(-3, 3);
                             }),
-                 4);  // measured X
+                 4);
   expectResidual("symmetric bodies, roundings",
                  worstError(202,
                             [&](Draw& draw, Vector3d& I, Vector3d& omega) {
