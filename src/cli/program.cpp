@@ -37,7 +37,9 @@ void declare(CLI::App& program, Action& chosen) {
   program.require_subcommand(1);
   addRender(program, chosen);
   addStill(program, chosen);
+  addInfo(program, chosen);
   addTrajectory(program, chosen);
+  addGrade(program, chosen);
   addCheck(program, chosen);
   addSchema(program, chosen);
   addBackends(program, chosen);

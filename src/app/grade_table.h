@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "app/trajectory_row.h"
+
+namespace poinsot::app {
+
+/// Somebody's trajectory: which of kTrajectoryColumns it has, and the rows.
+class TrajectoryTable {
+ public:
+  explicit TrajectoryTable(const std::vector<std::size_t>& columns);
+
+  /// Whether it has `length` columns of kTrajectoryColumns from `place` on.
+  bool has(TrajectoryPlace place) const { return stored_[place] != kAbsent; }
+  std::size_t rows() const { return values_.size() / width_; }
+  double at(std::size_t row, std::size_t column) const { return values_[row * width_ + stored_[column]]; }
+  double t_s(std::size_t row) const { return at(row, kTimeAt); }
+
+  /// `values` of the columns it has, in the order they were named. @pre as many
+  void append(const std::vector<double>& values) { values_.insert(values_.end(), values.begin(), values.end()); }
+
+ private:
+  static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
+
+  std::size_t width_;
+  std::array<std::size_t, kTrajectoryColumns.size()> stored_;  // where in a row of values_
+  std::vector<double> values_;
+};
+
+/// Reads CSV with a header: names of kTrajectoryColumns in any order, other columns ignored. At least t and one of
+/// q, omega_B, omega_W; of a vector all components or none. Blank lines, blanks round a field, "quoted" fields, a
+/// byte order mark, CRLF and lines that start with # are all right; values may be inf or nan, times may not.
+/// @throws core::Error(kIo) with file, line and column.
+TrajectoryTable readTrajectoryTable(std::istream& csv, const std::string& fileName);
+
+/// The same for a file. @throws core::Error(kIo) also if it cannot be read.
+TrajectoryTable readTrajectoryTable(const std::string& fileName);
+
+}  // namespace poinsot::app

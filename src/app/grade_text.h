@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/grade.h"
+
+namespace poinsot::app {
+
+/// A table for people, a quantity a line, then the notes.
+std::string gradeTable(const Grade& grade);
+
+/// One JSON object: file, scene, rows, from_s, to_s, quantities by key (null where absent), notes. A number that
+/// is not finite is null.
+std::string gradeJson(const Grade& grade, const std::string& fileName, const std::string& sceneName);
+
+}  // namespace poinsot::app

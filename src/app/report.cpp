@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <type_traits>
+
+#include "core/text.h"
+
+namespace poinsot::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLabelWidth = 40, kValueWidth = 44;
+
+template <typename T>
+constexpr bool kIsList = std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>;
+
+std::string numberText(double value) { return fmt::format("{:.10g}", value); }
+
+template <typename List>
+std::string listText(const List& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "(" : ", ") + numberText(value);
+  return text + ")";
+}
+
+std::string rowText(const Eigen::Matrix3d& m, int row) {
+  return fmt::format("{:>14}{:>14}{:>14}", fmt::format("{:.6g}", m(row, 0)), fmt::format("{:.6g}", m(row, 1)),
+                     fmt::format("{:.6g}", m(row, 2)));
+}
+
+/// What stands in the second column, a line each.
+std::vector<std::string> valueLines(const FactValue& value) {
+  return std::visit(
+      [](const auto& v) -> std::vector<std::string> {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, double>)
+          return {numberText(v)};
+        else if constexpr (kIsList<T>)
+          return {listText(v)};
+        else if constexpr (std::is_same_v<T, Eigen::Matrix3d>)
+          return {rowText(v, 0), rowText(v, 1), rowText(v, 2)};
+        else if constexpr (std::is_same_v<T, bool>)
+          return {v ? "yes" : "no"};
+        else if constexpr (std::is_same_v<T, int>)
+          return {std::to_string(v)};
+        else
+          return {core::printable(v)};
+      },
+      value);
+}
+
+std::string inDegrees(const Fact& fact) {
+  const double* angle = std::get_if<double>(&fact.value);
+  if (!angle || fact.unit != "rad" || !std::isfinite(*angle)) return "";
+  return fmt::format(" ({:.8g} deg)", *angle * 180 / std::numbers::pi);
+}
+
+std::string factText(const Fact& fact) {
+  std::vector<std::string> lines = valueLines(fact.value);
+  if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
+  lines.back() += inDegrees(fact);
+  std::string text = fmt::format("  {:<{}} ", fact.label, kLabelWidth);
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) text += lines[i] + '\n' + std::string(kLabelWidth + 3, ' ');
+  if (fact.from.empty()) return text + lines.back() + '\n';
+  return text + fmt::format("{:<{}}  {}\n", lines.back(), kValueWidth, fact.from);
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json listJson(const double* values, std::size_t count) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < count; ++i) list.push_back(finite(values[i]));
+  return list;
+}
+
+Json valueJson(const FactValue& value) {
+  return std::visit(
+      [](const auto& v) -> Json {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, double>) return finite(v);
+        if constexpr (kIsList<T>) return listJson(v.data(), static_cast<std::size_t>(v.size()));
+        if constexpr (std::is_same_v<T, Eigen::Matrix3d>) {
+          const Eigen::Matrix3d columns = v.transpose();  // Eigen stores columns, JSON wants rows
+          return {listJson(columns.data(), 3), listJson(columns.data() + 3, 3), listJson(columns.data() + 6, 3)};
+        }
+        if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, int> || std::is_same_v<T, std::string>)
+          return v;
+      },
+      value);
+}
+
+}  // namespace
+
+std::string reportTable(const Report& report) {
+  std::string text = core::printable(report.scene) + '\n';
+  for (const Section& section : report.sections) {
+    if (section.facts.empty()) continue;
+    text += fmt::format("\n{}\n", section.title);
+    for (const Fact& fact : section.facts) text += factText(fact);
+  }
+  return text;
+}
+
+std::string reportJson(const Report& report) {
+  Json json{{"scene", report.scene}}, units = Json::object(), from = Json::object();
+  for (const Section& section : report.sections)
+    for (const Fact& fact : section.facts) {
+      json[fact.key] = valueJson(fact.value);
+      if (!fact.unit.empty()) units[fact.key] = fact.unit;
+      if (!fact.from.empty()) from[fact.key] = fact.from;
+    }
+  json["units"] = units;
+  json["from"] = from;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace poinsot::app {
+
+/// A number, a vector or list of them, a matrix, a count, yes or no, or a word.
+using FactValue =
+    std::variant<double, Eigen::Vector3d, std::vector<double>, Eigen::Matrix3d, int, bool, std::string>;
+
+/// One thing to know of a scene. Values in SI units and radians.
+struct Fact {
+  std::string key;    ///< in JSON: snake_case, stable
+  std::string label;  ///< for people
+  FactValue value;
+  std::string unit;  ///< empty for bare numbers and words
+  std::string from;  ///< equation of the lecture, or what else it comes from
+};
+
+struct Section {
+  std::string title;
+  std::vector<Fact> facts;
+
+  void add(std::string key, std::string label, FactValue value, std::string unit, std::string from) {
+    facts.push_back({std::move(key), std::move(label), std::move(value), std::move(unit), std::move(from)});
+  }
+};
+
+struct Report {
+  std::string scene;
+  std::vector<Section> sections;
+};
+
+/// A table of three columns: quantity, value with its unit, where it comes from. Numbers to ten digits, angles
+/// also in degrees.
+std::string reportTable(const Report& report);
+
+/// One object: scene, each key with its value in full precision (infinite: null), units by key, from by key.
+std::string reportJson(const Report& report);
+
+}  // namespace poinsot::app

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/report_sections.h"
+#include "physics/flight.h"
+#include "scene/make_motion.h"
+
+namespace poinsot::app {
+namespace {
+
+void addFlight(Section& section, const physics::FlightQuantities& q) {
+  section.add("P_W", "momentum P, in W", q.P_W, "kg m/s", "eq 1");
+  section.add("L_orbital_W", "orbital part of L_tot, in W", q.orbital_W, "kg m^2/s", "eq 5");
+  section.add("L_total_W", "L_tot about the origin, in W", q.total_W, "kg m^2/s", "eq 5");
+  section.add("force_W", "force dP/dt, in W", q.force_W, "N", "eq 1");
+  section.add("torque_about_origin_W", "torque dL_tot/dt, in W", q.torque_W, "N m", "eq 1, 8");
+  section.add("T_translation", "kinetic energy of translation", q.translationalEnergy, "J", "eq 10");
+  section.add("T_total", "kinetic energy in all", q.kineticEnergy(), "J", "eq 10");
+}
+
+}  // namespace
+
+Section bodySection(const scene::Scene& scene) {
+  const scene::Body& body = scene.body;
+  Section section{"Body (components along the axes B of the scene)", {}};
+  if (body.mass) {
+    section.add("mass", "mass", body.mass->mass_kg(), "kg", "");
+    section.add("centre_of_mass_B", "centre of mass", body.mass->centre_B(), "m", "");
+  }
+  if (body.pivot_B) section.add("pivot_B", "point held fixed", *body.pivot_B, "m", "");
+  section.add("inertia_tensor_B", body.pivot_B ? "inertia about the fixed point" : "inertia tensor",
+              body.axes.inertia_B(), "kg m^2", body.pivot_B ? "eq 3, 14" : "eq 7, 13");
+  section.add("principal_moments", "principal moments I1, I2, I3", body.axes.moments().values(), "kg m^2",
+              "eq 17");
+  for (int axis = 0; axis < 3; ++axis)
+    section.add("principal_axis_" + std::to_string(axis + 1) + "_B", "principal axis e" + std::to_string(axis + 1),
+                body.axes.toB(Eigen::Vector3d::Unit(axis)), "", "eq 15 to 17");
+  return section;
+}
+
+Section startSection(const scene::Scene& scene) {
+  const auto s = scene::makeMotion(scene, 0, 0)->at(0);
+  Section section{"Start (motion time 0; W: inertial axes)", {}};
+  section.add("orientation", "orientation q, B to W (w, x, y, z)",
+              std::vector<double>{s.q_WB.w(), s.q_WB.x(), s.q_WB.y(), s.q_WB.z()}, "", "");
+  section.add("omega_B", "angular velocity, in B", s.omega_B, "rad/s", "");
+  section.add("omega_W", "angular velocity, in W", s.omega_W, "rad/s", "");
+  section.add("omega", "|omega|", s.omega_B.norm(), "rad/s", "");
+  section.add("L_W", "angular momentum L, in W", s.L_W, "kg m^2/s", "eq 2, 6");
+  section.add("L", "|L|", s.L_W.norm(), "kg m^2/s", "eq 18");
+  section.add("T", "kinetic energy of rotation T", s.kineticEnergy, "J", "eq 12");
+  if (scene.motion.flight && scene.body.mass)
+    addFlight(section, physics::flightQuantities(scene.body.mass->mass_kg(), *scene.motion.flight, s));
+  return section;
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "app/report_sections.h"
+#include "physics/driven_motion.h"
+#include "physics/heavy_top.h"
+#include "physics/run_condition.h"
+#include "scene/make_motion.h"
+
+namespace poinsot::app {
+namespace {
+
+/// Gravity, and nothing besides.
+bool gravityAlone(const physics::Forcing& forcing) {
+  physics::Forcing rest = forcing;
+  rest.gravity_B.setZero();
+  return !forcing.none() && rest.none();
+}
+
+void addSteadyPrecession(Section& section, const physics::HeavyTop& top, double tilt_rad, double spin) {
+  if (spin == 0) return;
+  const auto steady = top.steadyPrecession(tilt_rad, spin);
+  section.add("steady_precession_exists", "steady precession at this tilt and spin", steady.has_value(), "", "");
+  if (!steady) return;
+  section.add("slow_precession_rate", "  slow", steady->slow, "rad/s", "about the vertical");
+  section.add("fast_precession_rate", "  fast", steady->fast, "rad/s", "");
+}
+
+void addNutation(Section& section, const physics::Nutation& nutation) {
+  section.add("nutation_least_tilt", "nutation: least tilt", nutation.leastTilt_rad, "rad", "from the vertical");
+  section.add("nutation_largest_tilt", "  largest tilt", nutation.mostTilt_rad, "rad", "");
+  section.add("nutation_period", "  period", nutation.period_s, "s", "");
+  section.add("precession_per_nutation", "  precession in a period", nutation.precession_rad, "rad", "");
+}
+
+void addIntegration(Section& section, const physics::DrivenMotionReport& report) {
+  section.add("method", "method", report.method, "", "");
+  section.add("order", "order of the step", report.order, "", report.order == 0 ? "closed form" : "");
+  section.add("steps", "steps over the run", static_cast<double>(report.steps), "", "");
+  section.add("shortest_step", "shortest step", report.shortestStep_s, "s", "");
+  section.add("tolerance", "attitude error asked for, at most", report.tolerance_rad, "rad", "motion.tolerance");
+  section.add("estimated_attitude_error", "estimated attitude error", report.estimatedAttitudeError_rad, "rad",
+              report.limitedByRounding ? "the best that double allows" : "within what was asked for");
+  section.add("limited_by_rounding", "limited by rounding", report.limitedByRounding, "", "");
+  if (report.energyDrift)
+    section.add("energy_drift", "drift of the total energy", *report.energyDrift, "", "relative, over the run");
+}
+
+void addCondition(Section& section, const physics::RunCondition& condition) {
+  section.add("turns", "turns from 0 to the end", condition.turns, "", "");
+  section.add("flips", "half periods of the polhode till then", condition.flips, "", "");
+  section.add("end_uncertainty", "attitude uncertain at the end by", condition.attitude_rad, "rad",
+              "if the input is rounded");
+  section.add("meaningful_digits", "meaningful digits at the end", condition.digits, "", "");
+}
+
+}  // namespace
+
+Section heavyTopSection(const scene::Scene& scene) {
+  Section section{"Heavy top (k: from the pivot to the centre of mass)", {}};
+  const auto& axes = scene.body.axes;
+  if (!gravityAlone(scene.motion.forcing)) return section;
+  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
+  if (!top) return section;
+  const Eigen::Vector3d up_P = axes.toP(scene::startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d omega_P = axes.toP(scene.motion.omega_B);
+  const double tilt_rad = std::atan2(up_P.cross(top->k_P).norm(), up_P.dot(top->k_P));
+  section.add("weight_moment", "M g l", top->weight, "N m", "");
+  section.add("top_tilt", "angle between k and the vertical", tilt_rad, "rad", "");
+  section.add("top_spin", "spin omega_3", omega_P.dot(top->k_P), "rad/s", "eq 26");
+  section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", top->sleepingSpin(), "rad/s", "");
+  addSteadyPrecession(section, *top, tilt_rad, omega_P.dot(top->k_P));
+  addNutation(section, top->nutation(omega_P, up_P));
+  return section;
+}
+
+Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
+  Section section{"Run", {}};
+  section.add("motion_from", "motion time of the first frame", span.from_s, "s", "");
+  section.add("motion_to", "motion time at the end of the film", span.to_s, "s", "");
+  if (scene.motion.forcing.none()) {
+    const double farthest_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
+    addCondition(section, physics::runCondition(scene.body.axes, scene.motion.omega_B, farthest_s));
+    return section;
+  }
+  const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
+  if (const auto* driven = dynamic_cast<const physics::DrivenMotion*>(motion.get()))
+    addIntegration(section, driven->report());
+  return section;
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "app/report_sections.h"
+#include "physics/binet.h"
+#include "physics/herpolhode.h"
+#include "physics/poinsot_construction.h"
+#include "physics/polhode.h"
+#include "physics/precession_cones.h"
+#include "physics/stability.h"
+
+namespace poinsot::app {
+namespace {
+
+constexpr int kLongestClosure = 1000;       // radial periods
+constexpr double kClosureTolerance = 1e-9;  // rad: a hundredth of a pixel on a circle of a million
+
+Eigen::Vector3d omega_P(const scene::Scene& scene) { return scene.body.axes.toP(scene.motion.omega_B); }
+
+bool turnsFreely(const scene::Scene& scene) {
+  return scene.motion.forcing.none() && !scene.motion.omega_B.isZero(0);
+}
+
+std::string regimeWord(physics::PolhodeRegime regime) {
+  switch (regime) {
+    case physics::PolhodeRegime::kSteady:
+      return "steady";
+    case physics::PolhodeRegime::kAboutLargest:
+      return "about_largest";
+    case physics::PolhodeRegime::kAboutSmallest:
+      return "about_smallest";
+    case physics::PolhodeRegime::kSeparatrix:
+      return "separatrix";
+  }
+  return "";
+}
+
+void addEllipsoids(Section& section, const scene::Scene& scene) {
+  const auto& moments = scene.body.axes.moments();
+  const physics::PoinsotConstruction poinsot(moments, omega_P(scene));
+  const physics::BinetConstruction binet(moments, omega_P(scene));
+  section.add("plane_height", "height of the invariable plane 2T/|L|", poinsot.planeHeight(), "rad/s", "eq 40");
+  section.add("ellipsoid_semi_axes", "semi-axes sqrt(2T/I_i) of the ellipsoid", poinsot.semiAxes_P(), "rad/s",
+              "eq 38");
+  section.add("momentum_ellipsoid_semi_axes", "semi-axes sqrt(2T I_i) in L space", binet.semiAxes_P(), "kg m^2/s",
+              "Binet");
+}
+
+void addPolhode(Section& section, const scene::Scene& scene) {
+  const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
+  section.add("regime", "kind of motion: the polhode goes", regimeWord(polhode.regime()), "", "L^2 to 2 T I_mid");
+  if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
+  section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
+  const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
+  section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
+  section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
+  section.add("flip_interval", "time from flip to flip 2K/lambda", flips.interval_s, "s",
+              "omega_mid changes sign");
+}
+
+void addHerpolhode(Section& section, const scene::Scene& scene) {
+  const physics::Herpolhode curve(scene.body.axes.moments(), omega_P(scene));
+  if (curve.regime() == physics::PolhodeRegime::kSteady) return;
+  section.add("herpolhode_smallest_radius", "least radius of the herpolhode", curve.smallestRadius(), "rad/s", "");
+  section.add("herpolhode_largest_radius", "largest radius of the herpolhode", curve.largestRadius(), "rad/s", "");
+  section.add("radial_period", "from a largest radius to the next", curve.radialPeriod(), "s",
+              "half the polhode's");
+  section.add("angle_per_radial_period", "angle about L in that time", curve.anglePerRadialPeriod(), "rad", "");
+  const auto closure = curve.closure(kLongestClosure, kClosureTolerance);
+  section.add("herpolhode_closes", "the herpolhode closes", closure.has_value(), "", "to 1e-9 rad");
+  if (!closure) return;
+  section.add("closure_radial_periods", "  after radial periods", closure->radialPeriods, "", "");
+  section.add("closure_turns", "  in turns about L", closure->turns, "", "");
+  section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
+}
+
+/// A wobble of days is a planet's, and is told in days.
+void addChandler(Section& section, double period_s) {
+  if (!(period_s > physics::kSolarDay_s) || !std::isfinite(period_s)) return;
+  section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
+              "eq 29");
+  section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
+              "sidereal d", "the real Earth, not rigid: 433 d");
+}
+
+std::string senseWord(physics::RollingSense sense) {
+  if (sense == physics::RollingSense::kOutside) return "outside";
+  return sense == physics::RollingSense::kInside ? "inside" : "none";
+}
+
+std::string stabilityWord(physics::Stability kind) {
+  if (kind == physics::Stability::kStable) return "stable";
+  return kind == physics::Stability::kUnstable ? "unstable" : "neutral";
+}
+
+std::string rateMeaning(physics::Stability kind) {
+  if (kind == physics::Stability::kUnstable) return "a disturbance grows at this rate";
+  return kind == physics::Stability::kStable ? "a disturbance circles at this rate" : "another moment is equal";
+}
+
+}  // namespace
+
+Section constructionSection(const scene::Scene& scene) {
+  Section section{"Poinsot's construction (axes e1, e2, e3)", {}};
+  if (!turnsFreely(scene)) return section;
+  addEllipsoids(section, scene);
+  addPolhode(section, scene);
+  addHerpolhode(section, scene);
+  return section;
+}
+
+Section symmetricSection(const scene::Scene& scene) {
+  Section section{"Symmetric top (k: its axis)", {}};
+  if (!turnsFreely(scene)) return section;
+  const auto cones = physics::precessionCones(scene.body.axes.moments(), omega_P(scene));
+  if (!cones) {
+    addChandler(section, physics::Polhode(scene.body.axes.moments(), omega_P(scene)).period());
+    return section;
+  }
+  section.add("symmetry_axis_B", "symmetry axis k, in B", scene.body.axes.toB(cones->k_P), "", "");
+  section.add("tilt", "angle theta between k and L", cones->tilt_rad, "rad", "eq 20");
+  section.add("body_cone_half_angle", "body cone, half-angle (omega, k)", cones->bodyCone_rad, "rad", "eq 30");
+  section.add("space_cone_half_angle", "space cone, half-angle (omega, L)", cones->spaceCone_rad, "rad", "eq 35");
+  section.add("rolling", "the body cone rolls on the other's", senseWord(cones->sense), "",
+              "prolate out, oblate in");
+  section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
+  section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26");
+  section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");
+  section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21");
+  section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29");
+  addChandler(section, cones->wobblePeriod());
+  return section;
+}
+
+Section stabilitySection(const scene::Scene& scene) {
+  Section section{"Spin about each principal axis, at the present |omega|", {}};
+  const double spin = scene.motion.omega_B.norm();
+  if (spin == 0) return section;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto found = physics::spinStability(scene.body.axes.moments(), axis, spin);
+    const std::string name = "axis_" + std::to_string(axis + 1), label = "e" + std::to_string(axis + 1);
+    section.add(name + "_stability", "spin about " + label, stabilityWord(found.kind), "", "eq 24 to 26");
+    section.add(name + "_rate", "  rate", found.rate, found.kind == physics::Stability::kStable ? "rad/s" : "1/s",
+                rateMeaning(found.kind));
+  }
+  return section;
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/report_scene.h"
+
+#include "app/report_sections.h"
+#include "stage/picture_motion.h"
+
+namespace poinsot::app {
+
+Report sceneReport(const scene::Scene& scene) {
+  const double start_s = scene.time.start_s;
+  const ReportSpan span{start_s, start_s + stage::chosenSpeed(scene) * scene.time.duration_s};
+  return {scene.name,
+          {bodySection(scene), startSection(scene), constructionSection(scene), symmetricSection(scene),
+           heavyTopSection(scene), stabilitySection(scene), accuracySection(scene, span)}};
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/grade.h"
+#include "app/grade_text.h"
+#include "app/trajectory_number.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "scene/make_motion.h"
+#include "scene/units.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct GradeOptions : SceneOptions {
+  std::string theirs, limit;
+  bool json = false;
+};
+
+/// --max-attitude-error: rad, or with a unit.
+std::optional<double> limit_rad(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  const auto number = app::parseNumber(word);
+  const auto quantity =
+      number ? scene::Quantity{*number, ""} : scene::parseQuantity(word, scene::Dimension::kAngle);
+  if (quantity.ok() && quantity.value >= 0) return quantity.value;
+  throw core::Error(
+      core::ErrorKind::kUsage,
+      fmt::format("--max-attitude-error '{}': an angle that is not negative, such as 1e-6 (rad) or '0.1 deg'",
+                  core::printable(word)));
+}
+
+/// Whether the attitude keeps to the limit. @throws core::Error(kIo) if they say none.
+bool within(const app::Grade& grade, double limit_rad, const std::string& fileName) {
+  const auto& errors = grade.quantity("attitude").errors;
+  if (!errors)
+    throw core::Error(core::ErrorKind::kIo, "no columns q_w, q_x, q_y, q_z for --max-attitude-error to judge",
+                      core::SourceLocation{core::printable(fileName), 0, 0});
+  return errors->largest <= limit_rad;
+}
+
+int gradeTheirs(const GradeOptions& options) {
+  const auto limit = limit_rad(options.limit);
+  const scene::Scene scene = loadScene(options);
+  const app::TrajectoryTable theirs = app::readTrajectoryTable(options.theirs);
+  const physics::TimeSpan span = app::spanOf(theirs);
+  const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
+  const app::Grade grade = app::grade(*motion, theirs);
+  writeOut(options.json ? app::gradeJson(grade, options.theirs, scene.name) : app::gradeTable(grade));
+  return !limit || within(grade, *limit, options.theirs) ? kDone : kNo;
+}
+
+}  // namespace
+
+void addGrade(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<GradeOptions>();
+  CLI::App* command =
+      program.add_subcommand("grade", "say how far another engine's trajectory is off, and from when on");
+  addSceneOptions(*command, *options);
+  command
+      ->add_option("THEIRS", options->theirs,
+                   "CSV with the columns of `poinsot trajectory`, any order; t and q or omega_B at least")
+      ->required();
+  command
+      ->add_option("--max-attitude-error", options->limit,
+                   "exit 1 if the attitude is off by more, rad or with a unit")
+      ->type_name("ANGLE")
+      ->check(notEmpty());
+  command->add_flag("--json", options->json, "as a JSON object");
+  command->footer(
+      "Example:\n"
+      "  poinsot grade scenes/football.toml mine.csv --max-attitude-error '0.1 deg'\n"
+      "Exit code 0 when graded, however bad; 1 only beyond --max-attitude-error.");
+  command->callback([options, &chosen] { chosen = [options] { return gradeTheirs(*options); }; });
+}
+
+}  // namespace poinsot::cli

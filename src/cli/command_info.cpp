@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/report_scene.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct InfoOptions : SceneOptions {
+  bool json = false;
+};
+
+int info(const InfoOptions& options) {
+  const app::Report report = app::sceneReport(loadScene(options));
+  writeOut(options.json ? app::reportJson(report) : app::reportTable(report));
+  return kDone;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command =
+      program.add_subcommand("info", "print what one would work out by hand: moments, periods, cones, rates");
+  addSceneOptions(*command, *options);
+  command->add_flag("--json", options->json,
+                    "as a JSON object, SI units, full precision; infinite numbers are null");
+  command->footer(
+      "Example:\n"
+      "  poinsot info scenes/football.toml\n"
+      "Equation numbers are those of the lecture that docs/physics.md follows.");
+  command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Other people's CSV: what is forgiven, and where what is not is said to be. Columns were counted by hand.
+#include "app/grade_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "core/error.h"
+#include "support/scratch_folder.h"
+
+namespace poinsot::app {
+namespace {
+
+TrajectoryTable table(const std::string& csv) {
+  std::istringstream stream(csv);
+  return readTrajectoryTable(stream, "a.csv");
+}
+
+TEST(GradeTable, AnyOrderAndForeignColumns) {
+  const auto t = table("note,omega_B_z,omega_B_x,t,omega_B_y\nfast,3,1,0.5,2\nslow,6,4,1.5,5\n");
+  ASSERT_EQ(t.rows(), 2u);
+  EXPECT_TRUE(t.has(kOmegaBAt));
+  EXPECT_FALSE(t.has(kQAt));
+  EXPECT_EQ(t.t_s(1), 1.5);
+  EXPECT_EQ(t.at(0, kOmegaBAt), 1);
+  EXPECT_EQ(t.at(0, kOmegaBAt + 1), 2);
+  EXPECT_EQ(t.at(1, kOmegaBAt + 2), 6);
+}
+
+TEST(GradeTable, WhatOtherProgramsWrite) {
+  const auto t = table(
+      "\xef\xbb\xbf# made by an engine\r\n\"t\", omega_B_x ,omega_B_y,omega_B_z,\"a,b\"\r\n\r\n"
+      " 1 ,+2,\"3\",nan,\"x, y\"\r\n# end\r\n");
+  ASSERT_EQ(t.rows(), 1u);
+  EXPECT_EQ(t.t_s(0), 1);
+  EXPECT_EQ(t.at(0, kOmegaBAt), 2);
+  EXPECT_EQ(t.at(0, kOmegaBAt + 1), 3);
+  EXPECT_TRUE(std::isnan(t.at(0, kOmegaBAt + 2)));
+}
+
+TEST(GradeTable, NoNewlineAtTheEnd) { EXPECT_EQ(table("t,q_w,q_x,q_y,q_z\n0,1,0,0,0").rows(), 1u); }
+
+std::string complaint(const std::string& csv) {
+  try {
+    table(csv);
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kIo);
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(GradeTable, MistakesHaveTheirPlace) {
+  const std::string header = "t,omega_B_x,omega_B_y,omega_B_z\n";
+  EXPECT_EQ(complaint(""), "a.csv: is empty; its first line names the columns");
+  EXPECT_EQ(complaint(header), "a.csv: has a header and no rows");
+  EXPECT_EQ(complaint("0,1,2,3\n"), "a.csv:1: no column t; the first line names the columns, separated by commas");
+  EXPECT_EQ(complaint("t,q_w,q_x,q_z\n"), "a.csv:1: column q_y is missing beside its fellows");
+  EXPECT_EQ(complaint("t,t,q_w\n"), "a.csv:1:3: column t is there twice");
+  EXPECT_EQ(complaint("t,L_W_x,L_W_y,L_W_z\n0,1,2,3\n"),
+            "a.csv:1: no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z");
+  EXPECT_EQ(complaint(header + "0,1,2,3\n1,1,x2,3\n"), "a.csv:3:5: omega_B_y: no number: 'x2'");
+  EXPECT_EQ(complaint(header + "0,1,2,\n"), "a.csv:2:7: omega_B_z: no number: ''");
+  EXPECT_EQ(complaint(header + "\n0,1,2\n"), "a.csv:3: 3 values in a row, where the header has 4 columns");
+  EXPECT_EQ(complaint(header + " inf,1,2,3\n"), "a.csv:2:2: t: no time: inf");
+  EXPECT_EQ(complaint(header + "0,1,2,\x1b[2J\n"), "a.csv:2:7: omega_B_z: no number: '\\x1b[2J'");
+}
+
+TEST(GradeTable, FilesThatCannotBeRead) {
+  const ScratchFolder folder;
+  const auto says = [&](const std::string& name) {
+    try {
+      readTrajectoryTable((folder / name).string());
+    } catch (const core::Error& error) {
+      EXPECT_EQ(error.kind(), core::ErrorKind::kIo);
+      return error.message();
+    }
+    return std::string("nothing");
+  };
+  folder.put("empty.csv", "");
+  std::filesystem::create_directory(folder / "folder");
+  EXPECT_EQ(says("missing.csv"), "cannot be read: No such file or directory");
+  EXPECT_EQ(says("folder"), "cannot be read: Is a directory");
+  EXPECT_EQ(says("empty.csv"), "is empty; its first line names the columns");
+}
+
+}  // namespace
+}  // namespace poinsot::app

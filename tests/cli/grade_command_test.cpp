@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program_run.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A folder with a scene, and a faithful trajectory of it.
+class GradeCommand : public testing::Test {
+ protected:
+  GradeCommand() {
+    folder_.put("a.toml", kGoodScene);
+    EXPECT_EQ(grade({}, "trajectory", {"--rate", "20", "-D", "time.speed=1", "-o", "copy.csv"}).exitCode, 0);
+  }
+
+  RunResult grade(const std::vector<std::string>& files, const std::string& command = "grade",
+                  const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> words{command, "a.toml"};
+    words.insert(words.end(), files.begin(), files.end());
+    words.insert(words.end(), options.begin(), options.end());
+    return run(folder_, words);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(GradeCommand, ACopy) {
+  const auto result = grade({"copy.csv"}, "grade", {"--max-attitude-error", "1e-15"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("81 rows, t = 0 to 4 s\n"));
+  EXPECT_THAT(result.out, HasSubstr("none: rounding"));
+}
+
+TEST_F(GradeCommand, AnotherBodyIsFoundOut) {
+  const auto result = grade({"copy.csv"}, "grade", {"-D", "body.principal_moments=[1, 2, 2.999999]"});
+  EXPECT_EQ(result.exitCode, 0);  // graded, however bad
+  EXPECT_THAT(result.out, HasSubstr("from t = 0"));
+  const auto limited = grade({"copy.csv"}, "grade",
+                             {"-D", "body.principal_moments=[1, 2, 2.9]", "--max-attitude-error", "0.1 deg"});
+  EXPECT_EQ(limited.exitCode, 1);
+  EXPECT_THAT(limited.out, StartsWith("81 rows"));
+}
+
+TEST_F(GradeCommand, Json) {
+  const auto result = grade({"copy.csv"}, "grade", {"--json"});
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("file"), "copy.csv");
+  EXPECT_EQ(json.at("scene"), "a");
+  for (const char* key : {"attitude", "omega_B", "omega_W", "direction_of_L", "length_of_L", "T"})
+    EXPECT_LE(json.at("quantities").at(key).at("largest").get<double>(), 1e-15) << key;
+}
+
+TEST_F(GradeCommand, MistakesInTheirFileHaveTheirPlace) {
+  folder_.put("bad.csv", "t,omega_B_x,omega_B_y,omega_B_z\n0,1,2,three\n");
+  const auto bad = grade({"bad.csv"});
+  EXPECT_EQ(bad.exitCode, 4);
+  EXPECT_EQ(bad.err, "poinsot: error: bad.csv:2:7: omega_B_z: no number: 'three'\n");
+  EXPECT_EQ(grade({"missing.csv"}).exitCode, 4);
+  EXPECT_EQ(grade({}).exitCode, 2);
+}
+
+TEST_F(GradeCommand, LimitsAreAnglesAndNeedAnAttitude) {
+  for (const char* limit : {"-1", "nan", "soon", "1 m", ""})
+    EXPECT_EQ(grade({"copy.csv"}, "grade", {"--max-attitude-error", limit}).exitCode, 2) << limit;
+  folder_.put("spin.csv", "t,omega_B_x,omega_B_y,omega_B_z\n0,0.1,10,0\n");
+  const auto result = grade({"spin.csv"}, "grade", {"--max-attitude-error", "1"});
+  EXPECT_EQ(result.exitCode, 4);
+  EXPECT_THAT(result.err, HasSubstr("spin.csv: no columns q_w, q_x, q_y, q_z"));
+}
+
+}  // namespace
+}  // namespace poinsot

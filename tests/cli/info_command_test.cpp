@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers that `info` prints against values worked out beforehand to 50 digits, or by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/program_run.h"
+#include "support/development_examples.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+class InfoCommand : public testing::Test {
+ protected:
+  /// Of a body with these moments and start, and more lines of its scene.
+  nlohmann::json info(const std::string& moments, const std::string& omega, const std::string& more = "") const {
+    folder_.put("s.toml",
+                "[body]\nprincipal_moments = " + moments + "\n[motion]\nomega_body = " + omega + "\n" + more);
+    const auto result = run(folder_, {"info", "s.toml", "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  }
+
+  ScratchFolder folder_;
+};
+
+void expectNear(const nlohmann::json& json, const char* key, double expected, double relative = 1e-15) {
+  if (std::isinf(expected))
+    EXPECT_TRUE(json.at(key).is_null()) << key;
+  else
+    EXPECT_NEAR(json.at(key).get<double>(), expected, relative * std::abs(expected)) << key;
+}
+
+std::string listed(const Eigen::Vector3d& v) {
+  nlohmann::json list{v[0], v[1], v[2]};
+  return list.dump();
+}
+
+TEST_F(InfoCommand, DevelopmentExamples) {
+  const std::map<physics::PolhodeRegime, std::string> words{
+      {physics::PolhodeRegime::kAboutLargest, "about_largest"},
+      {physics::PolhodeRegime::kAboutSmallest, "about_smallest"},
+      {physics::PolhodeRegime::kSeparatrix, "separatrix"}};
+  for (const physics::Example& e : physics::kExamples) {
+    SCOPED_TRACE(e.name);
+    const auto json = info(listed(e.I), listed(e.omega0));
+    EXPECT_EQ(json.at("regime"), words.at(e.regime));
+    expectNear(json, "L", e.L);
+    expectNear(json, "plane_height", e.planeHeight);
+    expectNear(json, "polhode_period", e.polhodePeriod);
+    expectNear(json, "flip_interval", e.polhodePeriod / 2);
+    expectNear(json, "angle_per_radial_period", e.anglePerRadialPeriod);
+    expectNear(json, "herpolhode_smallest_radius", e.smallestRadius);
+    expectNear(json, "herpolhode_largest_radius", e.largestRadius);
+  }
+}
+
+TEST_F(InfoCommand, TheEllipsoidAndTheTensor) {
+  const auto json = info("[2, 3, 4]", "[0.5, 0.25, 1]");
+  const double expected[] = {1.530931089239486, 1.25, 1.082531754730548};  // sqrt(4.6875/I_i)
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(json.at("ellipsoid_semi_axes")[i].get<double>(), expected[i], 1e-15);
+  EXPECT_EQ(json.at("inertia_tensor_B"), nlohmann::json::parse("[[2,0,0],[0,3,0],[0,0,4]]"));
+  EXPECT_EQ(json.at("T"), 2.34375);
+  EXPECT_EQ(json.at("units").at("plane_height"), "rad/s");
+  EXPECT_EQ(json.at("from").at("plane_height"), "eq 40");
+}
+
+TEST_F(InfoCommand, HerpolhodesThatClose) {
+  const auto about3 = info("[1.25, 2, 2.75]", "[1.577034598253537625, 0, 1.5]");
+  EXPECT_EQ(about3.at("herpolhode_closes"), true);
+  EXPECT_EQ(about3.at("closure_radial_periods"), 5);
+  EXPECT_EQ(about3.at("closure_turns"), 8);
+  expectNear(about3, "closure_time", 18.44647312604001);
+  const auto about1 = info("[1.25, 2, 2.75]", "[1.5, 0, 0.422945230106353779731]");
+  EXPECT_EQ(about1.at("closure_radial_periods"), 4);
+  EXPECT_EQ(about1.at("closure_turns"), 3);
+  EXPECT_EQ(info("[2, 3, 4]", "[0.5, 0.25, 1]").at("herpolhode_closes"), false);
+}
+
+TEST_F(InfoCommand, PrecessionOfAProlateTop) {
+  // I1 = 1.5, I3 = 0.9, L = 2, theta = 25 deg: omega_1 = L sin theta/I1, omega_3 = L cos theta/I3 to 15 digits.
+  const auto json = info("[1.5, 1.5, 0.9]", "[0.563491015654266, 0, 2.01401730452589]");
+  expectNear(json, "tilt", 25 * kDegree, 5e-15);
+  expectNear(json, "precession_rate", 4.0 / 3, 5e-15);
+  expectNear(json, "hand_finch_spin", 0.805606921810356, 5e-15);
+  expectNear(json, "body_precession_rate", -0.805606921810356, 5e-15);
+  expectNear(json, "body_cone_half_angle", 15.6308012665084 * kDegree, 5e-15);
+  expectNear(json, "space_cone_half_angle", 9.36919873349163 * kDegree, 5e-15);
+  EXPECT_EQ(json.at("rolling"), "outside");
+  EXPECT_FALSE(json.contains("chandler_period_solar_days"));
+}
+
+TEST_F(InfoCommand, ChandlersPeriod) {
+  // (I3/I1 - 1) = 0.0033: 1/0.0033 sidereal days of 86164.0905 s; omega_3 = 2 pi/86164.0905 s.
+  const auto json = info("[1, 1, 1.0033]", listed({1e-10, 0, 2 * std::numbers::pi / 86164.0905}));
+  expectNear(json, "chandler_period_sidereal_days", 303.030303, 1e-8);
+  expectNear(json, "chandler_period_solar_days", 302.2028988, 1e-8);
+}
+
+TEST_F(InfoCommand, FlipsOfATHandle) {
+  const std::pair<const char*, double> cases[] = {
+      {"0.1", 3.31061953}, {"0.01", 4.69446708}, {"0.001", 6.07814236}, {"0.0001", 7.46181502}};
+  for (const auto& [disturbance, interval_s] : cases) {
+    const auto json = info("[0.279722222222222, 0.513333333333333, 0.773055555555556]",
+                           std::string("[") + disturbance + ", \"1 rev/s\", 0]");
+    expectNear(json, "flip_interval", interval_s, 5e-9);  // as many digits as given
+    EXPECT_EQ(json.at("axis_2_stability"), "unstable");
+    EXPECT_NEAR(json.at("axis_2_rate").get<double>(), 3.3282, 1e-3);
+    EXPECT_EQ(json.at("axis_1_stability"), "stable");
+  }
+}
+
+TEST_F(InfoCommand, TheHeavyTop) {
+  // Released with spin only at 30 deg from the vertical: q = (cos 15 deg, sin 15 deg, 0, 0).
+  const auto json = info("[1.40625, 1.40625, 0.65625]", "[0, 0, 9.15625]",
+                         "orientation = [0.9659258262890683, 0.25881904510252074, 0, "
+                         "0]\n[motion.gravity]\nmgr_body = [0, 0, 2.84375]\n");
+  expectNear(json, "sleeping_spin", 6.09449400220044, 5e-15);
+  expectNear(json, "slow_precession_rate", 0.530251265914263, 5e-15);
+  expectNear(json, "fast_precession_rate", 4.40368790953541, 5e-15);
+  expectNear(json, "nutation_least_tilt", 30 * kDegree, 5e-15);
+  expectNear(json, "nutation_largest_tilt", 38.840183490757 * kDegree, 5e-14);
+  expectNear(json, "nutation_period", 1.83064120697989845, 5e-15);
+  expectNear(json, "precession_per_nutation", 0.958047879275758037, 5e-14);
+  EXPECT_LE(json.at("estimated_attitude_error").get<double>(), 1e-12);  // the default tolerance
+  EXPECT_LE(json.at("energy_drift").get<double>(), 1e-11);
+  EXPECT_EQ(json.at("order"), 6);
+  EXPECT_FALSE(json.contains("polhode_period"));  // of free motion
+}
+
+TEST_F(InfoCommand, MeaningfulDigitsFallWithTime) {
+  const auto turns = [&](const char* speed) {
+    return info("[2, 3, 4]", "[0.5, 0.25, 1]", std::string("[time]\nduration = 10\nspeed = ") + speed + "\n");
+  };
+  const auto brief = turns("1"), lengthy = turns("1e5");
+  // |omega| = sqrt(1.3125) rad/s: turns in 1e6 s by hand.
+  expectNear(lengthy, "turns", std::sqrt(1.3125) * 1e6 / (2 * std::numbers::pi), 1e-14);
+  EXPECT_NEAR(brief.at("meaningful_digits").get<double>() - lengthy.at("meaningful_digits").get<double>(), 5, 0.5);
+}
+
+TEST_F(InfoCommand, ATableForPeople) {
+  folder_.put("a.toml", kGoodScene);
+  const auto result = run(folder_, {"info", "a.toml"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.out,
+              ContainsRegex("kinetic energy of rotation T +100.005 J +eq 12\n"));  // (0.1^2 + 2 10^2)/2
+  EXPECT_THAT(result.out, ContainsRegex("height of the invariable plane .* rad/s +eq 40\n"));
+  EXPECT_THAT(result.out, ContainsRegex("principal moments I1, I2, I3 +\\(1, 2, 3\\) kg m\\^2 +eq 17\n"));
+  EXPECT_THAT(result.out, HasSubstr("spin about e2"));
+}
+
+TEST_F(InfoCommand, ASphereAndASteadySpin) {
+  const auto sphere = info("[2, 2, 2]", "[0, 0, 3]");
+  EXPECT_EQ(sphere.at("regime"), "steady");
+  EXPECT_EQ(sphere.at("hand_finch_spin"), 0);  // eq 21: the strange spin of a sphere
+  EXPECT_EQ(sphere.at("axis_3_stability"), "neutral");
+  EXPECT_FALSE(sphere.contains("polhode_period"));
+}
+
+TEST_F(InfoCommand, LostOutputIs4) {
+  folder_.put("a.toml", kGoodScene);
+  EXPECT_EQ(run(folder_, {"info", "a.toml"}, Stdout::kFull).exitCode, 4);
+  EXPECT_EQ(run(folder_, {"info", "no.toml"}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace poinsot
