@@ -35,22 +35,22 @@ double referenceHeight(glm::vec2 size_px) {
   return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
 }
 
-void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& colors) {
-  const double H = referenceHeight(list.camera.size_px) * scene.style.textSize;
-  const double left = kEdge * H, room = static_cast<double>(list.camera.size_px.x) - 2 * left;
+void addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors) {
+  const double H = referenceHeight(picture.size_px) * scene.style.textSize;
+  const double left = kEdge * H, room = static_cast<double>(picture.size_px.x) - 2 * left;
   double y = kEdge * H;
   const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
     const text::GlyphRun run = text::setTex(tex);
     // A line too long for the picture is set smaller.
     const double size_px = std::min(size * H, room / std::max(run.width_em, 1e-9));
     y += size_px * std::max(run.inkTop_em, kCapHeight);
-    list.texts.push_back({tex, glm::vec2(left, y), static_cast<float>(size_px), color, 1, std::nullopt, 0});
+    picture.texts.push_back({tex, glm::vec2(left, y), static_cast<float>(size_px), color, 1, std::nullopt, 0});
     y += size_px * (std::max(-run.inkBottom_em, kDescent) + kLeading);
   };
   if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
   if (!scene.show.subtitle.empty()) addLine(scene.show.subtitle, kSubtitle, colors.quietInk);
   // What is not to scale is said in the picture.
-  y = static_cast<double>(list.camera.size_px.y) - (kEdge + kNote) * H;
+  y = static_cast<double>(picture.size_px.y) - (kEdge + kNote) * H;
   if (scene.show.exaggerateAngles > 1)
     addLine("angles drawn " + grouped(scene.show.exaggerateAngles) + " times larger", kNote, colors.quietInk);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "draw/draw_list.h"
+#include "draw/picture.h"
 #include "scene/scene.h"
 #include "stage/construction_figure.h"
 #include "stage/palette.h"
@@ -14,7 +15,7 @@ namespace poinsot::stage {
 double referenceHeight(glm::vec2 size_px);
 
 /// Title and subtitle at the top left, set smaller where they would not fit; at the bottom, what is not to scale.
-void addTitle(draw::DrawList& list, const scene::Scene& scene, const Palette& colors);
+void addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors);
 
 /// "invariable plane": under the edge that runs to the plane's lowest corner from the left, or over the one that
 /// runs to its highest where the plane is above the body.

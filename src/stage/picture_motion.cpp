@@ -52,18 +52,6 @@ void checkExaggeration(const physics::PrincipalMoments& moments, const Vector3d&
       "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
 }
 
-std::unique_ptr<const physics::Motion> makeMotion(const scene::Scene& scene, double speed) {
-  const double end = scene.time.start_s + speed * scene.time.duration_s;
-  const double factor = scene.show.exaggerateAngles;
-  if (factor == 1) return scene::makeMotion(scene, scene.time.start_s, end);
-  const physics::PrincipalAxes& axes = scene.body.axes;
-  const Vector3d omega_P = axes.toP(scene.motion.omega_B), drawn_P = exaggerated(omega_P, factor);
-  checkExaggeration(axes.moments(), omega_P, drawn_P);
-  scene::Scene drawn = scene;
-  drawn.motion.omega_B = axes.toB(drawn_P);
-  return scene::makeMotion(drawn, scene.time.start_s, end);
-}
-
 // The body standing with its spin axis up (down where L points down).
 Matrix3d standingBody(const scene::Scene& scene) {
   const Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
@@ -124,8 +112,20 @@ double chosenSpeed(const scene::Scene& scene) {
   return spin == 0 || (spin >= kCalmestSpin && spin <= kFastestSpin) ? 1.0 : kPleasantSpin / spin;
 }
 
-PictureMotion::PictureMotion(const scene::Scene& scene)
-    : motion_(makeMotion(scene, chosenSpeed(scene))),
+std::shared_ptr<const physics::Motion> drawnMotion(const scene::Scene& scene) {
+  const double end = scene.time.start_s + chosenSpeed(scene) * scene.time.duration_s;
+  const double factor = scene.show.exaggerateAngles;
+  if (factor == 1) return scene::makeMotion(scene, scene.time.start_s, end);
+  const physics::PrincipalAxes& axes = scene.body.axes;
+  const Vector3d omega_P = axes.toP(scene.motion.omega_B), drawn_P = exaggerated(omega_P, factor);
+  checkExaggeration(axes.moments(), omega_P, drawn_P);
+  scene::Scene drawn = scene;
+  drawn.motion.omega_B = axes.toB(drawn_P);
+  return scene::makeMotion(drawn, scene.time.start_s, end);
+}
+
+PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion)
+    : motion_(std::move(motion)),
       start_s_(scene.time.start_s),
       speed_(chosenSpeed(scene)),
       duration_s_(scene.time.duration_s),

@@ -27,6 +27,11 @@ struct PictureState {
 /// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.
 double chosenSpeed(const scene::Scene& scene);
 
+/// The motion that the scene's film shows, over the film: with larger angles where it says so.
+/// @throws core::Error(kScene) where larger angles would be another kind of motion, kPhysics where it has no
+/// solution.
+std::shared_ptr<const physics::Motion> drawnMotion(const scene::Scene& scene);
+
 /// One sample of the path of the tip of omega.
 struct PathPoint {
   double filmTime_s;
@@ -37,8 +42,8 @@ struct PathPoint {
 
 class PictureMotion {
  public:
-  /// @throws core::Error(kPhysics) for a body at rest whose directions are to be shown.
-  explicit PictureMotion(const scene::Scene& scene);
+  /// `motion`: drawnMotion() of the scene; its views share it.
+  PictureMotion(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion);
 
   PictureState at(double filmTime_s) const;
   /// From inertial axes to the picture's.
@@ -67,7 +72,7 @@ class PictureMotion {
 
   physics::RigidBodyState stateAt(double filmTime_s) const { return motion_->at(start_s_ + speed_ * filmTime_s); }
 
-  std::unique_ptr<const physics::Motion> motion_;
+  std::shared_ptr<const physics::Motion> motion_;
   double start_s_;
   double speed_;
   double duration_s_;

@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <vector>
 
-#include "draw/draw_list.h"
+#include "draw/picture.h"
 #include "scene/scene.h"
+#include "stage/palette.h"
+#include "stage/view_stage.h"
 
 namespace poinsot::stage {
 
-/// Turns a scene into pictures-as-values. Everything that does not depend on time (scales, framing, whole curves)
-/// is worked out once, here; compose() is a pure function of the film time.
+/// Turns a scene into pictures-as-values: its views side by side, all at the same instant, with what stands still
+/// over them. compose() is a pure function of the film time.
 class Stage {
  public:
   /// @throws core::Error(kPhysics) where the scene asks for something its motion does not have
   /// (the invariable plane of a body at rest).
   explicit Stage(scene::Scene scene);
-  ~Stage();
-  Stage(Stage&&) noexcept;
 
   /// What the picture shows at film time `filmTime_s`, for a picture of `size_px` (width, height).
-  draw::DrawList compose(double filmTime_s, glm::ivec2 size_px) const;
+  draw::Picture compose(double filmTime_s, glm::ivec2 size_px) const;
 
-  const scene::Scene& scene() const;
+  const scene::Scene& scene() const { return scene_; }
   /// Motion seconds per film second: the scene's, or the one chosen from |omega|.
-  double speed() const;
+  double speed() const { return views_.front().speed(); }
 
  private:
-  struct Plan;
-  std::unique_ptr<const Plan> plan_;
+  scene::Scene scene_;
+  Palette colors_;
+  std::vector<ViewStage> views_;
 };
 
 }  // namespace poinsot::stage

@@ -88,7 +88,10 @@ image::Image actualPicture(const Golden& golden) {
   static const auto context = gl::openContext(gl::Backend::kAuto);
   static render::Renderer renderer(*context);
   const stage::Stage stage(sceneOf(golden));
-  return renderer.render(stage.compose(golden.filmTime_s, {golden.size.width, golden.size.height}), golden.size);
+  const draw::Picture picture = stage.compose(golden.filmTime_s, {golden.size.width, golden.size.height});
+  draw::DrawList list = picture.panels.at(0).list;
+  list.texts.insert(list.texts.end(), picture.texts.begin(), picture.texts.end());
+  return renderer.render(list, golden.size);
 }
 
 void write(const fs::path& path, const image::Image& picture) {

@@ -68,7 +68,7 @@ TEST(DrivenStage, EverythingIsInsideTheFrameAllTheTime) {
     const Stage stage(scene);
     ++number;
     for (double t = 0; t < 10; t += 0.5)
-      expectInside(stage.compose(t, kSize), "scene " + std::to_string(number) + " at " + std::to_string(t));
+      expectInside(onlyList(stage, t, kSize), "scene " + std::to_string(number) + " at " + std::to_string(t));
   }
 }
 
@@ -77,7 +77,7 @@ TEST(DrivenStage, ATopStandsOnATableAndFillsThePicture) {
   const Stage stage(top());
   float highest = 1e9f, lowest = -1e9f;
   for (const double t : kTimes) {
-    const DrawList list = stage.compose(t, kSize);
+    const DrawList list = onlyList(stage, t, kSize);
     ASSERT_GE(list.frustums.size(), 2u);
     const draw::Frustum &cone = list.frustums[0], &table = list.frustums[1];
     EXPECT_EQ(cone.from_W, vec3(0));  // on its apex
@@ -93,12 +93,12 @@ TEST(DrivenStage, ATopStandsOnATableAndFillsThePicture) {
 
 // A rod hung by its end swings below the pivot: no table, a joint.
 TEST(DrivenStage, WhatHangsHasAJointAndNoTable) {
-  const DrawList list = Stage(scene::parseScene("[body]\nprincipal_moments = [1, 1, 0.2]\n[motion]\n"
-                                                "omega_body = [0.5, 0, 0.1]\norientation = [0, 1, 0, 0]\n"
-                                                "[motion.gravity]\nmgr_body = [0, 0, 3]\n" +
-                                                    kBare,
-                                                "pendulum.toml"))
-                            .compose(0, kSize);
+  const DrawList list = onlyList(Stage(scene::parseScene("[body]\nprincipal_moments = [1, 1, 0.2]\n[motion]\n"
+                                                         "omega_body = [0.5, 0, 0.1]\norientation = [0, 1, 0, 0]\n"
+                                                         "[motion.gravity]\nmgr_body = [0, 0, 3]\n" +
+                                                             kBare,
+                                                         "pendulum.toml")),
+                                 0, kSize);
   ASSERT_EQ(list.ellipsoids.size(), 1u);
   EXPECT_EQ(list.ellipsoids[0].centre_W, vec3(0));
   for (const auto& f : list.frustums) EXPECT_FALSE(f.fromRadius == f.toRadius && f.fromRadius > 0.1f);
@@ -111,10 +111,10 @@ TEST(DrivenStage, TheArrowOfLGrowsWithL) {
       sample("orientation = [1, 0, 0, 0]\n[motion.torque]\nspace = [0, 0, 2]\n[time]\nspeed = 1\n"
              "duration = 10\n" +
              kBare));
-  const float atEnd = tipOfL(stage.compose(10, kSize)).z;
+  const float atEnd = tipOfL(onlyList(stage, 10, kSize)).z;
   for (const double t : kTimes) {
     const double share = (6.4 + 2 * t) / 26.4;
-    EXPECT_NEAR(tipOfL(stage.compose(t, kSize)).z / atEnd, share, 1e-5) << t;
+    EXPECT_NEAR(tipOfL(onlyList(stage, t, kSize)).z / atEnd, share, 1e-5) << t;
   }
 }
 
@@ -124,7 +124,7 @@ TEST(DrivenStage, TheConstructionIsThatOfTheInstant) {
   const Stage stage(sample("[motion.dissipation]\nalpha = 0.02\n[time]\nspeed = 1\n"));
   float height = 1e9f, size = 1e9f;
   for (const double t : kTimes) {
-    const DrawList list = stage.compose(t, kSize);
+    const DrawList list = onlyList(stage, t, kSize);
     const vec3 contact = list.ellipsoids.at(0).centre_W;
     const auto& plane = list.planes.at(0);
     EXPECT_NEAR(contact.z, plane.centre_W.z, 1e-6) << t;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/scene_file.h"
+#include "stage/stage.h"
 
 namespace poinsot::stage {
 
@@ -9,6 +10,11 @@ namespace poinsot::stage {
 inline scene::Scene sample(const std::string& extra = "") {
   return scene::parseScene("[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\n" + extra,
                            "sample.toml");
+}
+
+/// What a picture of one view shows.
+inline draw::DrawList onlyList(const Stage& stage, double filmTime_s, glm::ivec2 size_px) {
+  return stage.compose(filmTime_s, size_px).panels.at(0).list;
 }
 
 }  // namespace poinsot::stage
