@@ -65,10 +65,7 @@ MeshPainter::Kept MeshPainter::keep(const draw::Mesh& mesh) {
 }
 
 const MeshPainter::Kept& MeshPainter::kept(const draw::Mesh& mesh) {
-  const Key key{mesh.mesh.get(), mesh.crease_rad};
-  if (const auto known = current_.find(key); known != current_.end()) return known->second;
-  if (auto old = last_.extract(key)) return current_.insert(std::move(old)).position->second;
-  return current_.emplace(key, keep(mesh)).first->second;
+  return kept_.get({mesh.mesh.get(), mesh.crease_rad}, [&] { return keep(mesh); });
 }
 
 std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList& list, float sharpness,
@@ -80,8 +77,6 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
   screens_.clear();
   screensKept_.clear();
   resolved_ = {};
-  std::swap(last_, current_);
-  current_.clear();
   std::vector<std::vector<draw::Curve>> lines;
   for (const draw::Mesh& mesh : meshes_) {
     if (!mesh.mesh || mesh.mesh->triangles.empty()) continue;

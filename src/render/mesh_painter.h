@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "gl/shader_program.h"
 #include "render/mesh_resolver.h"
 #include "render/mesh_topology.h"
+#include "render/picture_cache.h"
 #include "render/pixel_marks.h"
 #include "render/screen_mesh.h"
 #include "render/solid_pass.h"
@@ -24,6 +24,9 @@ namespace poinsot::render {
 class MeshPainter {
  public:
   MeshPainter();
+
+  /// Forgets the meshes that the picture before did not show.
+  void beginPicture() { kept_.beginPicture(); }
 
   /// Works out this list, once for all passes, and marks the tiles that its meshes may touch.
   /// @return the sharp edges of each mesh, where they are to be drawn.
@@ -54,7 +57,7 @@ class MeshPainter {
   gl::TextureName marksTexture_ = gl::TextureName::make();
   gl::VertexArrayName pixelVertices_ = gl::VertexArrayName::make();
   gl::BufferName pixelBuffer_ = gl::BufferName::make();
-  std::map<Key, Kept> last_, current_;
+  PictureCache<Key, Kept> kept_;
 
   // Of the list last prepared.
   const draw::DrawList* list_ = nullptr;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <ctime>
-#include <optional>
+#include <deque>
 
 #include "core/expect.h"
 #include "gl/framebuffer.h"
 #include "render/compositor.h"
+#include "render/flat_painter.h"
 #include "render/mesh_painter.h"
 #include "render/solid_painter.h"
 #include "render/text_painter.h"
@@ -43,6 +45,29 @@ struct Buffers {
         picture(size, {GL_RGBA8}, 0) {}
 };
 
+/// The buffers of the sizes used of late: a picture's panels have few sizes, and the same ones in every frame.
+class BufferShelf {
+ public:
+  const Buffers& of(glm::ivec2 size) {
+    const auto known = std::ranges::find(shelf_, size, [](const Buffers& b) { return b.picture.size(); });
+    if (known != shelf_.end()) {
+      std::rotate(shelf_.begin(), known, known + 1);
+    } else {
+      if (shelf_.size() == kSizes) shelf_.pop_back();  // before a new one needs its memory
+      shelf_.emplace_front(size);
+    }
+    return shelf_.front();
+  }
+
+ private:
+  static constexpr std::size_t kSizes = 4;
+  std::deque<Buffers> shelf_;  // the last used first
+};
+
+std::uint8_t backgroundByte(const draw::Color& background, int channel) {
+  return draw::srgb8FromLinear(background[channel]);
+}
+
 std::vector<std::uint8_t> readBack(glm::ivec2 size) {
   std::vector<std::uint8_t> rgba(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -61,20 +86,37 @@ image::Image withoutAlpha(const std::vector<std::uint8_t>& rgba, image::PixelSiz
   return picture;
 }
 
+image::Image blankPicture(image::PixelSize size, const draw::Color& background, bool transparent) {
+  image::Image picture(size, transparent ? 4 : 3);
+  const auto channels = static_cast<std::size_t>(picture.channels);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::uint8_t value = backgroundByte(background, static_cast<int>(c));
+    for (std::size_t i = c; i < picture.pixels.size(); i += channels) picture.pixels[i] = value;
+  }
+  return picture;
+}
+
+void place(const image::Image& panel, glm::ivec2 origin_px, image::Image& picture) {
+  for (int y = 0; y < panel.size.height; ++y)
+    std::copy_n(panel.at(0, y), panel.rowBytes(), picture.at(origin_px.x, origin_px.y + y));
+}
+
 }  // namespace
 
 struct Renderer::Passes {
-  std::optional<Buffers> buffers;
+  BufferShelf shelf;
+  const Buffers* buffers = nullptr;  // of the panel in progress
   SolidPainter solids;
   MeshPainter meshes;
   Compositor compositor;
+  FlatPainter flat;
   TextPainter text;
   RenderTimes times;
 
-  void prepareBuffers(glm::ivec2 size) {
-    if (buffers && buffers->picture.size() == size) return;
-    buffers.reset();
-    buffers.emplace(size);
+  void beginPicture() {
+    meshes.beginPicture();
+    flat.beginPicture();
+    text.beginPicture();
   }
 
   void drawSolids(const TileMask& tiles) {
@@ -93,15 +135,13 @@ struct Renderer::Passes {
 
   void clearPicture(const draw::DrawList& list, bool transparent) {
     buffers->picture.bind();
-    const auto channel = [&](int c) {
-      return static_cast<float>(draw::srgb8FromLinear(list.background[c])) / 255.0f;
-    };
+    const auto channel = [&](int c) { return static_cast<float>(backgroundByte(list.background, c)) / 255.0f; };
     glClearColor(channel(0), channel(1), channel(2), transparent ? 0.0f : 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
   }
 
   void draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
-    prepareBuffers(size);
+    buffers = &shelf.of(size);
     glViewport(0, 0, size.x, size.y);
     TileMask tiles(list.camera.size_px);
     const auto meshEdges = meshes.prepare(list, options.sharpness, tiles);
@@ -112,6 +152,53 @@ struct Renderer::Passes {
                     options.transparent);
     glFinish();
   }
+
+  image::Image read(image::PixelSize size, bool transparent) {
+    auto rgba = readBack({size.width, size.height});
+    if (!transparent) return withoutAlpha(rgba, size);
+    image::Image picture;
+    picture.size = size;
+    picture.channels = 4;
+    picture.pixels = std::move(rgba);
+    return picture;
+  }
+
+  /// One view with its type, as large as its camera says.
+  image::Image panel(const draw::DrawList& list, const RenderOptions& options) {
+    const glm::ivec2 size(list.camera.size_px);
+    image::Image picture;
+    {
+      const Stopwatch watch(times.draw_s);
+      draw(list, size, options);
+    }
+    {
+      const Stopwatch watch(times.read_s);
+      picture = read({size.x, size.y}, options.transparent);
+    }
+    const Stopwatch watch(times.text_s);
+    text.paint(list.texts, picture);
+    return picture;
+  }
+
+  image::Image panels(const draw::Picture& picture, const RenderOptions& options) {
+    const image::PixelSize size{picture.size_px.x, picture.size_px.y};
+    if (picture.panels.size() == 1 && sizeOf(picture.panels[0]) == picture.size_px)
+      return panel(picture.panels[0].list, options);
+    image::Image whole = blankPicture(size, picture.background, options.transparent);
+    for (const draw::Panel& p : picture.panels) place(panel(p.list, options), p.origin_px, whole);
+    return whole;
+  }
+
+  static glm::ivec2 sizeOf(const draw::Panel& p) { return glm::ivec2(p.list.camera.size_px); }
+
+  /// Panels lie within the picture.
+  static void expectWithin(const draw::Picture& picture) {
+    for (const draw::Panel& p : picture.panels) {
+      const glm::ivec2 end = p.origin_px + sizeOf(p);
+      POINSOT_EXPECT(p.origin_px.x >= 0 && p.origin_px.y >= 0);
+      POINSOT_EXPECT(end.x <= picture.size_px.x && end.y <= picture.size_px.y);
+    }
+  }
 };
 
 Renderer::Renderer(gl::OffscreenContext&) : passes_(std::make_unique<Passes>()) {}
@@ -119,25 +206,18 @@ Renderer::~Renderer() = default;
 
 image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options) {
   POINSOT_EXPECT(list.camera.size_px == glm::vec2(size.width, size.height));
-  image::Image picture;
-  {
-    const Stopwatch watch(passes_->times.draw_s);
-    passes_->draw(list, {size.width, size.height}, options);
-  }
-  {
-    const Stopwatch watch(passes_->times.read_s);
-    auto rgba = readBack({size.width, size.height});
-    if (options.transparent) {
-      picture.size = size;
-      picture.channels = 4;
-      picture.pixels = std::move(rgba);
-    } else {
-      picture = withoutAlpha(rgba, size);
-    }
-  }
+  passes_->beginPicture();
+  return passes_->panel(list, options);
+}
+
+image::Image Renderer::render(const draw::Picture& picture, const RenderOptions& options) {
+  Passes::expectWithin(picture);
+  passes_->beginPicture();
+  image::Image whole = passes_->panels(picture, options);
   const Stopwatch watch(passes_->times.text_s);
-  passes_->text.paint(list.texts, picture);
-  return picture;
+  passes_->flat.paint(picture, whole);
+  passes_->text.paint(picture.texts, whole);
+  return whole;
 }
 
 const RenderTimes& Renderer::times() const { return passes_->times; }

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "draw/draw_list.h"
+#include "draw/picture.h"
 #include "gl/offscreen_context.h"
 #include "image/image.h"
 
@@ -13,7 +13,7 @@ namespace poinsot::render {
 struct RenderTimes {
   double draw_s = 0;
   double read_s = 0;
-  double text_s = 0;
+  double text_s = 0;  ///< with areas and strokes
 };
 
 struct RenderOptions {
@@ -21,16 +21,22 @@ struct RenderOptions {
   float sharpness = 1;       ///< of edges: 1 for pictures; the reference renderer takes hard edges (reference.h)
 };
 
-/// Draws draw lists. Owns every GL object; the context it is given must outlive it and stay current.
+/// Draws pictures. Owns every GL object; the context it is given must outlive it and stay current.
 class Renderer {
  public:
   /// @throws core::Error(kGraphics) when a shader does not compile.
   explicit Renderer(gl::OffscreenContext& context);
   ~Renderer();
 
+  /// One view that fills the picture.
   /// @pre the list was composed for this size.
   /// @throws core::Error(kGraphics) when the back end cannot hold the picture.
   image::Image render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options = {});
+
+  /// Panels, and over them areas, strokes and type. Buffers are kept for four sizes of panel.
+  /// @pre panels lie within the picture, points of areas and strokes are finite.
+  /// @throws core::Error(kGraphics) when the back end cannot hold a panel, (kUsage) for TeX that cannot be set.
+  image::Image render(const draw::Picture& picture, const RenderOptions& options = {});
 
   const RenderTimes& times() const;
 

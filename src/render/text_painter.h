@@ -8,6 +8,7 @@
 
 #include "draw/draw_list.h"
 #include "image/image.h"
+#include "render/picture_cache.h"
 #include "text/coverage.h"
 #include "text/glyph_run.h"
 
@@ -16,6 +17,9 @@ namespace poinsot::render {
 /// Lays type over a finished picture, on the CPU: glyph coverage is exact area, blending is in linear light.
 class TextPainter {
  public:
+  /// Forgets the type that the picture before did not show.
+  void beginPicture() { coverage_.beginPicture(); }
+
   /// @throws core::Error(kUsage) for TeX that cannot be set.
   void paint(const std::vector<draw::Text>& texts, image::Image& picture);
 
@@ -27,9 +31,8 @@ class TextPainter {
   const text::GlyphRun& run(const std::string& tex);
   const text::CoverageMap& coverage(const draw::Text& text, float outline_px);
 
-  std::map<std::string, text::GlyphRun> runs_;  // a film shows the same few labels in every frame
-  // Titles stand still: what the last picture needed is kept for this one.
-  std::map<Key, text::CoverageMap> last_, current_;
+  std::map<std::string, text::GlyphRun> runs_;     // a film shows the same few labels in every frame
+  PictureCache<Key, text::CoverageMap> coverage_;  // titles stand still
 };
 
 }  // namespace poinsot::render

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/blend.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace poinsot::render {
+namespace {
+
+using Pixel = std::array<std::uint8_t, 4>;
+
+/// Blends one colour, and remembers the last pixel: flat areas over plain paper ask for the same one again and
+/// again.
+class Blender {
+ public:
+  Blender(const draw::Color& color, float opacity, int channels)
+      : color_(color), opacity_(opacity), channels_(static_cast<std::size_t>(channels)) {}
+
+  void blend(std::uint8_t* pixel, std::uint8_t coverage) {
+    if (coverage != coverage_ || !std::equal(pixel, pixel + channels_, under_.begin())) remember(pixel, coverage);
+    std::copy_n(blended_.begin(), channels_, pixel);
+  }
+
+ private:
+  void remember(const std::uint8_t* pixel, std::uint8_t coverage) {
+    coverage_ = coverage;
+    std::copy_n(pixel, channels_, under_.begin());
+    const float share = opacity_ * static_cast<float>(coverage) / 255.0f;
+    const float below = channels_ == 4 ? static_cast<float>(under_[3]) / 255.0f : 1.0f;
+    const float alpha = share + below * (1 - share);
+    if (alpha <= 0) {
+      blended_ = under_;
+      return;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float under = draw::linearFromSrgb8(under_[c]);
+      const float over = color_[static_cast<glm::length_t>(c)];
+      blended_[c] = draw::srgb8FromLinear((over * share + under * below * (1 - share)) / alpha);
+    }
+    blended_[3] = static_cast<std::uint8_t>(alpha * 255.0f + 0.5f);
+  }
+
+  draw::Color color_;
+  float opacity_;
+  std::size_t channels_;
+  std::uint8_t coverage_ = 0;  // as no pixel that is blended has it, nothing is remembered yet
+  Pixel under_{}, blended_{};
+};
+
+// Most of a map is empty: eight pixels at once.
+bool nextEightEmpty(const std::uint8_t* coverage) {
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, coverage, sizeof(eight));
+  return eight == 0;
+}
+
+}  // namespace
+
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture) {
+  Blender blender(color, opacity, picture.channels);
+  const int left = std::max(map.left, 0), right = std::min(map.left + map.width, picture.size.width);
+  const int bottom = std::min(map.top + map.height, picture.size.height);
+  for (int y = std::max(map.top, 0); y < bottom; ++y) {
+    const std::uint8_t* row = map.values.data() + static_cast<std::ptrdiff_t>(y - map.top) * map.width;
+    for (int x = left; x < right; ++x) {
+      const std::uint8_t* coverage = row + (x - map.left);
+      if (*coverage)
+        blender.blend(picture.at(x, y), *coverage);
+      else if (x + 8 <= right && nextEightEmpty(coverage))
+        x += 7;
+    }
+  }
+}
+
+}  // namespace poinsot::render

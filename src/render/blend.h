@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "draw/color.h"
+#include "image/image.h"
+#include "text/coverage.h"
+
+namespace poinsot::render {
+
+/// Lays `color` over the picture where `map` covers it, in linear light. A fourth channel is straight alpha. What
+/// of the map lies outside the picture is cut.
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture);
+
+}  // namespace poinsot::render
