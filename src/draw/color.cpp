@@ -24,6 +24,18 @@ std::array<float, 255> makeThresholds() {
   return table;
 }
 
+// Where to begin looking among the thresholds, for equal parts of [0, 1): at most two steps are left to take.
+constexpr std::size_t kStarts = 4096;
+
+std::array<std::uint8_t, kStarts> makeStarts(const std::array<float, 255>& thresholds) {
+  std::array<std::uint8_t, kStarts> table{};
+  for (std::size_t i = 0; i < kStarts; ++i) {
+    const auto above = std::ranges::upper_bound(thresholds, static_cast<float>(i) / kStarts);
+    table[i] = static_cast<std::uint8_t>(above - thresholds.begin());
+  }
+  return table;
+}
+
 }  // namespace
 
 float linearFromSrgb8(std::uint8_t value) {
@@ -33,8 +45,12 @@ float linearFromSrgb8(std::uint8_t value) {
 
 std::uint8_t srgb8FromLinear(float linear) {
   static const auto thresholds = makeThresholds();
-  const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
-  return static_cast<std::uint8_t>(above - thresholds.begin());
+  static const auto starts = makeStarts(thresholds);
+  if (!(linear > 0)) return 0;
+  if (linear >= thresholds.back()) return 255;
+  std::size_t v = starts[static_cast<std::size_t>(linear * kStarts)];
+  while (linear >= thresholds[v]) ++v;
+  return static_cast<std::uint8_t>(v);
 }
 
 Color fromSrgb(std::uint32_t hex) {
