@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/key_tables.h"
+#include "scene/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+/// The keys of one drawn thing, `table` its name after "show.".
+class FigureKeys {
+ public:
+  FigureKeys(const ShowTable& table, std::string_view name)
+      : table_(table), path_(table.path + "." + std::string(name)) {}
+
+  template <class Place>
+  Put put(Place place) const {
+    return into([of = table_.of, place](Draft& d, std::size_t i) { return &place(of(d, i).figures); });
+  }
+
+  template <class Place>
+  Key visible(std::string_view help, Place place) const {
+    return {.path = path_ + ".visible",
+            .type = kBool,
+            .fallback = "false",
+            .example = "true",
+            .help = help,
+            .put = put(place)};
+  }
+
+  template <class Place>
+  Key scale(std::string_view help, Place place) const {
+    return {.path = path_ + ".scale",
+            .range = {.least = 0.01, .most = 100},
+            .fallback = "1",
+            .example = "1.5",
+            .help = help,
+            .put = put(place)};
+  }
+
+  template <class Place>
+  Key opacity(std::string_view fallback, Place place) const {
+    return {.path = path_ + ".opacity",
+            .range = {.least = 0, .most = 1},
+            .fallback = fallback,
+            .example = "0.35",
+            .help = "How much of what lies behind it hides: 0 nothing, 1 all.",
+            .put = put(place)};
+  }
+
+  template <class Place>
+  Key position(std::string_view name, std::string_view example, std::string_view help, Place place) const {
+    return {.path = path_ + "." + std::string(name),
+            .type = kVector,
+            .dimension = kLength,
+            .range = kPositions,
+            .example = example,
+            .help = help,
+            .put = put(place)};
+  }
+
+  /// On unless it is set to false.
+  template <class Place>
+  Key flag(std::string_view name, std::string_view help, Place place) const {
+    return {.path = path_ + "." + std::string(name),
+            .type = kBool,
+            .fallback = "true",
+            .example = "false",
+            .help = help,
+            .put = put(place)};
+  }
+
+ private:
+  const ShowTable& table_;
+  std::string path_;
+};
+
+std::vector<Key> coneKeys(const ShowTable& table) {
+  const FigureKeys key(table, "cones");
+  return {
+      key.visible(
+          "Of a free symmetric top: the body cone, fixed in the body about its axis, that rolls on the space "
+          "cone about L; they touch along omega.",
+          [](ShownFigures & f) -> auto& { return f.cones.visible; }),
+      key.scale(
+          "Factor on the length of their sides, by default three quarters of omega.",
+          [](ShownFigures & f) -> auto& { return f.cones.scale; }),
+      key.opacity(
+          "0.22", [](ShownFigures & f) -> auto& { return f.cones.opacity; }),
+  };
+}
+
+std::vector<Key> decompositionKeys(const ShowTable& table) {
+  const FigureKeys key(table, "decomposition");
+  return {
+      key.visible(
+          "Of a free symmetric top: the parallelogram that parts omega into omega_p, along L, and -Omega_p k, "
+          "along the axis.",
+          [](ShownFigures & f) -> auto& { return f.decomposition.visible; }),
+      key.scale(
+          "Factor on its size; other than 1, its corner leaves the tip of omega.",
+          [](ShownFigures & f) -> auto& { return f.decomposition.scale; }),
+  };
+}
+
+std::vector<Key> angleKeys(const ShowTable& table) {
+  const FigureKeys axis(table, "main_axis"), theta(table, "theta");
+  return {
+      axis.visible(
+          "The axis k: of symmetry, or the principal axis that the body spins about most at the start.",
+          [](ShownFigures & f) -> auto& { return f.mainAxis.visible; }),
+      axis.scale(
+          "Factor on its length.", [](ShownFigures & f) -> auto& { return f.mainAxis.scale; }),
+      theta.visible(
+          "The angle theta between k and L; under gravity, between k and the vertical.",
+          [](ShownFigures & f) -> auto& { return f.theta.visible; }),
+      theta.scale(
+          "Factor on the radius of its arc.", [](ShownFigures & f) -> auto& { return f.theta.scale; }),
+  };
+}
+
+std::vector<Key> traceKeys(const ShowTable& table) {
+  const FigureKeys key(table, "trace");
+  return {
+      key.visible(
+          "The path of a point of the body, on a sphere about the point that the body turns about.",
+          [](ShownFigures & f) -> auto& { return f.trace.visible; }),
+      key.scale(
+          "Factor on the sphere's radius, where no point is given.",
+          [](ShownFigures & f) -> auto& { return f.trace.scale; }),
+      key.position(
+          "point", "[0, 0, 0.5]", "The point, in body axes. Without it: one on the axis k, beyond the body.",
+          [](ShownFigures & f) -> auto& { return f.trace.point_B; }),
+      key.opacity(
+          "0.06", [](ShownFigures & f) -> auto& { return f.trace.opacity; }),
+      key.flag(
+          "future", "Whether the part not yet travelled is drawn too, faint.",
+          [](ShownFigures & f) -> auto& { return f.trace.future; }),
+  };
+}
+
+}  // namespace
+
+std::vector<Key> figureKeys(const ShowTable& table) {
+  return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), traceKeys(table)});
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace poinsot::scene {
+
+/// A drawn thing's common options; `scale` multiplies the default size in the picture.
+struct Drawn {
+  bool visible = true;
+  double scale = 1;
+};
+
+/// A drawn thing that is not there unless it is asked for.
+struct Extra : Drawn {
+  Extra() : Drawn{false, 1} {}
+};
+
+/// What a picture may show besides body, vectors and Poinsot's construction.
+struct ShownFigures {
+  struct : Extra {
+    double opacity = 0;
+  } cones;              ///< body cone and space cone of a symmetric top
+  Extra mainAxis;       ///< k
+  Extra theta;          ///< the angle between k and L
+  Extra decomposition;  ///< the parallelogram omega = omega_p - Omega_p k
+  struct : Extra {
+    std::optional<Eigen::Vector3d> point_B;  ///< m; none: a point on k
+    double opacity = 0;                      ///< of the sphere
+    bool future = true;                      ///< the part not yet travelled, faint
+  } trace;                                   ///< path of a point of the body
+};
+
+}  // namespace poinsot::scene

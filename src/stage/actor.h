@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "stage/label_layout.h"
+#include "stage/palette.h"
+#include "stage/picture_motion.h"
+#include "stage/scales.h"
+
+namespace poinsot::stage {
+
+/// What actors draw on, for one picture: V's axes, lengths in the picture's unit. The list's camera is set.
+struct Canvas {
+  draw::DrawList& list;
+  std::vector<Label>& labels;
+  const Palette& colors;
+  double line_px = 2;    ///< width of an ordinary line
+  double thickness = 1;  ///< factor on arrows
+  double type_px = 32;   ///< size of an ordinary label; 0: labels are not wanted
+
+  /// A flat line; `width` in ordinary lines, `lift` towards the eye.
+  void line(const std::vector<Eigen::Vector3d>& points_V, bool closed, const draw::Color& color, double width = 1,
+            double lift = 0.004) const;
+  /// A straight line in dashes, a whole number of them, that begins and ends with one.
+  void dashes(const Eigen::Vector3d& from_V, const Eigen::Vector3d& to_V, const draw::Color& color,
+              double width = 1) const;
+  /// From the origin; `radius` of its shaft.
+  void arrow(const Eigen::Vector3d& tip_V, double radius, const draw::Color& color) const;
+  void dot(const Eigen::Vector3d& at_V, double radius, const draw::Color& color) const;
+  /// Beside a point, on the side that leads away from the picture of `inside_V`.
+  void label(const std::string& tex, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
+             const draw::Color& color, double size = 1) const;
+};
+
+/// A share of one colour over another, in linear light: 0 is the second.
+draw::Color mixed(const draw::Color& color, const draw::Color& over, double share);
+
+/// A circle about the origin's axis: radius `radius` around `centre_V`, across `axis_V` (a unit vector).
+std::vector<Eigen::Vector3d> circleAbout(const Eigen::Vector3d& centre_V, const Eigen::Vector3d& axis_V,
+                                         double radius, int points);
+
+/// A unit vector across a unit vector: `hint` without its part along it, or another axis where that is short.
+Eigen::Vector3d across(const Eigen::Vector3d& axis, const Eigen::Vector3d& hint);
+
+/// What an actor is made for: one view of a scene.
+struct Setting {
+  const scene::Scene& scene;
+  const PictureMotion& motion;  ///< outlives the actors
+  const Scales& scales;
+  Eigen::Vector3d axisLengths;  ///< of the principal axes as they are drawn
+};
+
+/// One drawn thing of a view. Its picture is a pure function of the scene, the time and the state.
+class Actor {
+ public:
+  virtual ~Actor() = default;
+
+  virtual void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const = 0;
+  /// What the frame must hold at that instant, in V.
+  virtual std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const = 0;
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/trace_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage/symmetric_top.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kBeyondBody = 1.1;  // radius of the sphere, of the ball that holds the body
+constexpr double kStep_rad = 0.05;   // of the point on its sphere, from one sample to the next
+constexpr int kMostPoints = 4000;
+constexpr double kRecent_s = 0.9;  // film time of the bright end
+constexpr double kPaleShare = 0.4;
+
+Vector3d tracedPoint_B(const Setting& setting) {
+  const auto& trace = setting.scene.show.figures.trace;
+  if (trace.point_B) return setting.scales.body * (*trace.point_B - setting.scene.body.fixedPoint_B());
+  return trace.scale * kBeyondBody * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
+}
+
+// Film time in which the point goes by a small angle, where it is fastest.
+double stepOf(const PictureMotion& motion, const Vector3d& point_B) {
+  const Vector3d direction_P = motion.axes().toP(point_B.normalized());
+  double fastest = 0;
+  for (const PathPoint& p : motion.outline()) fastest = std::max(fastest, p.omega_P.cross(direction_P).norm());
+  const double coarsest = motion.duration_s() / 64, rate = fastest * std::abs(motion.speed());
+  return rate > 0 ? std::min(kStep_rad / rate, coarsest) : coarsest;
+}
+
+}  // namespace
+
+TraceFigure::TraceFigure(const Setting& setting)
+    : motion_(setting.motion),
+      point_B_(tracedPoint_B(setting)),
+      opacity_(setting.scene.show.figures.trace.opacity),
+      future_(setting.scene.show.figures.trace.future),
+      step_s_(stepOf(setting.motion, point_B_)) {}
+
+Vector3d TraceFigure::at_W(double filmTime_s) const {
+  const PictureState state = motion_.at(filmTime_s);
+  return state.R_VW.transpose() * (state.R_VB * point_B_);
+}
+
+// The inner points are at times that are the same for every picture, so that the curve does not crawl.
+std::vector<Vector3d> TraceFigure::path_W(double from_s, double to_s) const {
+  std::vector<Vector3d> points{at_W(from_s)};
+  const double last = std::ceil(to_s / step_s_);
+  for (double k = std::floor(from_s / step_s_) + 1; k < last; ++k) points.push_back(at_W(k * step_s_));
+  points.push_back(at_W(to_s));
+  return points;
+}
+
+void TraceFigure::addSphere(const Canvas& canvas, const PictureState& state) const {
+  draw::GlassEllipsoid glass;
+  glass.semiAxes_W = toPicture(Matrix3d(radius() * state.R_VW));
+  glass.color = canvas.colors.body;
+  const auto sheet = [&](double share) {
+    return static_cast<float>(1 - std::pow(1 - opacity_, share * canvas.colors.sheetOpacity));
+  };
+  glass.nearOpacity = sheet(0.5);
+  glass.farOpacity = sheet(1);
+  glass.rimOpacity = sheet(5);
+  canvas.list.glassEllipsoids.push_back(glass);
+}
+
+void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
+                          const draw::Color& color, double width) const {
+  if (!(to_s > from_s)) return;
+  std::vector<Vector3d> points;
+  for (const Vector3d& p_W : path_W(from_s, to_s)) points.emplace_back(state.R_VW * p_W);
+  canvas.line(points, false, color, width);
+}
+
+void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
+  addSphere(canvas, state);
+  const double longest = kMostPoints * step_s_;
+  const double end = std::min(motion_.duration_s(), filmTime_s + longest);
+  const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));
+  const draw::Color& color = canvas.colors.axis;
+  if (future_) addPath(canvas, state, filmTime_s, end, mixed(color, canvas.colors.paper, kPaleShare), 1.2);
+  addPath(canvas, state, std::max(0.0, recent - longest), recent, color, 1.8);
+  addPath(canvas, state, recent, filmTime_s, color, 2.9);
+  canvas.dot(point_V(state), 0.028, canvas.colors.axis);
+}
+
+// The sphere's ends along V's axes: those of a ball.
+std::vector<Vector3d> TraceFigure::outermostPoints(const PictureState& /*state*/) const {
+  std::vector<Vector3d> points;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) points.emplace_back(side * radius() * Vector3d::Unit(axis));
+  return points;
+}
+
+}  // namespace poinsot::stage
