@@ -109,7 +109,7 @@ void requireThickness(const std::array<double, 3>& moments) {
     throw core::Error(
         core::ErrorKind::kPhysics,
         fmt::format("principal moments must be positive; the least of ({}, {}, {}) kg·m² is nothing but "
-                    "rounding (a thin rod has no moment about its own line)",
+                    "rounding: matter on one line has no moment about it; give it another part, or an extent",
                     low, middle, high));
 }
 

@@ -21,12 +21,26 @@ class ForcingAssembly {
     forcing_.torque_W = draft_.torque_W.value_or(Vector3d::Zero());
     forcing_.dragRate_P = draft_.dragRates.value_or(Vector3d::Zero());
     forcing_.dissipation = draft_.dissipation.value_or(0);
+    emptyTables();
     gravity();
     torqueHistory();
     return std::move(forcing_);
   }
 
  private:
+  /// A table without keys would change nothing, which nobody writes one for.
+  void emptyTables() {
+    refuseEmpty("motion.gravity", "mgr_body = [x, y, z], or g for a body with mass and pivot");
+    refuseEmpty("motion.torque", "body = [x, y, z], space = [x, y, z], a file, or steps");
+    refuseEmpty("motion.drag", "rate, one number or three");
+    refuseEmpty("motion.dissipation", "alpha");
+  }
+
+  void refuseEmpty(const char* table, const char* keys) {
+    if (findings_.hasTable(table) && !findings_.hasBelow(table))
+      findings_.refuse(table, fmt::format("is empty; give {}", keys));
+  }
+
   void gravity() {
     const bool mgr = findings_.has("motion.gravity.mgr_body"), g = findings_.has("motion.gravity.g");
     if (mgr && g)
@@ -35,9 +49,6 @@ class ForcingAssembly {
       givenMoment();
     else if (g)
       weight();
-    else if (findings_.hasTable("motion.gravity"))
-      findings_.refuse("motion.gravity",
-                       "is empty; give mgr_body = [x, y, z], or g for a body with mass and pivot");
   }
 
   void givenMoment() {

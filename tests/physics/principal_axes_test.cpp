@@ -205,8 +205,8 @@ TEST(PrincipalAxes, RefusesARodHoweverItLies) {
               "principal moments must be positive");
   EXPECT_EQ(
       verdict(Matrix3d{{1e-17, 1e-17, 0}, {1e-17, 1, 0}, {0, 0, 1}}),
-      "principal moments must be positive; the least of (1e-17, 1, 1) kg·m² is nothing but rounding (a thin rod "
-      "has no moment about its own line)");
+      "principal moments must be positive; the least of (1e-17, 1, 1) kg·m² is nothing but rounding: matter on "
+      "one line has no moment about it; give it another part, or an extent");
 }
 
 TEST(PrincipalAxes, AsymmetryByRoundingIsTakenOut) {

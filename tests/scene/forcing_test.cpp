@@ -47,6 +47,13 @@ TEST(Gravity, NeedsAPointThatItsMomentIsAbout) {
             "motion.gravity.g: motion.gravity.mgr_body is given too; give one of the two\n");
 }
 
+TEST(Forcing, IsNotAnEmptyTable) {
+  const auto problemOf = [](const std::string& table) { return problems(kBare + "[motion." + table + "]\n"); };
+  EXPECT_EQ(problemOf("dissipation"), "motion.dissipation: is empty; give alpha\n");
+  EXPECT_EQ(problemOf("drag"), "motion.drag: is empty; give rate, one number or three\n");
+  EXPECT_THAT(problemOf("torque"), HasSubstr("motion.torque: is empty; give body = [x, y, z]"));
+}
+
 TEST(Torque, IsConstantInEitherAxes) {
   const auto& forcing = forcingOf(kBare + "[motion.torque]\nbody=[1, 0, '5 mN m']\nspace=[0, -2, 0]");
   EXPECT_EQ(forcing.torque_B, Vector3d(1, 0, 0.005));
