@@ -25,6 +25,15 @@ Camera lookAt(glm::vec3 eye_W, glm::vec3 target_W, glm::vec3 up_W, float fovY_ra
   return camera;
 }
 
+Camera orthographic(const Camera& camera, glm::vec3 target_W) {
+  const float depth = depthOf(camera, target_W);
+  POINSOT_EXPECT(depth > 0);
+  Camera parallel = camera;
+  parallel.halfHeight_W = 0.5f * camera.size_px.y / camera.scale_px(depth);
+  parallel.orthographic = true;
+  return parallel;
+}
+
 glm::vec3 toCamera(const Camera& camera, glm::vec3 point_W) { return (point_W - camera.eye_W) * camera.R_WC; }
 
 float depthOf(const Camera& camera, glm::vec3 point_W) { return -toCamera(camera, point_W).z; }
@@ -32,7 +41,7 @@ float depthOf(const Camera& camera, glm::vec3 point_W) { return -toCamera(camera
 glm::vec2 project(const Camera& camera, glm::vec3 point_W) {
   const glm::vec3 p_C = toCamera(camera, point_W);
   POINSOT_EXPECT(p_C.z < 0);
-  return camera.centre_px + camera.focal_px() / -p_C.z * glm::vec2(p_C.x, -p_C.y);
+  return camera.centre_px + camera.scale_px(-p_C.z) * glm::vec2(p_C.x, -p_C.y);
 }
 
 }  // namespace poinsot::draw

@@ -7,23 +7,30 @@
 
 namespace poinsot::draw {
 
-/// A pinhole camera in the picture's world W. C: x right, y up, looking along -z.
+/// A camera in the picture's world W: a pinhole, or parallel rays. C: x right, y up, looking along -z.
 struct Camera {
   glm::vec3 eye_W{0, 0, 5};
-  glm::mat3 R_WC{1};         ///< columns: right, up, backward in W
-  float tanHalfFovY = 0.2f;  ///< half the picture's height at unit distance
-  float near = 0.1f;         ///< nearest and farthest distance along the view direction that is drawn
+  glm::mat3 R_WC{1};          ///< columns: right, up, backward in W
+  float tanHalfFovY = 0.2f;   ///< half the picture's height at unit distance
+  bool orthographic = false;  ///< parallel rays; eye_W is then where distances count from
+  float halfHeight_W = 1;     ///< half the picture's height, when orthographic
+  float near = 0.1f;          ///< nearest and farthest distance along the view direction that is drawn
   float far = 100.0f;
   glm::vec2 size_px{1, 1};          ///< width, height of the picture
   glm::vec2 centre_px{0.5f, 0.5f};  ///< where the optical axis meets the picture, y down
 
-  /// Pixels per unit length at unit distance.
-  float focal_px() const { return 0.5f * size_px.y / tanHalfFovY; }
+  /// Pixels per unit length at unit distance; at any distance when orthographic.
+  float focal_px() const { return 0.5f * size_px.y / (orthographic ? halfHeight_W : tanHalfFovY); }
+  /// Pixels per unit length across the view, at a distance along it.
+  float scale_px(float depth) const { return orthographic ? focal_px() : focal_px() / depth; }
 };
 
 /// Camera at `eye_W` looking at `target_W`, `up_W` upright in the picture; the optical axis in its middle.
 /// @pre eye and target differ; up is not along the view.
 Camera lookAt(glm::vec3 eye_W, glm::vec3 target_W, glm::vec3 up_W, float fovY_rad, glm::vec2 size_px);
+
+/// The same view with parallel rays, as large as it is at `target_W`. @pre depthOf(camera, target_W) > 0.
+Camera orthographic(const Camera& camera, glm::vec3 target_W);
 
 /// A point's coordinates in camera axes C.
 glm::vec3 toCamera(const Camera& camera, glm::vec3 point_W);

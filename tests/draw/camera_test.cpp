@@ -35,6 +35,31 @@ TEST(Camera, AxesAreRightHanded) {
   EXPECT_NEAR(x.z, 0, 1e-6);  // upright
 }
 
+// With parallel rays the distance does not matter: half the height is 2, at any depth.
+TEST(Camera, ParallelRaysKeepSizes) {
+  Camera c = alongX();
+  c.orthographic = true;
+  c.halfHeight_W = 2;
+  for (const float x : {-3.0f, 0.0f, 4.0f}) {
+    const glm::vec2 p = project(c, {x, 1, 0.5f});
+    EXPECT_FLOAT_EQ(p.x, 100 + 25) << x;  // 50 pixels are 2
+    EXPECT_FLOAT_EQ(p.y, 50 - 12.5f) << x;
+    EXPECT_FLOAT_EQ(depthOf(c, {x, 1, 0.5f}), 5 - x);
+    EXPECT_FLOAT_EQ(toCamera(c, {x, 1, 0.5f}).x, 1);
+    EXPECT_FLOAT_EQ(toCamera(c, {x, 1, 0.5f}).y, 0.5f);
+  }
+}
+
+TEST(Camera, MadeParallelItShowsTheTargetsPlaneAsBefore) {
+  const Camera perspective = lookAt({3, -2, 4}, {1, 1, 0}, {0, 0, 1}, 0.5f, {320, 200});
+  const Camera parallel = orthographic(perspective, {1, 1, 0});
+  const glm::vec3 inPlane = glm::vec3(1, 1, 0) + 0.3f * perspective.R_WC[0] - 0.2f * perspective.R_WC[1];
+  const glm::vec2 a = project(perspective, inPlane), b = project(parallel, inPlane);
+  EXPECT_NEAR(a.x, b.x, 1e-3);
+  EXPECT_NEAR(a.y, b.y, 1e-3);
+  EXPECT_THROW(orthographic(perspective, {5, -6, 9}), std::logic_error);  // behind the eye
+}
+
 TEST(Camera, RefusesAnUndefinedView) {
   EXPECT_THROW(lookAt({1, 1, 1}, {1, 1, 1}, {0, 0, 1}, 1, {1, 1}), std::logic_error);
   EXPECT_THROW(lookAt({0, 0, 3}, {0, 0, 0}, {0, 0, 1}, 1, {1, 1}), std::logic_error);
