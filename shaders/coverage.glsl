@@ -48,3 +48,16 @@ vec3 outerOf(vec3 a, vec3 b) { return a.z > b.z ? b : a; }
 float coveredQuad(vec3 e0, vec3 e1, vec3 e2, vec3 e3, vec2 p_px) {
   return coveredStrip(edgeAt(e0, p_px), edgeAt(e2, p_px)) * coveredStrip(edgeAt(e1, p_px), edgeAt(e3, p_px));
 }
+
+// Integral of what lies to the right of x within a pixel 1 wide.
+float roomRightOf(float x) { return x < 0.0 ? x : (x < 1.0 ? x - 0.5 * x * x : 0.5); }
+
+// The area of the pixel to the right of a side of a polygon, negative for sides that go up: all sides together give
+// the exact area of the polygon, however thin it is.
+float areaRightOf(vec2 from_px, vec2 to_px, vec2 p_px) {
+  vec2 a = (from_px - p_px) * sharpness + 0.5, b = (to_px - p_px) * sharpness + 0.5;
+  float ya = clamp(a.y, 0.0, 1.0), yb = clamp(b.y, 0.0, 1.0), slope = (b.x - a.x) / (a.y == b.y ? 1.0 : b.y - a.y);
+  float xa = a.x + (ya - a.y) * slope, xb = a.x + (yb - a.y) * slope, width = xb - xa;
+  float room = abs(width) > 1e-3 ? (roomRightOf(xb) - roomRightOf(xa)) / width : clamp(1.0 - 0.5 * (xa + xb), 0.0, 1.0);
+  return (yb - ya) * room;
+}

@@ -16,10 +16,10 @@ uniform vec4 marking;  // colour of the lines on it, and their width in px (0: n
 void main() {
   vec2 p_px = gl_FragCoord.xy;
   float coverage = covered(edgeAt(ScreenEllipse(outlineCentre_px, outlineForm), p_px));
-  vec3 ray = rayThrough(p_px);
+  vec3 ray = rayThrough(p_px), toCentre_C = centre_C - rayFrom(p_px);
   // From the point of the ray nearest the centre, so that no large numbers cancel.
-  float t0 = dot(centre_C, ray) / dot(ray, ray);
-  vec3 o = toUnitSphere * (t0 * ray - centre_C), d = toUnitSphere * ray;
+  float t0 = dot(toCentre_C, ray) / dot(ray, ray);
+  vec3 o = toUnitSphere * (t0 * ray - toCentre_C), d = toUnitSphere * ray;
   float a = dot(d, d), along = dot(o, d) / a;
   vec3 offset = o - along * d;
   float t = t0 - along - sqrt(max(1.0 - dot(offset, offset), 0.0) / a);

@@ -25,8 +25,9 @@ void main() {
   float cap = visibleCap == 0 ? 0.0 : covered(visibleCap == 1 ? first : second);
 
   vec3 ray = rayThrough(p_px), towardEye_C = -normalize(ray);
-  float t0 = dot(from_C, ray) / dot(ray, ray);
-  vec3 o = t0 * ray - from_C;  // from the first centre to the nearest point of the ray
+  vec3 toFirst_C = from_C - rayFrom(p_px);
+  float t0 = dot(toFirst_C, ray) / dot(ray, ray);
+  vec3 o = t0 * ray - toFirst_C;  // from the first centre to the nearest point of the ray
   float du = dot(ray, axis_C), ou = dot(o, axis_C), slope = radii.w, kk = 1.0 + slope * slope;
   float a = dot(ray, ray) - kk * du * du;
   float b = dot(ray, o) - kk * du * ou - slope * radii.x * du;
@@ -53,7 +54,7 @@ void main() {
   // Outside the sharp silhouette the roots mean nothing: the axis is deep enough for an edge's order.
   float t = t0 + (capShare > 0.5 ? tCap : tSide);
   float size = max(max(radii.x, radii.y), 1e-6);
-  float tAxis = t0 + dot(from_C + clamp(ou, 0.0, radii.z) * axis_C - t0 * ray, ray) / dot(ray, ray);
+  float tAxis = t0 + dot(toFirst_C + clamp(ou, 0.0, radii.z) * axis_C - t0 * ray, ray) / dot(ray, ray);
   t = clamp(t, tAxis - radii.z - size, tAxis + radii.z + size);
   emit(mix(sideColor, capColor, capShare), whole, toDepth(t));
 }

@@ -9,10 +9,11 @@ uniform vec3 color;
 uniform float gloss;
 
 in vec3 normalOut_C;
+in float distanceOut;
 
 void main() {
   if (texelFetch(marks, ivec2(gl_FragCoord.xy), 0).r > 0.5) discard;
   vec3 towardEye_C = -normalize(rayThrough(gl_FragCoord.xy));
   vec3 n_C = turnedToEye(normalize(normalOut_C), towardEye_C);
-  emit(shade(Material(color, gloss), n_C, towardEye_C), 1.0, toDepth(1.0 / gl_FragCoord.w));
+  emit(shade(Material(color, gloss), n_C, towardEye_C), 1.0, toDepth(mix(1.0 / gl_FragCoord.w, distanceOut, orthographic)));
 }

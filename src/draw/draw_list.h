@@ -107,6 +107,34 @@ struct GlassEllipsoid {
   std::optional<Graticule> graticule;
 };
 
+/// A circular cone of tinted glass: the surface alone, open at its base, with a firm line around that. Opacities
+/// as those of a GlassEllipsoid: `nearOpacity` where the outside looks at the eye, `farOpacity` where the inside
+/// does. One that is not wholly in front of the camera is left out.
+struct GlassCone {
+  glm::vec3 apex_W{0};
+  glm::vec3 axis_W{0, 0, 1};   ///< from the apex into the cone; any length
+  float halfAngle_rad = 0.5f;  ///< in (0, pi/2)
+  float height_W = 1;          ///< from the apex to the base, along the axis
+  Color color{1};
+  float nearOpacity = 0.07f;
+  float farOpacity = 0.15f;
+  float rimOpacity = 0.45f;  ///< where the surface is seen edge-on
+  Color lineColor{0};
+  float lineOpacity = 1;
+  float lineWidth_px = 2;
+};
+
+/// A flat convex sheet, at most 16 corners in order around it, in one plane; with a border line just inside. One
+/// that is not wholly in front of the camera is left out.
+struct GlassPolygon {
+  std::vector<glm::vec3> corners_W;
+  Color color{1};
+  float opacity = 0.15f;
+  Color lineColor{0};
+  float lineOpacity = 1;
+  float lineWidth_px = 1.5f;
+};
+
 /// A rectangle with a square grid; `u_W` and `v_W` are perpendicular half-edges.
 struct GridPlane {
   glm::vec3 centre_W{0};
@@ -148,6 +176,8 @@ struct DrawList {
   std::vector<Mesh> meshes;
   std::vector<Curve> curves;
   std::vector<GlassEllipsoid> glassEllipsoids;
+  std::vector<GlassCone> glassCones;
+  std::vector<GlassPolygon> glassPolygons;
   std::vector<GridPlane> planes;
   std::vector<Text> texts;
 };

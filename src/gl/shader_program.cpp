@@ -63,6 +63,9 @@ void ShaderProgram::set(const char* name, const glm::vec4& value) const {
 void ShaderProgram::set(const char* name, const glm::mat3& value) const {
   glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
+void ShaderProgram::set(const char* name, const std::vector<glm::vec2>& values) const {
+  if (!values.empty()) glUniform2fv(location(name), count(values.size()), glm::value_ptr(values[0]));
+}
 void ShaderProgram::set(const char* name, const std::vector<glm::vec3>& values) const {
   if (!values.empty()) glUniform3fv(location(name), count(values.size()), glm::value_ptr(values[0]));
 }

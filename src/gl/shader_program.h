@@ -27,6 +27,7 @@ class ShaderProgram {
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::vec4& value) const;
   void set(const char* name, const glm::mat3& value) const;
+  void set(const char* name, const std::vector<glm::vec2>& values) const;
   void set(const char* name, const std::vector<glm::vec3>& values) const;
   void set(const char* name, const std::vector<glm::vec4>& values) const;
   void set(const char* name, const std::vector<glm::mat3>& values) const;

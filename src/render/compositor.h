@@ -3,11 +3,12 @@
 
 #include <map>
 #include <tuple>
-#include <vector>
+#include <utility>
 
 #include "draw/draw_list.h"
 #include "gl/framebuffer.h"
 #include "gl/shader_program.h"
+#include "render/sheets.h"
 #include "render/tile_mask.h"
 
 namespace poinsot::render {
@@ -28,12 +29,11 @@ class Compositor {
             bool transparent);
 
  private:
-  /// What reaches a tile: whether solids do, and the indices of ellipsoids and planes.
-  using Content = std::tuple<bool, std::vector<std::size_t>, std::vector<std::size_t>>;
+  using Content = std::pair<bool, SheetChoice>;  // of a tile: whether solids reach it, and which sheets
 
   /// A program for one kind of tile: its features are known when it is compiled, as llvmpipe runs both sides of an
   /// if.
-  using Variant = std::tuple<bool, bool, std::size_t, std::size_t>;  // transparent, solids, ellipsoids, planes
+  using Variant = std::tuple<bool, bool, SheetCounts>;  // transparent, solids, sheets
   const gl::ShaderProgram& program(const Variant& variant);
 
   std::map<Variant, gl::ShaderProgram> programs_;

@@ -38,8 +38,7 @@ std::vector<Run> visibleRuns(const draw::Camera& camera, const draw::Curve& curv
     const glm::vec3 along = after - before;
     const float length = glm::length(along);
     const glm::vec3 tangent = length > 0 ? along / length : glm::vec3(1, 0, 0);
-    const float halfWidth =
-        curve.radius_W > 0 ? curve.radius_W * camera.focal_px() / -p_C.z : 0.5f * curve.width_px;
+    const float halfWidth = curve.radius_W > 0 ? curve.radius_W * camera.scale_px(-p_C.z) : 0.5f * curve.width_px;
     const ScreenPoint point{projectCamera(camera, p_C), halfWidth, -p_C.z, glm::vec4(tangent, curve.radius_W)};
     Run& run = runs.back();
     const bool last = i + 1 == n + (curve.closed ? 1 : 0);

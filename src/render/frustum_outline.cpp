@@ -17,14 +17,15 @@ std::array<glm::vec3, 2> perpendiculars(glm::vec3 axis) {
 }
 
 // The two rulings on the silhouette, as directions from the axis: where the side's normal is perpendicular to the
-// sight line, n·p = 0 with n = radial - slope axis and p = from + radius radial:
-//   a cos φ + b sin φ = slope (axis·from) - radius,    a, b = e1·from, e2·from
+// sight line, n·p = 0 with n = radial - slope axis and p = sight + radius radial, sight being from (with parallel
+// rays it is their direction, and p as well):
+//   a cos φ + b sin φ = slope (axis·sight) - radius,    a, b = e1·sight, e2·sight
 // None where the eye is inside the (extended) cone: one disc then covers the other.
-std::optional<std::array<glm::vec3, 2>> silhouetteRulings(glm::vec3 from_C, glm::vec3 axis_C, float radius,
+std::optional<std::array<glm::vec3, 2>> silhouetteRulings(glm::vec3 sight_C, glm::vec3 axis_C, float radius,
                                                           float slope) {
   const auto [e1, e2] = perpendiculars(axis_C);
-  const float a = glm::dot(e1, from_C), b = glm::dot(e2, from_C);
-  const float c = slope * glm::dot(axis_C, from_C) - radius;
+  const float a = glm::dot(e1, sight_C), b = glm::dot(e2, sight_C);
+  const float c = slope * glm::dot(axis_C, sight_C) - radius;
   const float r = std::hypot(a, b);
   if (std::abs(c) >= r) return std::nullopt;
   // cos and sin of atan2(b, a) ± acos(c / r), without the angles.
@@ -59,11 +60,13 @@ FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& f
   outline.bounds.include(outline.first.bounds);
   outline.bounds.include(outline.second.bounds);
   outline.sides.fill(glm::vec3(0, 0, -1e6f));
-  if (glm::dot(outline.axis_C, outline.from_C) > 0 && f.fromRadius > 0) outline.visibleCap = 1;
-  if (glm::dot(outline.axis_C, to_C) < 0 && f.toRadius > 0) outline.visibleCap = 2;
+  const glm::vec3 sight_C = sightAt(camera, outline.from_C);
+  if (glm::dot(outline.axis_C, sight_C) > 0 && f.fromRadius > 0) outline.visibleCap = 1;
+  if (glm::dot(outline.axis_C, sightAt(camera, to_C)) < 0 && f.toRadius > 0) outline.visibleCap = 2;
 
   const float slope = (f.toRadius - f.fromRadius) / outline.height;
-  const auto rulings = silhouetteRulings(outline.from_C, outline.axis_C, f.fromRadius, slope);
+  const auto rulings =
+      silhouetteRulings(sight_C, outline.axis_C, camera.orthographic ? 0.0f : f.fromRadius, slope);
   if (!rulings) return outline;
   const auto corner = [&](glm::vec3 end_C, float radius, std::size_t k) {
     return projectCamera(camera, end_C + radius * (*rulings)[k]);

@@ -18,19 +18,21 @@ constexpr double kSteepest = 40;
 // How far, in pixels' size, a piece of line may be from its edge in depth.
 constexpr double kDepthError = 0.1;
 
-// How fast the distance along the view grows across a face, per pixel: 1 / t is linear in the picture.
-double steepness(const std::array<dvec3, 3>& t) {
+// How fast the distance along the view grows across a face, per pixel: 1 / t is linear in the picture, or t itself
+// where rays are parallel.
+double steepness(const std::array<dvec3, 3>& t, bool parallel) {
   const dvec2 u = dvec2(t[1] - t[0]), v = dvec2(t[2] - t[0]);
-  const double q0 = 1 / t[0].z, du = 1 / t[1].z - q0, dv = 1 / t[2].z - q0, area = u.x * v.y - u.y * v.x;
+  const auto linear = [&](double depth) { return parallel ? depth : 1 / depth; };
+  const double q0 = linear(t[0].z), du = linear(t[1].z) - q0, dv = linear(t[2].z) - q0,
+               area = u.x * v.y - u.y * v.x;
   const dvec2 gradient = dvec2(du * v.y - dv * u.y, dv * u.x - du * v.x) / area;
-  return glm::length(gradient) * t[0].z * t[0].z;
+  return parallel ? glm::length(gradient) : glm::length(gradient) * t[0].z * t[0].z;
 }
 
 /// Makes the lines of one mesh.
 class LineMaker {
  public:
-  LineMaker(const draw::Camera& camera, const ScreenMesh& screen)
-      : camera_(camera), screen_(screen), focal_px_(static_cast<double>(camera.focal_px())) {
+  LineMaker(const draw::Camera& camera, const ScreenMesh& screen) : camera_(camera), screen_(screen) {
     line_.width_px = screen.mesh->edge_px;
     line_.material = {screen.mesh->edgeColor, 0};
   }
@@ -56,14 +58,13 @@ class LineMaker {
   std::vector<draw::Curve> take() { return std::move(lines_); }
 
  private:
-  double pixelSize(double depth) const { return depth / focal_px_; }
-
   // Towards the eye, so that half the line's width is before the faces beside it.
   double lift(const MeshEdge& edge) const {
-    const double pixel = pixelSize(screen_.vertices[edge.from].z);
+    const double pixel = pixelSize(camera_, screen_.vertices[edge.from].z);
     double steepest = 0;
     for (const std::uint32_t face : {edge.left, edge.right})
-      if (screen_.isFront(face)) steepest = std::max(steepest, steepness(screen_.triangle(face)));
+      if (screen_.isFront(face))
+        steepest = std::max(steepest, steepness(screen_.triangle(face), camera_.orthographic));
     const double across_px = 0.5 * static_cast<double>(screen_.mesh->edge_px) + kMargin_px;
     return across_px * (std::min(steepest, kSteepest * pixel) + 0.5 * pixel);
   }
@@ -71,7 +72,7 @@ class LineMaker {
   // Cut in pieces along which the depth is as good as linear, as curve.vert takes it to be.
   void addPiece(std::uint32_t from, std::uint32_t to, double lift) {
     const double a = screen_.vertices[from].z, b = screen_.vertices[to].z, nearest = std::min(a, b);
-    const double longest = 2 * std::sqrt(kDepthError * pixelSize(nearest) * nearest);
+    const double longest = 2 * std::sqrt(kDepthError * pixelSize(camera_, nearest) * nearest);
     const int pieces = std::max(static_cast<int>(std::ceil(std::abs(b - a) / longest)), 1);
     for (int i = line_.points_W.empty() ? 0 : 1; i <= pieces; ++i) {
       const float s = static_cast<float>(i) / static_cast<float>(pieces);
@@ -87,7 +88,8 @@ class LineMaker {
   glm::vec3 lifted(glm::vec3 p_W, double lift) const {
     const float depth = depthOf(camera_, p_W),
                 share = std::min(static_cast<float>(lift) / (depth - camera_.near), 0.9f);
-    return glm::mix(p_W, p_W + (camera_.eye_W - p_W) * ((depth - camera_.near) / depth), share);
+    const glm::vec3 toEye_W = camera_.orthographic ? depth * camera_.R_WC[2] : camera_.eye_W - p_W;
+    return glm::mix(p_W, p_W + toEye_W * ((depth - camera_.near) / depth), share);
   }
 
   void finish() {
@@ -98,7 +100,6 @@ class LineMaker {
 
   const draw::Camera& camera_;
   const ScreenMesh& screen_;
-  double focal_px_;
   draw::Curve line_;
   std::vector<draw::Curve> lines_;
 };

@@ -96,7 +96,7 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
     markSmallFaces(screen, marks_);
   }
   marks_.finish();
-  resolved_ = resolveMeshes(screens_, marks_, list.camera.focal_px());
+  resolved_ = resolveMeshes(screens_, marks_, list.camera);
   uploadMarks();
   uploadPixels();
   return lines;

@@ -147,15 +147,14 @@ class FacetMixer {
 
 class Resolver {
  public:
-  Resolver(const std::vector<ScreenMesh>& meshes, float focal_px)
-      : meshes_(meshes), focal_px_(static_cast<double>(focal_px)) {}
+  Resolver(const std::vector<ScreenMesh>& meshes, const draw::Camera& camera) : meshes_(meshes), camera_(camera) {}
 
   void resolve(glm::ivec2 pixel, std::span<const Reach> reaches) {
     fragments_.clear();
     parts_.clear();
     std::vector<const Reach*> from;
     for (const Reach& r : reaches)
-      if (const auto fragment = pixelFragment(meshes_[r.mesh].triangle(r.face), pixel)) {
+      if (const auto fragment = pixelFragment(meshes_[r.mesh].triangle(r.face), pixel, camera_.orthographic)) {
         fragments_.push_back(*fragment);
         from.push_back(&r);
       }
@@ -178,7 +177,7 @@ class Resolver {
     double reached = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const PixelFragment& f = *parts_[i].fragment;
-      if (i > 0 && f.near > reached + kGap_px * reached / focal_px_) return i;
+      if (i > 0 && f.near > reached + kGap_px * pixelSize(camera_, reached)) return i;
       reached = std::max(reached, f.far);
     }
     return parts_.size();
@@ -213,7 +212,7 @@ class Resolver {
   }
 
   const std::vector<ScreenMesh>& meshes_;
-  double focal_px_;
+  const draw::Camera& camera_;
   std::vector<PixelFragment> fragments_;
   std::vector<Part> parts_;
   ResolvedPixels result_;
@@ -221,11 +220,12 @@ class Resolver {
 
 }  // namespace
 
-ResolvedPixels resolveMeshes(const std::vector<ScreenMesh>& meshes, const PixelMarks& marks, float focal_px) {
+ResolvedPixels resolveMeshes(const std::vector<ScreenMesh>& meshes, const PixelMarks& marks,
+                             const draw::Camera& camera) {
   Collector collector(marks);
   for (std::uint32_t i = 0; i < meshes.size(); ++i) collector.add(meshes[i], i);
   const std::vector<Reach> reaches = collector.sorted();
-  Resolver resolver(meshes, focal_px);
+  Resolver resolver(meshes, camera);
   int row = 0;
   for (std::size_t begin = 0, end = 0; begin < reaches.size(); begin = end) {
     const std::uint32_t pixel = reaches[begin].pixel;

@@ -27,6 +27,7 @@ struct ResolvedPixels {
 /// Works out what of each marked pixel the meshes cover. Areas are exact where surfaces lie side by side, as they
 /// do along an outline or a crease; where one hides another the hidden share is found by 64 samples of depth. A
 /// near surface before a far one gives two results, so that sheets and lines between them compose.
-ResolvedPixels resolveMeshes(const std::vector<ScreenMesh>& meshes, const PixelMarks& marks, float focal_px);
+ResolvedPixels resolveMeshes(const std::vector<ScreenMesh>& meshes, const PixelMarks& marks,
+                             const draw::Camera& camera);
 
 }  // namespace poinsot::render

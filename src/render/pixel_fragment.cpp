@@ -83,11 +83,9 @@ bool PixelFragment::holds(dvec2 p) const {
   return std::all_of(edges.begin(), edges.end(), [&](const dvec3& e) { return lineAt(e, p) >= 0; });
 }
 
-double PixelFragment::inverseDepthAt(dvec2 p) const {
-  return std::clamp(lineAt(inverseDepth, p), farthest, nearest);
-}
+double PixelFragment::nearnessAt(dvec2 p) const { return std::clamp(lineAt(nearness, p), farthest, nearest); }
 
-std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle, glm::ivec2 pixel) {
+std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle, glm::ivec2 pixel, bool parallel) {
   std::array<dvec2, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = dvec2(triangle[k]) - dvec2(pixel);
   const Polygon polygon = cutToPixel(t);
@@ -98,19 +96,22 @@ std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle,
 
   f.edges = sidesOf(t);
   const double whole = lineAt(f.edges[0], t[0]);  // twice the triangle's area
-  const dvec3 inverse(1 / triangle[0].z, 1 / triangle[1].z, 1 / triangle[2].z);
-  f.inverseDepth = (inverse.x * f.edges[0] + inverse.y * f.edges[1] + inverse.z * f.edges[2]) / whole;
-  f.nearest = std::max({inverse.x, inverse.y, inverse.z});
-  f.farthest = std::min({inverse.x, inverse.y, inverse.z});
-  f.depth = 1 / f.inverseDepthAt(f.middle);
+  f.parallel = parallel;
+  const dvec3 depths(triangle[0].z, triangle[1].z, triangle[2].z), inverse = 1.0 / depths;
+  const dvec3 near = parallel ? -depths : inverse;
+  f.nearness = (near.x * f.edges[0] + near.y * f.edges[1] + near.z * f.edges[2]) / whole;
+  f.nearest = std::max({near.x, near.y, near.z});
+  f.farthest = std::min({near.x, near.y, near.z});
+  f.depth = f.depthAt(f.middle);
   f.near = f.far = f.depth;
   for (std::size_t i = 0; i < polygon.size; ++i) {
-    const double depth = 1 / f.inverseDepthAt(polygon.corners[i]);
+    const double depth = f.depthAt(polygon.corners[i]);
     f.near = std::min(f.near, depth);
     f.far = std::max(f.far, depth);
   }
   for (int k = 0; k < 3; ++k)
-    f.weights[k] = std::max(lineAt(f.edges[static_cast<std::size_t>(k)], f.middle), 0.0) * inverse[k];
+    f.weights[k] =
+        std::max(lineAt(f.edges[static_cast<std::size_t>(k)], f.middle), 0.0) * (parallel ? 1 : inverse[k]);
   f.weights /= std::max(f.weights.x + f.weights.y + f.weights.z, 1e-300);
   return f;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 namespace poinsot::render {
@@ -31,23 +32,23 @@ constexpr SamplePoints kPoints;
 class SampleDepths {
  public:
   SampleDepths() {
-    nearest_.fill(0);
+    nearest_.fill(-std::numeric_limits<float>::infinity());
     winners_.fill(-1);
   }
 
   /// @return at how many samples the fragment lies.
   int add(const PixelFragment& f, int number) {
-    const glm::vec3 a(f.edges[0]), b(f.edges[1]), c(f.edges[2]), q(f.inverseDepth);
+    const glm::vec3 a(f.edges[0]), b(f.edges[1]), c(f.edges[2]), q(f.nearness);
     const auto least = static_cast<float>(f.farthest), most = static_cast<float>(f.nearest);
     int count = 0;
     for (std::size_t i = 0; i < kSamples; ++i) {
       const float x = kPoints.x[i], y = kPoints.y[i];
       const bool inside =
           (a.x * x + a.y * y + a.z >= 0) & (b.x * x + b.y * y + b.z >= 0) & (c.x * x + c.y * y + c.z >= 0);
-      const float depth = std::min(std::max(q.x * x + q.y * y + q.z, least), most);
-      const bool wins = inside & (depth > nearest_[i]);
+      const float nearness = std::min(std::max(q.x * x + q.y * y + q.z, least), most);
+      const bool wins = inside & (nearness > nearest_[i]);
       count += inside;
-      nearest_[i] = wins ? depth : nearest_[i];
+      nearest_[i] = wins ? nearness : nearest_[i];
       winners_[i] = wins ? number : winners_[i];
     }
     return count;
@@ -58,15 +59,15 @@ class SampleDepths {
   double covered() const { return 1 - static_cast<double>(wins(-1)) / kSamples; }
 
  private:
-  std::array<float, kSamples> nearest_;  // 1 / depth
+  std::array<float, kSamples> nearest_;  // nearness
   std::array<int, kSamples> winners_;
 };
 
 // A part too small for any sample is judged by its middle.
 bool isHidden(const PixelFragment& f, std::span<const PixelFragment> fragments) {
-  const double own = f.inverseDepthAt(f.middle);
+  const double own = f.nearnessAt(f.middle);
   return std::any_of(fragments.begin(), fragments.end(), [&](const PixelFragment& other) {
-    return &other != &f && other.holds(f.middle) && other.inverseDepthAt(f.middle) > own;
+    return &other != &f && other.holds(f.middle) && other.nearnessAt(f.middle) > own;
   });
 }
 

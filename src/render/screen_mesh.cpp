@@ -20,13 +20,18 @@ bool projectVertices(const draw::Camera& camera, ScreenMesh& screen) {
   for (const glm::vec3& p_M : screen.mesh->mesh->vertices_M) {
     const glm::dvec3 p_C = origin_C + axes_C * glm::dvec3(p_M);
     if (-p_C.z <= static_cast<double>(camera.near)) return false;
-    const double scale = focal_px / -p_C.z;
+    const double scale = camera.orthographic ? focal_px : focal_px / -p_C.z;
     screen.vertices.emplace_back(centre_px.x + scale * p_C.x, centre_px.y - scale * p_C.y, -p_C.z);
   }
   return true;
 }
 
 }  // namespace
+
+double pixelSize(const draw::Camera& camera, double depth) {
+  const auto focal_px = static_cast<double>(camera.focal_px());
+  return camera.orthographic ? 1 / focal_px : depth / focal_px;
+}
 
 double signedArea(const std::array<glm::dvec3, 3>& t) {
   return 0.5 * ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x));

@@ -32,6 +32,9 @@ struct ScreenMesh {
   bool isFront(const MeshEdge& e) const { return isFront(e.left) || isFront(e.right); }
 };
 
+/// Length of a pixel's side at a distance along the view.
+double pixelSize(const draw::Camera& camera, double depth);
+
 /// Of a triangle in the picture: negative when it looks at the eye, as y counts downwards.
 double signedArea(const std::array<glm::dvec3, 3>& triangle);
 

@@ -14,6 +14,22 @@ constexpr float kMargin_px = 1.5f;
 // Added to the squared semi-axes: keeps the form finite for a disc seen edge-on, without showing (0.03 px).
 constexpr double kThinnest2_px2 = 1e-3;
 
+// Of the outline, its last element -1.
+glm::dmat3 dualConic(const draw::Camera& camera, const glm::dvec3& c, const glm::dmat3& A) {
+  const double f = static_cast<double>(camera.focal_px());
+  const glm::dvec2 middle(camera.centre_px);
+  if (camera.orthographic) {
+    // p_px = L x + middle: A and c are seen apart.
+    const glm::dmat3 L(f, 0, 0, 0, -f, 0, 0, 0, 0);
+    const glm::dvec3 p = L * c + glm::dvec3(middle, 1);
+    return L * A * glm::transpose(A) * glm::transpose(L) - glm::outerProduct(p, p);
+  }
+  // p_px = (K x) / (K x).z with x right, y up, z backward.
+  const glm::dmat3 K(f, 0, 0, 0, -f, 0, -middle.x, -middle.y, -1);
+  const glm::dmat3 dual = K * (A * glm::transpose(A) - glm::outerProduct(c, c)) * glm::transpose(K);
+  return dual / -dual[2][2];
+}
+
 }  // namespace
 
 void PixelBounds::include(glm::vec2 p_px, float margin) {
@@ -44,14 +60,7 @@ bool ScreenEllipse::inside(glm::vec2 p_px) const {
 }
 
 ScreenEllipse ellipseOutline(const draw::Camera& camera, glm::vec3 centre_C, const glm::mat3& semiAxes_C) {
-  const glm::dmat3 A(semiAxes_C);
-  const glm::dvec3 c(centre_C);
-  const double f = static_cast<double>(camera.focal_px());
-  // p_px = (K x) / (K x).z with x right, y up, z backward.
-  const glm::dmat3 K(f, 0, 0, 0, -f, 0, -static_cast<double>(camera.centre_px.x),
-                     -static_cast<double>(camera.centre_px.y), -1);
-  const glm::dmat3 dual = K * (A * glm::transpose(A) - glm::outerProduct(c, c)) * glm::transpose(K);
-  const glm::dmat3 N = dual / -dual[2][2];
+  const glm::dmat3 N = dualConic(camera, glm::dvec3(centre_C), glm::dmat3(semiAxes_C));
   const glm::dvec2 centre(-N[2][0], -N[2][1]);
   const double xx = N[0][0] + centre.x * centre.x + kThinnest2_px2;
   const double yy = N[1][1] + centre.y * centre.y + kThinnest2_px2;
@@ -86,8 +95,12 @@ std::array<glm::vec3, 4> quadEdges(const std::array<glm::vec2, 4>& corners) {
   return edges;
 }
 
+glm::vec3 sightAt(const draw::Camera& camera, glm::vec3 point_C) {
+  return camera.orthographic ? glm::vec3(0, 0, -1) : point_C;
+}
+
 glm::vec2 projectCamera(const draw::Camera& camera, glm::vec3 point_C) {
-  return camera.centre_px + camera.focal_px() / -point_C.z * glm::vec2(point_C.x, -point_C.y);
+  return camera.centre_px + camera.scale_px(-point_C.z) * glm::vec2(point_C.x, -point_C.y);
 }
 
 }  // namespace poinsot::render

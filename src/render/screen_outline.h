@@ -36,7 +36,8 @@ struct ScreenEllipse {
 /// Outline of x = centre + A s, |s| <= 1, in camera axes. A column of zeros makes a disc.
 ///
 /// The dual conic of the outline is K (A Aᵀ - c cᵀ) Kᵀ, K the camera's 3x3 matrix: it exists for discs seen
-/// edge-on too, where the conic itself does not. Source: Hartley & Zisserman, Multiple View Geometry, 2nd ed.,
+/// edge-on too, where the conic itself does not. With parallel rays it is L A Aᵀ Lᵀ - p pᵀ, L the 2x3 matrix of
+/// the camera and p the picture of the centre. Source: Hartley & Zisserman, Multiple View Geometry, 2nd ed.,
 /// eq 8.5.
 /// @pre the whole ellipsoid is in front of the camera.
 ScreenEllipse ellipseOutline(const draw::Camera& camera, glm::vec3 centre_C, const glm::mat3& semiAxes_C);
@@ -49,6 +50,9 @@ glm::vec3 lineThrough(glm::vec2 a, glm::vec2 b, glm::vec2 inside);
 
 /// The four edges of a convex quadrilateral in order, each towards the inside.
 std::array<glm::vec3, 4> quadEdges(const std::array<glm::vec2, 4>& corners);
+
+/// From the eye towards a point in camera axes; of any length.
+glm::vec3 sightAt(const draw::Camera& camera, glm::vec3 point_C);
 
 /// Where a point in camera axes appears, in pixels, y down. @pre in front of the camera.
 glm::vec2 projectCamera(const draw::Camera& camera, glm::vec3 point_C);

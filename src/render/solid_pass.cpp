@@ -18,6 +18,7 @@ void setPicture(const gl::ShaderProgram& program, const draw::DrawList& list, fl
   program.set("pictureSize_px", list.camera.size_px);
   program.set("opticalCentre_px", list.camera.centre_px);
   program.set("focal_px", list.camera.focal_px());
+  program.set("orthographic", list.camera.orthographic ? 1.0f : 0.0f);
   program.set("depthRange", glm::vec2(list.camera.near, list.camera.far));
   program.set("sharpness", sharpness);
   program.set("lightDirection_C", glm::normalize(list.lightDirection_C));
