@@ -42,7 +42,7 @@ std::vector<DrivenTrajectory::Run> DrivenTrajectory::plannedRuns(const StepPlan&
     const double coarse = stepsIn(stretch, scale, 1);
     const double n = finer ? coarse + std::ceil(coarse / 3) : coarse;
     total += n;
-    requireFewEnough(total, kMostSteps);
+    requireFewEnough(total, mostSteps(*composition_));
     runs.push_back({stretch, (stretch.end_s - stretch.begin_s) / n, static_cast<std::size_t>(n) - 1, 0});
   }
   steps_ = static_cast<std::size_t>(total);

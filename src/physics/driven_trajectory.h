@@ -14,7 +14,7 @@ class DrivenTrajectory {
  public:
   /// Every stretch of the plan in steps of `scale` times the plan's length: `finer` by a third or more than
   /// without, so that the two can be compared.
-  /// @throws core::Error(kPhysics) for more than kMostSteps, or where the state is no longer finite.
+  /// @throws core::Error(kPhysics) for more than mostSteps(), or where the state is no longer finite.
   DrivenTrajectory(const Splitting& splitting, const Composition& composition, const DrivenState& start,
                    const StepPlan& plan, double scale, bool finer);
 

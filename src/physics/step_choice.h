@@ -27,7 +27,7 @@ struct ChosenRun {
 /// Integrates the whole span with two step lengths, shorter and shorter until the two agree to the tolerance, or
 /// rounding alone is left. Chaos, growth by an unstable motion and the roundings themselves are all in that
 /// difference, as they are in the error.
-/// @throws core::Error(kPhysics) if that needs more than kMostSteps.
+/// @throws core::Error(kPhysics) if that needs more than mostSteps().
 ChosenRun chosenRun(const DrivenProblem& problem, double tolerance_rad);
 
 }  // namespace poinsot::physics

@@ -81,13 +81,13 @@ double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenSta
 
 void Pilot::refuseIfHopeless(const ForcingPiece& piece, double since) const {
   const double t = piece.begin_s + since;
-  const double rest = std::abs(piece.end_s - t);
-  if (h_ > 0x1p-50 * std::abs(t) && h_ > 0 && taken_ + rest / h_ < 4 * kMostSteps && taken_ < kMostSteps) return;
+  const double rest = std::abs(piece.end_s - t), most = mostSteps(composition_);
+  if (h_ > 0x1p-50 * std::abs(t) && h_ > 0 && taken_ + rest / h_ < 4 * most && taken_ < most) return;
   throw core::Error(core::ErrorKind::kPhysics,
                     fmt::format("the driven motion needs steps of {:.3g} s at t = {:.6g} s, with {:.6g} s to go: "
                                 "more than the {:.0f} steps allowed in a run; shorten the run, or weaken what "
                                 "drives the body",
-                                h_, t, rest, kMostSteps));
+                                h_, t, rest, most));
 }
 
 std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
@@ -141,6 +141,8 @@ StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, c
   plan.turned_rad = pilot.turned_rad();
   return plan;
 }
+
+double mostSteps(const Composition& composition) { return composition.ofSymmetricSteps ? 4e5 : 2e6; }
 
 double stepsIn(const Stretch& stretch, double scale, double fewest) {
   return std::max(fewest, std::ceil(std::abs(stretch.end_s - stretch.begin_s) / (stretch.step_s * scale)));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <limits>
 
 #include "core/error.h"
@@ -87,11 +88,26 @@ TEST(DrivenRefusal, Starts) {
 
 TEST(DrivenRefusal, RunsOfTooManySteps) {
   DrivenCase c = heavyTop(1e9);
-  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 20000000 steps allowed in a run"));
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 2000000 steps allowed in a run"));
   c = {};
   c.forcing.dragRate_P = {1, 2, 1};
   c.span = {-1e4, 0};
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("weaken what drives the body"));
+}
+
+// A needle with a torque about it: in 20 s it would turn 2e9 rad. With energy loss alpha L²/I is 5e6 a
+// second.
+TEST(DrivenRefusal, NeedlesAreRefusedInSeconds) {
+  DrivenCase c;
+  c.I = {1e-8, 1, 1};
+  c.forcing.torque_B = {0.1, 0.2, 0.3};
+  const std::clock_t begin = std::clock();
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("shorten the run, or weaken what drives the body"));
+  c.forcing = {};
+  c.forcing.dissipation = 0.01;
+  EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 400000 steps allowed in a run"));
+  const double used_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // of the processor
+  EXPECT_LE(used_s, 60);                                                             // measured 11.6
 }
 
 TEST(DrivenRefusal, DecayTracedBackTooFar) {
