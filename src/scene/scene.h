@@ -15,6 +15,7 @@
 #include "physics/forcing.h"
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
+#include "scene/plot.h"
 
 /// The whole request as values. Made by scene_file.h, never changed afterwards. SI units, radians.
 namespace poinsot::scene {
@@ -104,10 +105,13 @@ struct Show {
 
 enum class Theme { kLight, kDark };
 
+enum class DecimalSign { kPoint, kComma };
+
 struct Style {
   Theme theme = Theme::kLight;
   double lineWidth = 1;  ///< factor on all lines
   double textSize = 1;   ///< factor on all type
+  DecimalSign decimalSign = DecimalSign::kPoint;  ///< in numbers that are drawn
 };
 
 struct Output {
@@ -123,6 +127,8 @@ struct Scene {
   Time time;
   Camera camera;
   Show show;
+  std::vector<Plot> plots;
+  std::vector<Readout> readouts;
   Style style;
   Output output;
 };

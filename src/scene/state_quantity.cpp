@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/state_quantity.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/expect.h"
+#include "physics/heavy_top.h"
+#include "physics/precession_cones.h"
+
+namespace poinsot::scene {
+namespace {
+
+using Eigen::Vector3d;
+using physics::RigidBodyState;
+using Basis = QuantityBasis;
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+Vector3d spunAxis(const Vector3d& omega_P) {
+  int axis = 2;
+  if (!omega_P.isZero(0)) omega_P.cwiseAbs().maxCoeff(&axis);
+  return (omega_P[axis] < 0 ? -1 : 1) * Vector3d::Unit(axis);
+}
+
+Vector3d figureAxis(const Basis& basis, const Vector3d& omega_P) {
+  const Vector3d gravity_P = basis.axes().toP(basis.forcing().gravity_B);
+  if (const auto top = physics::heavyTop(basis.axes().moments(), gravity_P)) return top->k_P;
+  const auto cones = physics::precessionCones(basis.axes().moments(), omega_P);
+  // Of a sphere every axis is one of symmetry: the spun one says more than z.
+  const bool symmetric = cones && cones->sense != physics::RollingSense::kNone;
+  return symmetric ? cones->k_P : spunAxis(omega_P);
+}
+
+/// The principal axis after that of k.
+Vector3d nextAxis(const Vector3d& k_P) {
+  int axis = 0;
+  k_P.cwiseAbs().maxCoeff(&axis);
+  return Vector3d::Unit((axis + 1) % 3);
+}
+
+Vector3d toW(const RigidBodyState& s, const Basis& b, const Vector3d& v_P) { return s.q_WB * b.axes().toB(v_P); }
+
+Vector3d omega_P(const RigidBodyState& s, const Basis& b) { return b.axes().toP(s.omega_B); }
+Vector3d L_P(const RigidBodyState& s, const Basis& b) { return b.axes().moments().angularMomentum(omega_P(s, b)); }
+
+/// Between two directions, exact for small angles and for nearly opposite ones too; NaN for a zero vector.
+double angle(const Vector3d& a, const Vector3d& b) {
+  if (a.isZero(0) || b.isZero(0)) return kMissing;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Horizontal axes for a pole: the world's x and y, turned the shortest way with z onto the pole; onto -z, about
+/// x.
+struct Meridians {
+  Vector3d x_W, y_W;
+};
+
+Meridians meridians(const Vector3d& pole_W) {
+  if (pole_W.z() < -1 + 1e-12) return {Vector3d::UnitX(), -Vector3d::UnitY()};
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), pole_W);
+  return {turn * Vector3d::UnitX(), turn * Vector3d::UnitY()};
+}
+
+double size(const Vector3d& v) { return v.norm(); }
+
+double omegaSize(const RigidBodyState& s, const Basis&) { return size(s.omega_W); }
+double LSize(const RigidBodyState& s, const Basis&) { return size(s.L_W); }
+double energySize(const RigidBodyState& s, const Basis& b) {
+  return s.kineticEnergy + size(b.forcing().gravity_B);
+}
+
+template <int axis>
+double omegaAlong(const RigidBodyState& s, const Basis& b) {
+  return omega_P(s, b)[axis];
+}
+template <int axis>
+double omegaInSpace(const RigidBodyState& s, const Basis&) {
+  return s.omega_W[axis];
+}
+template <int axis>
+double LAlong(const RigidBodyState& s, const Basis& b) {
+  return L_P(s, b)[axis];
+}
+template <int axis>
+double LInSpace(const RigidBodyState& s, const Basis&) {
+  return s.L_W[axis];
+}
+
+double kineticEnergy(const RigidBodyState& s, const Basis&) { return s.kineticEnergy; }
+double potentialEnergy(const RigidBodyState& s, const Basis& b) {
+  return physics::potentialEnergy(b.forcing(), s.q_WB);
+}
+double energy(const RigidBodyState& s, const Basis& b) { return s.kineticEnergy + potentialEnergy(s, b); }
+
+double theta(const RigidBodyState& s, const Basis& b) { return angle(toW(s, b, b.k_P()), s.L_W); }
+double thetaVertical(const RigidBodyState& s, const Basis& b) {
+  return angle(toW(s, b, b.k_P()), Vector3d::UnitZ());
+}
+double omegaToL(const RigidBodyState& s, const Basis&) { return angle(s.omega_W, s.L_W); }
+
+// Euler's angles in the order z, x, z: the line of nodes is pole × k. On the pole itself there is none.
+double phi(const RigidBodyState& s, const Basis& b) {
+  const Vector3d pole_W = b.pole_W(s), nodes_W = pole_W.cross(toW(s, b, b.k_P()));
+  const Meridians m = meridians(pole_W);
+  return nodes_W.isZero(0) ? kMissing : std::atan2(nodes_W.dot(m.y_W), nodes_W.dot(m.x_W));
+}
+double psi(const RigidBodyState& s, const Basis& b) {
+  const Vector3d pole_W = b.pole_W(s);
+  const double first = pole_W.dot(toW(s, b, b.across_P()));
+  const double second = pole_W.dot(toW(s, b, b.k_P().cross(b.across_P())));
+  return first == 0 && second == 0 ? kMissing : std::atan2(first, second);
+}
+
+double planeHeight(const RigidBodyState& s, const Basis&) {
+  return s.L_W.isZero(0) ? kMissing : s.omega_W.dot(s.L_W.normalized());
+}
+double herpolhodeRadius(const RigidBodyState& s, const Basis&) {
+  return s.L_W.isZero(0) ? kMissing : s.omega_W.cross(s.L_W.normalized()).norm();
+}
+
+double time(const RigidBodyState& s, const Basis&) { return s.t_s; }
+double qw(const RigidBodyState& s, const Basis&) { return s.q_WB.w(); }
+double qx(const RigidBodyState& s, const Basis&) { return s.q_WB.x(); }
+double qy(const RigidBodyState& s, const Basis&) { return s.q_WB.y(); }
+double qz(const RigidBodyState& s, const Basis&) { return s.q_WB.z(); }
+
+using enum QuantityUnit;
+using enum QuantityBranch;
+using F = QuantityFamily;
+
+constexpr StateQuantity kQuantities[] = {
+    {"t", "t", "time of the motion", kSecond, F::kTime, kSmooth, time},
+    {"omega_1", "\\omega_1", "omega along the first principal axis", kRadianPerSecond, F::kOmega, kSmooth,
+     omegaAlong<0>, omegaSize},
+    {"omega_2", "\\omega_2", "omega along the second principal axis", kRadianPerSecond, F::kOmega, kSmooth,
+     omegaAlong<1>, omegaSize},
+    {"omega_3", "\\omega_3", "omega along the third principal axis", kRadianPerSecond, F::kOmega, kSmooth,
+     omegaAlong<2>, omegaSize},
+    {"omega_x", "\\omega_x", "omega along the world's x axis", kRadianPerSecond, F::kOmega, kSmooth,
+     omegaInSpace<0>, omegaSize},
+    {"omega_y", "\\omega_y", "omega along the world's y axis", kRadianPerSecond, F::kOmega, kSmooth,
+     omegaInSpace<1>, omegaSize},
+    {"omega_z", "\\omega_z", "omega along the world's z axis", kRadianPerSecond, F::kOmega, kSmooth,
+     omegaInSpace<2>, omegaSize},
+    {"omega", "|\\boldsymbol{\\omega}|", "length of omega", kRadianPerSecond, F::kOmega, kSmooth, omegaSize,
+     omegaSize},
+    {"L_1", "L_1", "L along the first principal axis", kAction, F::kL, kSmooth, LAlong<0>, LSize},
+    {"L_2", "L_2", "L along the second principal axis", kAction, F::kL, kSmooth, LAlong<1>, LSize},
+    {"L_3", "L_3", "L along the third principal axis", kAction, F::kL, kSmooth, LAlong<2>, LSize},
+    {"L_x", "L_x", "L along the world's x axis", kAction, F::kL, kSmooth, LInSpace<0>, LSize},
+    {"L_y", "L_y", "L along the world's y axis", kAction, F::kL, kSmooth, LInSpace<1>, LSize},
+    {"L_z", "L_z", "L along the world's z axis", kAction, F::kL, kSmooth, LInSpace<2>, LSize},
+    {"L", "|\\mathbf{L}|", "length of L", kAction, F::kL, kSmooth, LSize, LSize},
+    {"T", "T", "kinetic energy of the rotation", kJoule, F::kEnergy, kSmooth, kineticEnergy, energySize},
+    {"V", "V", "potential energy, above the fixed point", kJoule, F::kEnergy, kSmooth, potentialEnergy,
+     energySize},
+    {"E", "E", "kinetic and potential energy", kJoule, F::kEnergy, kSmooth, energy, energySize},
+    {"theta", "\\theta", "angle between k, the axis of symmetry or of the main spin, and L", kAngle, F::kBody,
+     kSmooth, theta},
+    {"theta_vertical", "\\theta_z", "angle between k and the vertical", kAngle, F::kBody, kSmooth, thetaVertical},
+    {"theta_omega", "\\alpha", "angle between omega and L", kAngle, F::kOmega, kSmooth, omegaToL},
+    {"phi", "\\varphi", "precession: angle of the line of nodes about L, under gravity about the vertical", kAngle,
+     F::kBody, kTurns, phi},
+    {"psi", "\\psi", "spin: angle of the body about k from the line of nodes", kAngle, F::kBody, kTurns, psi},
+    {"h", "h", "height of the centre above the point of contact, 2T/|L|", kRadianPerSecond, F::kL, kSmooth,
+     planeHeight, omegaSize},
+    {"rho", "\\rho", "distance of the point of contact from L: radius of the herpolhode", kRadianPerSecond,
+     F::kOmega, kSmooth, herpolhodeRadius, omegaSize},
+    {"q_w", "q_w", "scalar part of the attitude's quaternion", kBare, F::kBody, kSign, qw},
+    {"q_x", "q_x", "x part of the attitude's quaternion", kBare, F::kBody, kSign, qx},
+    {"q_y", "q_y", "y part of the attitude's quaternion", kBare, F::kBody, kSign, qy},
+    {"q_z", "q_z", "z part of the attitude's quaternion", kBare, F::kBody, kSign, qz},
+};
+
+}  // namespace
+
+QuantityBasis::QuantityBasis(const physics::PrincipalAxes& axes, const physics::Forcing& forcing,
+                             const Vector3d& startOmega_P)
+    : axes_(axes), forcing_(forcing), k_P_(figureAxis(*this, startOmega_P)), across_P_(nextAxis(k_P_)) {}
+
+Vector3d QuantityBasis::pole_W(const RigidBodyState& state) const {
+  if (!forcing_.gravity_B.isZero(0) || state.L_W.isZero(0)) return Vector3d::UnitZ();
+  return state.L_W.normalized();
+}
+
+std::span<const StateQuantity> stateQuantities() { return kQuantities; }
+
+const StateQuantity& stateQuantity(int index) {
+  POINSOT_EXPECT(index >= 0 && index < static_cast<int>(std::size(kQuantities)));
+  return kQuantities[index];
+}
+
+}  // namespace poinsot::scene

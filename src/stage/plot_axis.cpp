@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/plot_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot::stage {
+namespace {
+
+constexpr double kRounding = 1e-11;  // of a quantity's size: what integration to 1e-12 may leave
+constexpr double kFlat = 1e-5;       // of the value: smaller changes would need more than six digits at the ticks
+constexpr double kRoom = 0.03;       // of the range, beyond its ends
+constexpr double kFromZero = 0.3;    // of the high end: a low end nearer to zero is taken down to it
+constexpr int kMostTicks = 7;
+
+struct Span {
+  double low, high;
+};
+
+Span constantSpan(double value, double size) {
+  if (std::abs(value) <= kRounding * size || value == 0) return {-std::max(size, 1e-300), std::max(size, 1e-300)};
+  return value > 0 ? Span{0, 1.25 * value} : Span{1.25 * value, 0};
+}
+
+Span shownSpan(const QuantityRange& range) {
+  const double length = range.high - range.low, largest = std::max(std::abs(range.low), std::abs(range.high));
+  if (length <= kRounding * range.size || length <= kFlat * largest)
+    return constantSpan(0.5 * (range.low + range.high), range.size);
+  Span span{range.low - kRoom * length, range.high + kRoom * length};
+  if (range.low >= 0 && range.low < kFromZero * range.high) span.low = 0;
+  if (range.high <= 0 && range.high > kFromZero * range.low) span.high = 0;
+  return span;
+}
+
+double largest(const Span& span) { return std::max(std::abs(span.low), std::abs(span.high)); }
+
+}  // namespace
+
+PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex) {
+  const Span span = shownSpan(range);
+  PlotAxis axis;
+  axis.unit = writtenUnit(unit, largest(span));
+  axis.ticks = coveringTicks(axis.unit.written(span.low), axis.unit.written(span.high), kMostTicks);
+  axis.low = axis.ticks.at(axis.ticks.first);
+  axis.high = axis.ticks.at(axis.ticks.last);
+  axis.label = axisLabel(tex, axis.unit);
+  return axis;
+}
+
+PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex, double low,
+                   double high) {
+  PlotAxis axis = valueAxis(unit, range, tex);
+  axis.low = low;
+  axis.high = high;
+  axis.ticks = innerTicks(low, high, kMostTicks);
+  return axis;
+}
+
+PlotAxis timeAxis(double from_s, double to_s, const std::string& tex) {
+  auto [low_s, high_s] = std::minmax({from_s, to_s});
+  if (low_s == high_s) high_s = low_s + 1;  // a motion that stands still
+  PlotAxis axis;
+  axis.unit = writtenUnit(scene::QuantityUnit::kSecond, high_s - low_s);
+  axis.low = axis.unit.written(low_s);
+  axis.high = axis.unit.written(high_s);
+  axis.ticks = innerTicks(axis.low, axis.high, 9);
+  axis.label = axisLabel(tex, axis.unit);
+  return axis;
+}
+
+PlotAxis withFewerTicks(const PlotAxis& axis, int most) {
+  if (axis.ticks.count() <= most) return axis;
+  PlotAxis fewer = axis;
+  fewer.ticks = innerTicks(axis.low, axis.high, std::max(most, 3));
+  return fewer;
+}
+
+}  // namespace poinsot::stage

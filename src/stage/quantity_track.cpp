@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/quantity_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "stage/picture_motion.h"
+
+namespace poinsot::stage {
+namespace {
+
+using scene::QuantityBranch;
+
+// 25 in a turn: an angle that goes round twice as fast as the body is still followed with 12.
+constexpr double kSamplesPerRadian = 4;
+constexpr int kSpeedPoints = 500;  // at which |omega| is looked at
+constexpr std::size_t kSamplesPerPixel = 4, kLeastSamples = 2000;
+
+/// The value of that branch that is nearest to another.
+double nearest(QuantityBranch branch, double value, double to) {
+  if (!std::isfinite(to)) return value;
+  if (branch == QuantityBranch::kTurns) {
+    const double turn = 2 * std::numbers::pi;
+    return value + turn * std::round((to - value) / turn);
+  }
+  if (branch == QuantityBranch::kSign) return std::abs(value - to) <= std::abs(-value - to) ? value : -value;
+  return value;
+}
+
+/// A quaternion's parts change sign together; each alone could not tell at its zeros.
+void takeSign(Eigen::Quaterniond& q, const Eigen::Quaterniond& of) {
+  if (q.dot(of) < 0) q.coeffs() = -q.coeffs();
+}
+
+void widen(QuantityRange& range, double value, double size) {
+  if (!std::isfinite(value)) return;
+  range.low = std::min(range.low, value);
+  range.high = std::max(range.high, value);
+  range.size = std::max(range.size, size);
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion,
+                             std::vector<int> quantities)
+    : motion_(std::move(motion)),
+      quantities_(std::move(quantities)),
+      start_s_(scene.time.start_s),
+      speed_(chosenSpeed(scene)),
+      duration_s_(scene.time.duration_s),
+      basis_(motion_->axes(), scene.motion.forcing, motion_->axes().toP(motion_->at(start_s_).omega_B)) {
+  chooseTimes(scene);
+  sampleAll();
+}
+
+void QuantityTrack::chooseTimes(const scene::Scene& scene) {
+  double fastest = 0;  // rad per second of film
+  for (int i = 0; i <= kSpeedPoints; ++i) {
+    const double t_s = motionTime_s(duration_s_ * (static_cast<double>(i) / kSpeedPoints));
+    fastest = std::max(fastest, std::abs(speed_) * motion_->at(t_s).omega_W.norm());
+  }
+  const double wanted = std::min(kSamplesPerRadian * fastest * duration_s_, static_cast<double>(kMostSamples));
+  const std::size_t forWidth = kSamplesPerPixel * static_cast<std::size_t>(scene.output.width);
+  const std::size_t count =
+      std::clamp(std::max(forWidth, static_cast<std::size_t>(wanted)), kLeastSamples, kMostSamples);
+  for (std::size_t i = 0; i < count; ++i)
+    filmTimes_s_.push_back(duration_s_ * static_cast<double>(i) / static_cast<double>(count - 1));
+}
+
+void QuantityTrack::sampleAll() {
+  values_.assign(quantities_.size(), {});
+  ranges_.assign(quantities_.size(), {kInfinity, -kInfinity, 0});
+  std::vector<double> last(quantities_.size(), std::numeric_limits<double>::quiet_NaN());
+  Eigen::Quaterniond before = motion_->at(start_s_).q_WB;
+  for (const double film_s : filmTimes_s_) {
+    physics::RigidBodyState state = motion_->at(motionTime_s(film_s));
+    takeSign(state.q_WB, before);
+    before = state.q_WB;
+    for (std::size_t i = 0; i < quantities_.size(); ++i) {
+      const scene::StateQuantity& q = quantity(i);
+      const bool turns = q.branch == QuantityBranch::kTurns;
+      const double raw = q.value(state, basis_), value = turns ? nearest(q.branch, raw, last[i]) : raw;
+      values_[i].push_back(value);
+      if (std::isfinite(value)) last[i] = value;
+      widen(ranges_[i], value, q.size ? q.size(state, basis_) : 1);
+    }
+  }
+  for (QuantityRange& range : ranges_)
+    if (range.low > range.high) range = {0, 0, 1};  // it exists at no time
+}
+
+double QuantityTrack::at(std::size_t which, double filmTime_s) const {
+  const double value = quantity(which).value(motion_->at(motionTime_s(filmTime_s)), basis_);
+  const double share = std::clamp(filmTime_s / duration_s_, 0.0, 1.0);
+  const double place = share * static_cast<double>(samples() - 1);
+  const auto left = std::min(static_cast<std::size_t>(place), samples() - 2);
+  const double along = place - static_cast<double>(left);
+  const double between = std::lerp(sample(which, left), sample(which, left + 1), along);
+  return nearest(quantity(which).branch, value, between);
+}
+
+QuantityRange QuantityTrack::range() const {
+  QuantityRange all = ranges_.front();
+  for (const QuantityRange& one : ranges_) {
+    all.low = std::min(all.low, one.low);
+    all.high = std::max(all.high, one.high);
+    all.size = std::max(all.size, one.size);
+  }
+  return all;
+}
+
+}  // namespace poinsot::stage

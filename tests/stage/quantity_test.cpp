@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every quantity against a closed form that its code does not use.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "physics/free_motion.h"
+#include "physics/precession_cones.h"
+#include "scene/state_quantity.h"
+#include "scene_samples.h"
+#include "stage/picture_motion.h"
+#include "stage/quantity_track.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using scene::stateQuantities;
+
+int indexOf(std::string_view name) {
+  for (std::size_t i = 0; i < stateQuantities().size(); ++i)
+    if (stateQuantities()[i].name == name) return static_cast<int>(i);
+  ADD_FAILURE() << "no quantity " << name;
+  return 0;
+}
+
+double valueOf(std::string_view name, const physics::RigidBodyState& state, const scene::QuantityBasis& basis) {
+  return scene::stateQuantity(indexOf(name)).value(state, basis);
+}
+
+// A state with L along z, made by hand: q turns by 120 degrees about (1, 1, 1), x to y to z to x.
+TEST(Quantities, AreTheComponentsAndLengthsOfAStateMadeByHand) {
+  physics::RigidBodyState s;
+  s.t_s = 7;
+  s.q_WB = Quaterniond(0.5, 0.5, 0.5, 0.5);
+  s.omega_B = Vector3d(1, 2, 3);
+  s.omega_W = Vector3d(3, 1, 2);
+  s.L_W = Vector3d(12, 2, 6);  // moments 2, 3, 4
+  s.kineticEnergy = 0.5 * (2 * 1 + 3 * 4 + 4 * 9);
+  physics::Forcing forcing;
+  forcing.gravity_B = Vector3d(5, 0, 0);  // its x points along the world's y: no height
+  const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 3, 4)), forcing, s.omega_B};
+  const std::map<std::string_view, double> expected = {
+      {"t", 7},
+      {"omega_1", 1},
+      {"omega_2", 2},
+      {"omega_3", 3},
+      {"omega_x", 3},
+      {"omega_y", 1},
+      {"omega_z", 2},
+      {"L_1", 2},
+      {"L_2", 6},
+      {"L_3", 12},
+      {"L_x", 12},
+      {"L_y", 2},
+      {"L_z", 6},
+      {"T", 25},
+      {"V", 0},
+      {"E", 25},
+      {"q_w", 0.5},
+      {"q_x", 0.5},
+      {"q_y", 0.5},
+      {"q_z", 0.5},
+      {"omega", std::sqrt(14.0)},
+      {"L", std::sqrt(184.0)},
+      {"h", 50 / std::sqrt(184.0)},
+      {"rho", std::sqrt(14 - 2500.0 / 184)},
+      {"theta_omega", std::acos(50 / std::sqrt(184.0 * 14))},
+      // k is the third axis, which points along the world's x.
+      {"theta", std::acos(12 / std::sqrt(184.0))},
+      {"theta_vertical", std::numbers::pi / 2},
+      // About the vertical: the line of nodes z × x is y, and the first axis (y) lies on it.
+      {"phi", std::numbers::pi / 2},
+      {"psi", 0}};
+  EXPECT_EQ(expected.size(), stateQuantities().size());
+  for (const auto& [name, value] : expected)
+    EXPECT_NEAR(valueOf(name, s, basis), value, 1e-14) << name;  // measured: at most 1.8e-15
+}
+
+TEST(Quantities, DoNotExistOfABodyAtRestWhereTheyNeedL) {
+  const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 3, 4)), {}, Vector3d::Zero()};
+  for (const char* name : {"theta", "theta_omega", "h", "rho"})
+    EXPECT_TRUE(std::isnan(valueOf(name, {}, basis))) << name;
+  for (const char* name : {"omega", "L", "T", "theta_vertical"}) EXPECT_EQ(valueOf(name, {}, basis), 0) << name;
+}
+
+scene::Scene symmetricTop() {
+  return scene::parseScene(
+      "[body]\nprincipal_moments = [1.5, 1.5, 0.9]\n[motion]\nomega_body = [0.5, 0, 2]\n[time]\nspeed = 3\n"
+      "start = 2\nduration = 20\n",
+      "sample.toml");
+}
+
+// phi turns at L/I1 (eq 34), psi at -Omega_p (eq 21), theta stays: the lecture's numbers, by hand.
+TEST(QuantityTrack, EulersAnglesOfASymmetricTopTurnSteadilyThroughAllTurns) {
+  const scene::Scene scene = symmetricTop();
+  const QuantityTrack track(scene, drawnMotion(scene), {indexOf("phi"), indexOf("psi"), indexOf("theta")});
+  const double precession = 1.95 / 1.5, spin = 0.8, theta = std::atan2(1.5 * 0.5, 0.9 * 2);
+  const std::size_t last = track.samples() - 1;
+  EXPECT_EQ(track.filmTime_s(last), 20);
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double t = 3 * track.filmTime_s(i);
+    EXPECT_NEAR(track.sample(0, i) - track.sample(0, 0), precession * t, 1e-12);  // measured 1.6e-13
+    EXPECT_NEAR(track.sample(1, i) - track.sample(1, 0), spin * t, 1e-12);        // measured 6e-14
+    EXPECT_NEAR(track.sample(2, i), theta, 1e-14);
+  }
+  for (double film_s = 0; film_s <= 20; film_s += 0.0637) {
+    EXPECT_NEAR(track.at(0, film_s) - track.sample(0, 0), precession * 3 * film_s, 1e-12);
+    EXPECT_NEAR(track.at(1, film_s) - track.sample(1, 0), spin * 3 * film_s, 1e-12);
+  }
+}
+
+// q and -q are one attitude: along the film the sign is kept, so that no part jumps.
+TEST(QuantityTrack, QuaternionsAreContinuous) {
+  const scene::Scene scene = symmetricTop();
+  const QuantityTrack track(scene, drawnMotion(scene),
+                            {indexOf("q_w"), indexOf("q_x"), indexOf("q_y"), indexOf("q_z")});
+  double square = 0, largest = 0;
+  for (std::size_t i = 1; i < track.samples(); ++i)
+    for (std::size_t part = 0; part < 4; ++part)
+      largest = std::max(largest, std::abs(track.sample(part, i) - track.sample(part, i - 1)));
+  for (std::size_t part = 0; part < 4; ++part) square += std::pow(track.at(part, 13.3), 2);
+  // |dq| = |omega| dt/2 at most.
+  const double step_s = 3 * track.filmTime_s(1);
+  EXPECT_LE(largest, 0.5 * std::sqrt(4.25) * step_s * 1.001);
+  EXPECT_NEAR(square, 1, 1e-14);
+  EXPECT_LT(track.range(0).low, -0.1);  // it does change sign
+}
+
+TEST(QuantityTrack, TakesFourSamplesAPixelAndABoundedNumberOfAnHour) {
+  scene::Scene scene = symmetricTop();
+  EXPECT_GE(QuantityTrack(scene, drawnMotion(scene), {0}).samples(), 4u * 1920);
+  scene.time.duration_s = 3600;
+  scene.time.speed = 1000;  // 1.2 million turns
+  EXPECT_EQ(QuantityTrack(scene, drawnMotion(scene), {0}).samples(), QuantityTrack::kMostSamples);
+}
+
+TEST(QuantityTrack, KnowsItsRange) {
+  const scene::Scene scene = symmetricTop();
+  const QuantityTrack track(scene, drawnMotion(scene), {indexOf("omega_1"), indexOf("omega_3")});
+  // omega_1 = 0.5 cos: its ends are met between samples, to half the square of their step.
+  EXPECT_NEAR(track.range(0).low, -0.5, 1e-5);
+  EXPECT_NEAR(track.range(0).high, 0.5, 1e-5);
+  EXPECT_NEAR(track.range(1).high - track.range(1).low, 0, 1e-14);
+  EXPECT_EQ(track.range().high, track.range(1).high);
+  EXPECT_NEAR(track.range().size, std::sqrt(4.25), 1e-12);
+}
+
+}  // namespace
+}  // namespace poinsot::stage
