@@ -71,6 +71,17 @@ class FigureKeys {
             .put = put(place)};
   }
 
+  template <class Place>
+  Key count(std::string_view fallback, Place place) const {
+    return {.path = path_ + ".count",
+            .type = kInteger,
+            .range = {.least = 1, .most = 20},
+            .fallback = fallback,
+            .example = "6",
+            .help = "How many polhodes between the separatrix and each of the two outer axes.",
+            .put = put(place)};
+  }
+
  private:
   const ShowTable& table_;
   std::string path_;
@@ -140,10 +151,47 @@ std::vector<Key> traceKeys(const ShowTable& table) {
   };
 }
 
+std::vector<Key> axesKeys(const ShowTable& table) {
+  const FigureKeys parts(table, "components"), axes(table, "space_axes");
+  return {
+      parts.visible(
+          "The components of omega along the principal axes, and the box of which omega is the diagonal.",
+          [](ShownFigures & f) -> auto& { return f.components.visible; }),
+      parts.scale(
+          "Factor on their size; other than 1, the box's corner leaves the tip of omega.",
+          [](ShownFigures & f) -> auto& { return f.components.scale; }),
+      axes.visible(
+          "The axes x, y, z of space, at rest.", [](ShownFigures & f) -> auto& { return f.spaceAxes.visible; }),
+      axes.scale(
+          "Factor on their length.", [](ShownFigures & f) -> auto& { return f.spaceAxes.scale; }),
+  };
+}
+
+std::vector<Key> polhodeKeys(const ShowTable& table) {
+  const FigureKeys key(table, "polhodes"), binet(table, "binet");
+  return {
+      key.visible(
+          "Of a free body: other polhodes on the ellipsoid, of the same energy, and the separatrix between "
+          "the two kinds.",
+          [](ShownFigures & f) -> auto& { return f.polhodes.visible; }),
+      key.count(
+          "4", [](ShownFigures & f) -> auto& { return f.polhodes.count; }),
+      binet.visible(
+          "Of a free body: the momentum sphere |m| = L and the energy ellipsoid, fixed in the body, and the "
+          "path of L along their intersection (Binet).",
+          [](ShownFigures & f) -> auto& { return f.binet.visible; }),
+      binet.opacity(
+          "0.12", [](ShownFigures & f) -> auto& { return f.binet.opacity; }),
+      binet.count(
+          "4", [](ShownFigures & f) -> auto& { return f.binet.count; }),
+  };
+}
+
 }  // namespace
 
 std::vector<Key> figureKeys(const ShowTable& table) {
-  return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), traceKeys(table)});
+  return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), axesKeys(table), polhodeKeys(table),
+                 traceKeys(table)});
 }
 
 }  // namespace poinsot::scene

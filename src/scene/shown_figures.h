@@ -25,6 +25,15 @@ struct ShownFigures {
   Extra mainAxis;       ///< k
   Extra theta;          ///< the angle between k and L
   Extra decomposition;  ///< the parallelogram omega = omega_p - Omega_p k
+  Extra components;     ///< of omega along the principal axes
+  Extra spaceAxes;
+  struct : Extra {
+    int count = 0;  ///< curves between the separatrix and each extreme axis
+  } polhodes;       ///< a family on the energy ellipsoid
+  struct : Extra {
+    double opacity = 0;
+    int count = 0;  ///< as of polhodes
+  } binet;          ///< momentum sphere and energy ellipsoid, in the space of L
   struct : Extra {
     std::optional<Eigen::Vector3d> point_B;  ///< m; none: a point on k
     double opacity = 0;                      ///< of the sphere

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/actors.h"
 
+#include <type_traits>
+
+#include "stage/axes_figure.h"
 #include "stage/cones_figure.h"
 #include "stage/decomposition_figure.h"
+#include "stage/polhodes_figure.h"
 #include "stage/theta_figure.h"
 #include "stage/trace_figure.h"
 
@@ -19,6 +23,10 @@ std::vector<std::unique_ptr<const Actor>> makeActors(const Setting& setting) {
   addIf(show.mainAxis, std::type_identity<MainAxisFigure>{});
   addIf(show.theta, std::type_identity<ThetaFigure>{});
   addIf(show.decomposition, std::type_identity<DecompositionFigure>{});
+  addIf(show.components, std::type_identity<ComponentsFigure>{});
+  addIf(show.spaceAxes, std::type_identity<SpaceAxesFigure>{});
+  addIf(show.polhodes, std::type_identity<PolhodesFigure>{});
+  addIf(show.binet, std::type_identity<BinetFigure>{});
   return actors;
 }
 

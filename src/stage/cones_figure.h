@@ -27,9 +27,10 @@ class ConesFigure final : public Actor {
   double side() const { return side_; }
 
  private:
-  std::vector<Eigen::Vector3d> rim(const Cone& cone, int points) const;
+  std::vector<Eigen::Vector3d> rim(const Cone& cone) const;
   void addCone(const Canvas& canvas, const Cone& cone, const Eigen::Vector3d& hint_V,
                const draw::Color& color) const;
+  draw::GlassCone glass(const Canvas& canvas, const Cone& cone, const draw::Color& color) const;
 
   physics::PrecessionCones cones_;
   double side_;

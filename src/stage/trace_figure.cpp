@@ -79,7 +79,7 @@ void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, doubl
 }
 
 void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
-  addSphere(canvas, state);
+  if (opacity_ > 0) addSphere(canvas, state);
   const double longest = kMostPoints * step_s_;
   const double end = std::min(motion_.duration_s(), filmTime_s + longest);
   const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));
@@ -90,8 +90,9 @@ void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureStat
   canvas.dot(point_V(state), 0.028, canvas.colors.axis);
 }
 
-// The sphere's ends along V's axes: those of a ball.
-std::vector<Vector3d> TraceFigure::outermostPoints(const PictureState& /*state*/) const {
+// The sphere's ends along V's axes, those of a ball; of no sphere, the path alone.
+std::vector<Vector3d> TraceFigure::outermostPoints(const PictureState& state) const {
+  if (opacity_ == 0) return {point_V(state)};
   std::vector<Vector3d> points;
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) points.emplace_back(side * radius() * Vector3d::Unit(axis));

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Families of polhodes, Binet's construction and components, against the quadrics that they must lie on.
+#include "stage/polhodes_figure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "scene_samples.h"
+#include "stage/axes_figure.h"
+#include "stage/body_figure.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d kI(1, 1.7, 2.6), kOmega(0.9, 0.35, 1.1);
+
+struct Scenery {
+  scene::Scene scene;
+  PictureMotion motion;
+  Scales scales;
+  Setting setting;
+
+  explicit Scenery(const std::string& more = "")
+      : scene(scene::parseScene(
+            "[body]\nprincipal_moments = [1, 1.7, 2.6]\n[motion]\nomega_body = [0.9, 0.35, 1.1]\n" + more,
+            "p.toml")),
+        motion(scene, drawnMotion(scene)),
+        scales(makeScales(scene, motion, BodyFigure(scene))),
+        setting{scene, motion, scales, Vector3d::Ones()} {}
+};
+
+double twoT() { return kOmega.dot(kI.cwiseProduct(kOmega)); }
+
+TEST(PolhodesFigure, EveryCurveIsOnTheEnergyEllipsoid) {
+  const Scenery s;
+  const PolhodesFigure figure(s.setting);
+  ASSERT_EQ(figure.curves().size(), 2u * 4 * 2 + 2);  // both sides, both ends of an axis, and the separatrix
+  int parting = 0;
+  for (const BodyCurve& curve : figure.curves()) {
+    parting += curve.separatrix;
+    for (const Vector3d& p : curve.points_P) {
+      const Vector3d omega = p / s.scales.ellipsoid, m = kI.cwiseProduct(omega);
+      EXPECT_NEAR(omega.dot(m) / twoT(), 1, 1e-13);  // measured 2e-15
+      // L² = 2 T I2 on the separatrix alone.
+      const double excess = m.squaredNorm() / (twoT() * kI[1]) - 1;
+      if (curve.separatrix) {
+        EXPECT_NEAR(excess, 0, 1e-13);  // measured 2e-15
+      } else {
+        EXPECT_GT(std::abs(excess), 1e-3);
+      }
+    }
+  }
+  EXPECT_EQ(parting, 2);
+}
+
+TEST(BinetFigure, TheTipOfLIsOnBothSurfacesAndOnTheCurve) {
+  const Scenery s;
+  const BinetFigure figure(s.setting);
+  const auto onSurfaces = [&](const Vector3d& p_P) {
+    EXPECT_NEAR(p_P.norm(), figure.sphereRadius(), 1e-13);                 // measured 9e-16
+    EXPECT_NEAR(p_P.cwiseQuotient(figure.semiAxes_P()).norm(), 1, 1e-13);  // measured 7e-16
+  };
+  for (const Vector3d& p_P : figure.polhode_P()) onSurfaces(p_P);
+  for (const double t : {0.0, 2.3, 7.0}) {
+    const PictureState state = s.motion.at(t);
+    const Vector3d tip_P = s.scales.L * (state.R_VP.transpose() * state.L_V);
+    onSurfaces(tip_P);
+    double nearest = 1;
+    for (const Vector3d& p_P : figure.polhode_P()) nearest = std::min(nearest, (p_P - tip_P).norm());
+    EXPECT_LT(nearest, 0.03);  // half a step of the curve
+  }
+  for (const BodyCurve& curve : figure.curves())
+    for (const Vector3d& p_P : curve.points_P) EXPECT_NEAR(p_P.norm(), figure.sphereRadius(), 1e-13);
+}
+
+TEST(PolhodesFigure, NeedsAFreeMotion) {
+  const Scenery s("[motion.torque]\nbody = [0, 0, 1]\n");
+  EXPECT_THROW(PolhodesFigure{s.setting}, core::Error);
+  EXPECT_THROW(BinetFigure{s.setting}, core::Error);
+}
+
+TEST(ComponentsFigure, TheirSumIsOmegaAndEachIsAlongItsAxis) {
+  for (const char* more : {"", "[camera]\nframe = \"body\"\n"}) {
+    const Scenery s(more);
+    const ComponentsFigure figure(s.setting);
+    for (const double t : {0.0, 2.3, 7.0}) {
+      const PictureState state = s.motion.at(t);
+      const Eigen::Matrix3d parts = figure.components_V(state);
+      EXPECT_LT((parts.rowwise().sum() - s.scales.omega * state.omega_V).norm(), 1e-14);  // measured 5e-16
+      for (int i = 0; i < 3; ++i) EXPECT_LT(parts.col(i).cross(state.R_VP.col(i)).norm(), 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::stage

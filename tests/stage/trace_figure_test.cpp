@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The trace of a body point, in closed form where there is one: the axis of a free symmetric top goes round L in a
+// circle (lecture, eq 20).
+#include "stage/trace_figure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene_samples.h"
+#include "stage/body_figure.h"
+#include "stage/scales.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr glm::ivec2 kSize{960, 540};
+const std::string kTop =
+    "[body]\nprincipal_moments = [2, 2, 0.8]\n[motion]\nomega_body = [1.1, 0.3, 2]\n[show]\n"
+    "ellipsoid = false\nplane = false\nherpolhode = false\npolhode = false\ncontact = false\n"
+    "principal_axes = false\nL = false\nomega = false\nbody = false\nlabels = false\ntrace = true\n";
+
+TEST(TraceFigure, LiesOnItsSphereAndEndsAtThePoint) {
+  for (const char* more : {"", "[camera]\nframe = \"body\"\n"}) {
+    const Stage stage(scene::parseScene(kTop + more, "t.toml"));
+    for (const double t : {1.0, 4.2, 8.0}) {
+      const auto list = onlyList(stage, t, kSize);
+      ASSERT_EQ(list.glassEllipsoids.size(), 1u);
+      ASSERT_EQ(list.ellipsoids.size(), 1u);
+      const float radius = glm::length(list.glassEllipsoids[0].semiAxes_W[0]);
+      const glm::vec3 dot = list.ellipsoids[0].centre_W;
+      EXPECT_NEAR(glm::length(dot), radius, 2e-6);
+      ASSERT_EQ(list.curves.size(), 3u);  // to come, travelled, the last second
+      for (const auto& curve : list.curves)
+        for (const auto& p : curve.points_W) ASSERT_NEAR(glm::length(p), radius, 2e-6);  // measured 2e-7
+      EXPECT_LT(glm::distance(list.curves[0].points_W.front(), dot), 2e-6f);
+      EXPECT_LT(glm::distance(list.curves[2].points_W.back(), dot), 2e-6f);
+    }
+  }
+}
+
+TEST(TraceFigure, TheAxisOfAFreeTopDrawsACircleAboutL) {
+  const auto list = onlyList(Stage(scene::parseScene(kTop, "t.toml")), 3, kSize);
+  // theta from the start: tan theta = I1 w/(I3 omega_3).
+  const double theta = std::atan2(2 * std::hypot(1.1, 0.3), 0.8 * 2),
+               radius = glm::length(list.ellipsoids[0].centre_W);
+  for (const auto& curve : list.curves)
+    for (const auto& p : curve.points_W) EXPECT_NEAR(p.z, radius * std::cos(theta), 3e-6);  // measured 3e-7
+}
+
+// Its place at the start is the one that the start says.
+TEST(TraceFigure, APointOfTheBody) {
+  const std::string text =
+      "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1.1, 0.3, 2]\n"
+      "orientation = [1, 0, 0, 1]\n[show.trace]\nvisible = true\npoint = [0.1, 0.2, -0.3]\n";
+  const scene::Scene scene = scene::parseScene(text, "t.toml");
+  const PictureMotion motion(scene, drawnMotion(scene));
+  const Scales scales = makeScales(scene, motion, BodyFigure(scene));
+  const TraceFigure figure({scene, motion, scales, Vector3d::Ones()});
+  // A quarter turn about z: x to y, y to -x.
+  EXPECT_LT((figure.point_V(motion.at(0)) - scales.body * Vector3d(-0.2, 0.1, -0.3)).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace poinsot::stage
