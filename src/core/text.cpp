@@ -10,7 +10,7 @@ namespace poinsot::core {
 namespace {
 
 constexpr int kLongestShown = 200;
-constexpr std::size_t kTellingPart = 4;  // letters that make a part of a word enough to tell it
+constexpr std::size_t kTellingPart = 3;  // letters that make a part of a word enough to tell it
 
 bool unsafe(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
@@ -57,10 +57,11 @@ int editDistance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates) {
   std::optional<std::string> best;
-  int least = static_cast<int>(std::max<std::size_t>(word.size() / 3, 1)) + 1;
+  int least = static_cast<int>(std::max<std::size_t>(word.size() / 3, word.size() < 5 ? 1 : 2)) + 1;
   for (const std::string& candidate : candidates) {
     const int distance = editDistance(word, candidate);
-    if (distance < least) {
+    const bool nothingLeft = distance >= static_cast<int>(std::max(word.size(), candidate.size()));
+    if (distance < least && !nothingLeft) {
       least = distance;
       best = candidate;
     }

@@ -22,7 +22,7 @@ CodePoint firstCodePoint(std::string_view text);
 int editDistance(std::string_view a, std::string_view b);
 
 /// The candidate nearest to `word` if it is near enough to be what was meant (at most a third of its letters
-/// differ), else the first that contains it; for "did you mean".
+/// differ, or two of five and more, and not all), else the first that contains it; for "did you mean".
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// Untrusted text made safe for a terminal, a log or a message: control characters, DEL, C1, bidi controls,

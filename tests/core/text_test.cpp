@@ -21,12 +21,15 @@ TEST(Closest, OffersOnlyNearWords) {
   EXPECT_EQ(closest("sped", keys), "speed");
   EXPECT_EQ(closest("zzz", keys), std::nullopt);
   EXPECT_EQ(closest("fsp", keys), "fps");
+  EXPECT_EQ(closest("tital", {"size", "title"}), "title");
+  EXPECT_EQ(closest("z", {"1", "2", "3"}), std::nullopt);  // nothing of the word is left
 }
 
 TEST(Closest, KnowsAWordByAPartOfIt) {
   const std::vector<std::string> keys = {"principal_moments", "omega_body"};
   EXPECT_EQ(closest("moments", keys), "principal_moments");
   EXPECT_EQ(closest("omega", keys), "omega_body");
+  EXPECT_EQ(closest("mid", {"smallest", "middle"}), "middle");
   EXPECT_EQ(closest("om", keys), std::nullopt);
 }
 
