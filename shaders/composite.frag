@@ -215,6 +215,24 @@ vec3 toSrgb(vec3 c) {
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
 }
 
+#if SOLIDS
+// How the solids' depth grows to the right and down, from the flatter side: not across an outline.
+vec2 solidSlope(ivec2 texel, float depth) {
+  float left = depth - texelFetch(solidDepth, texel - ivec2(1, 0), 0).r;
+  float right = texelFetch(solidDepth, texel + ivec2(1, 0), 0).r - depth;
+  float above = depth - texelFetch(solidDepth, texel - ivec2(0, 1), 0).r;
+  float below = texelFetch(solidDepth, texel + ivec2(0, 1), 0).r - depth;
+  return vec2(abs(left) < abs(right) ? left : right, abs(above) < abs(below) ? above : below);
+}
+
+// Which share of the pixel lies on the near side of where two surfaces cut each other: `ahead` is how much farther the
+// other one is, and slope how fast that grows.
+float shareBefore(float ahead, vec2 slope) {
+  slope.x += 1e-9;  // a direction, where the surfaces are parallel
+  return covered(vec3(slope, ahead) / length(slope));
+}
+#endif
+
 void main() {
   vec2 p_px = gl_FragCoord.xy;
   ivec2 texel = ivec2(p_px);
@@ -243,7 +261,12 @@ void main() {
   for (int k = 0; k < POLYGONS; ++k) addPolygon(k, kPolygons + k, p_px, ray);
 #endif
 
-  for (int i = 0; i < kFragments; ++i) colors[i].a *= float(depths[i] <= depth);
+  for (int i = 0; i < kEdges; ++i) colors[i].a *= float(depths[i] <= depth);
+#if SOLIDS
+  vec2 slope = solidSlope(texel, depth);
+  for (int i = kEdges; i < kFragments; ++i)
+    colors[i].a *= shareBefore(depth - depths[i], slope - vec2(dFdx(depths[i]), dFdy(depths[i])));
+#endif
 
   vec3 sum = vec3(0.0);
   float left = 1.0;  // what of the light behind everything comes through

@@ -156,7 +156,8 @@ TEST_F(ReferenceTest, EdgesAndSeamsInGlassAgree) {
   list.glassEllipsoids.push_back(glass);
   const Difference d = fromReference(list);
   ASSERT_GT(d.count, 500);
-  EXPECT_LT(d.mean, 4.5);  // measured 4.0: most of it where glass cuts a solid, which is seen once a pixel
+  RecordProperty("mean", std::to_string(d.mean));
+  EXPECT_LT(d.mean, 2.4);  // measured 2.08; 3.6 when glass is wholly before or behind a solid in each pixel
 }
 
 }  // namespace
