@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLabelWidth = 40, kValueWidth = 44;
+constexpr std::size_t kLabelWidth = 42, kValueWidth = 61;  // three numbers and kg m^2/s
 
 template <typename T>
 constexpr bool kIsList = std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>;
@@ -63,7 +63,7 @@ std::string inDegrees(const Fact& fact) {
 }
 
 std::string factText(const Fact& fact) {
-  std::vector<std::string> lines = valueLines(fact.value);
+  std::vector<std::string> lines = valueLines(fact.inWords.empty() ? fact.value : FactValue(fact.inWords));
   if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
   lines.back() += inDegrees(fact);
   std::string text = fmt::format("  {:<{}} ", fact.label, kLabelWidth);

@@ -17,16 +17,18 @@ struct Fact {
   std::string key;    ///< in JSON: snake_case, stable
   std::string label;  ///< for people
   FactValue value;
-  std::string unit;  ///< empty for bare numbers and words
-  std::string from;  ///< equation of the lecture, or what else it comes from
+  std::string unit;          ///< empty for bare numbers and words
+  std::string from;          ///< equation of the lecture, or what else it comes from
+  std::string inWords = {};  ///< for people, in place of a value that is a word for programs
 };
 
 struct Section {
   std::string title;
   std::vector<Fact> facts;
 
-  void add(std::string key, std::string label, FactValue value, std::string unit, std::string from) {
+  Fact& add(std::string key, std::string label, FactValue value, std::string unit, std::string from) {
     facts.push_back({std::move(key), std::move(label), std::move(value), std::move(unit), std::move(from)});
+    return facts.back();
   }
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/report_sections.h"
 #include "physics/driven_motion.h"
 #include "physics/heavy_top.h"
+#include "physics/polhode.h"
 #include "physics/run_condition.h"
 #include "scene/make_motion.h"
 
@@ -32,6 +34,16 @@ void addNutation(Section& section, const physics::Nutation& nutation) {
   section.add("nutation_largest_tilt", "  largest tilt", nutation.mostTilt_rad, "rad", "");
   section.add("nutation_period", "  period", nutation.period_s, "s", "");
   section.add("precession_per_nutation", "  precession in a period", nutation.precession_rad, "rad", "");
+}
+
+/// Where energy loss at constant L ends: spin about the axis of largest moment. A steady spin loses nothing.
+void addFinalState(Section& section, const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  const double largest = moments.values().maxCoeff(), L = moments.values().cwiseProduct(omega_P).norm();
+  const double start = 0.5 * omega_P.dot(moments.values().cwiseProduct(omega_P)), end = 0.5 * L * (L / largest);
+  section.add("final_omega", "final spin L/I_max, round that axis", L / largest, "rad/s", "height of the plane");
+  section.add("final_spin_rpm", "  that is", L / largest * 30 / std::numbers::pi, "rpm", "");
+  section.add("final_T", "final kinetic energy L^2/(2 I_max)", end, "J", "eq 12");
+  section.add("final_T_part", "  as a part of the start's", end / start, "", "");
 }
 
 void addIntegration(Section& section, const physics::DrivenMotionReport& report) {
@@ -72,6 +84,21 @@ Section heavyTopSection(const scene::Scene& scene) {
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", top->sleepingSpin(), "rad/s", "");
   addSteadyPrecession(section, *top, tilt_rad, omega_P.dot(top->k_P));
   addNutation(section, top->nutation(omega_P, up_P));
+  return section;
+}
+
+Section lossSection(const scene::Scene& scene) {
+  Section section{"Losses", {}};
+  const physics::Forcing& forcing = scene.motion.forcing;
+  const Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  if (!forcing.dragRate_P.isZero(0))
+    section.add("drag_times", "time in which drag leaves 1/e of L_i", forcing.dragRate_P.cwiseInverse().eval(),
+                "s", "1/d_i, axes e1, e2, e3");
+  physics::Forcing rest = forcing;
+  rest.dissipation = 0;
+  if (forcing.dissipation > 0 && rest.none() &&
+      physics::Polhode(scene.body.axes.moments(), omega_P).regime() != physics::PolhodeRegime::kSteady)
+    addFinalState(section, scene.body.axes.moments(), omega_P);
   return section;
 }
 

@@ -35,6 +35,20 @@ std::string regimeWord(physics::PolhodeRegime regime) {
   return "";
 }
 
+std::string inWords(physics::PolhodeRegime regime) {
+  switch (regime) {
+    case physics::PolhodeRegime::kSteady:
+      return "steady: omega stays";
+    case physics::PolhodeRegime::kAboutLargest:
+      return "round the axis of largest moment";
+    case physics::PolhodeRegime::kAboutSmallest:
+      return "round the axis of smallest moment";
+    case physics::PolhodeRegime::kSeparatrix:
+      return "on the separatrix, to the middle axis";
+  }
+  return "";
+}
+
 void addEllipsoids(Section& section, const scene::Scene& scene) {
   const auto& moments = scene.body.axes.moments();
   const physics::PoinsotConstruction poinsot(moments, omega_P(scene));
@@ -48,7 +62,8 @@ void addEllipsoids(Section& section, const scene::Scene& scene) {
 
 void addPolhode(Section& section, const scene::Scene& scene) {
   const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
-  section.add("regime", "kind of motion: the polhode goes", regimeWord(polhode.regime()), "", "L^2 to 2 T I_mid");
+  section.add("regime", "polhode", regimeWord(polhode.regime()), "", "L^2 to 2 T I_mid").inWords =
+      inWords(polhode.regime());
   if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
   section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
   const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));

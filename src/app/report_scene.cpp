@@ -11,7 +11,7 @@ Report sceneReport(const scene::Scene& scene) {
   const ReportSpan span{start_s, start_s + stage::chosenSpeed(scene) * scene.time.duration_s};
   return {scene.name,
           {bodySection(scene), startSection(scene), constructionSection(scene), symmetricSection(scene),
-           heavyTopSection(scene), stabilitySection(scene), accuracySection(scene, span)}};
+           heavyTopSection(scene), lossSection(scene), stabilitySection(scene), accuracySection(scene, span)}};
 }
 
 }  // namespace poinsot::app

@@ -25,6 +25,8 @@ Section symmetricSection(const scene::Scene& scene);
 Section stabilitySection(const scene::Scene& scene);
 /// The symmetric top on a pivot, in gravity alone: sleeping, steady precession, nutation.
 Section heavyTopSection(const scene::Scene& scene);
+/// Time constants of drag; where dissipation alone ends (spin about the axis of largest moment, at the same L).
+Section lossSection(const scene::Scene& scene);
 /// How many digits mean something at the end of the run; of driven motion, how it was integrated.
 Section accuracySection(const scene::Scene& scene, const ReportSpan& span);
 

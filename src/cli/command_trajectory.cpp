@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
@@ -68,11 +70,25 @@ void checkTimesGiven(const TrajectoryOptions& options) {
     refuse("say at which times: --at T1,T2,... or --rate HZ, one of them");
 }
 
+/// Beyond this angle the phase of a free motion has lost digits (docs/physics.md, "Accuracy").
+constexpr double kExactAngle_rad = 1e14;
+
+void noteFarTimes(const scene::Scene& scene, const app::TrajectoryTimes& times) {
+  const double farthest_s = std::max(std::abs(times.earliest_s()), std::abs(times.latest_s()));
+  const double angle_rad = scene.motion.omega_B.norm() * farthest_s;
+  if (!scene.motion.forcing.none() || !(angle_rad > kExactAngle_rad)) return;
+  writeErr(
+      fmt::format("poinsot: note: at t = {:.6g} s the body has turned by {:.2g} rad; beyond {:.0g} rad the "
+                  "attitude is no longer exact to rounding\n",
+                  farthest_s, angle_rad, kExactAngle_rad));
+}
+
 int trajectory(const TrajectoryOptions& options) {
   checkTimesGiven(options);
   const auto target = app::parseTrajectoryTarget(options.output);
   const scene::Scene scene = loadScene(options);
   const app::TrajectoryTimes times = requestedTimes(options, scene);
+  noteFarTimes(scene, times);
   app::watchInterrupts();
   const auto motion = scene::makeMotion(scene, times.earliest_s(), times.latest_s());
   const auto write = [&](const app::TextSink& sink) {

@@ -138,6 +138,20 @@ TEST_F(InfoCommand, TheHeavyTop) {
   EXPECT_FALSE(json.contains("polhode_period"));  // of free motion
 }
 
+TEST_F(InfoCommand, WhereExplorer1Ends) {
+  // By hand: 750 rpm I3/Ip and T0 I3/Ip; the start's omega across too small to count.
+  const auto json = info("[4.81758709666667, 4.81758709666667, 0.04034536]", "[1e-9, 0, \"750 rpm\"]",
+                         "[motion.dissipation]\nalpha = 0.0014\n");
+  expectNear(json, "final_spin_rpm", 6.28094923721, 1e-11);  // as many digits as given
+  expectNear(json, "final_T_part", 0.00837459898295, 1e-11);
+  EXPECT_FALSE(info("[1, 2, 3]", "[0, 0, 1]", "[motion.dissipation]\nalpha = 0.1\n").contains("final_T"));
+}
+
+TEST_F(InfoCommand, TimesOfDrag) {
+  const auto json = info("[1, 2, 3]", "[0, 0, 1]", "[motion.drag]\nrate = [0.5, 0.25, 0]\n");
+  EXPECT_EQ(json.at("drag_times"), nlohmann::json::parse("[2, 4, null]"));
+}
+
 TEST_F(InfoCommand, MeaningfulDigitsFallWithTime) {
   const auto turns = [&](const char* speed) {
     return info("[2, 3, 4]", "[0.5, 0.25, 1]", std::string("[time]\nduration = 10\nspeed = ") + speed + "\n");
