@@ -38,7 +38,8 @@ Visibility::Visibility(Visibility&&) noexcept = default;
 
 Sight Visibility::of(glm::dvec3 point_W, double lift_W) const {
   const glm::dvec3 p_C = toCameraExactly(scene_->camera, point_W);
-  const SightLine line{p_C / -p_C.z};
+  const SightLine line =
+      scene_->camera.orthographic ? SightLine{{p_C.x, p_C.y, 0}, {0, 0, -1}} : SightLine{{0, 0, 0}, p_C / -p_C.z};
   const double t = -p_C.z * (1 - kOnSurface) - lift_W;
   Sight sight;
   sight.hidden = std::ranges::any_of(scene_->occluders, [&](const auto& o) { return o->hides(line, t); });
@@ -54,7 +55,8 @@ glm::dvec3 toCameraExactly(const Camera& camera, glm::dvec3 point_W) {
 }
 
 glm::dvec2 projectExactly(const Camera& camera, glm::dvec3 point_C) {
-  const double scale = static_cast<double>(camera.focal_px()) / -point_C.z;
+  const double focal_px = static_cast<double>(camera.focal_px());
+  const double scale = camera.orthographic ? focal_px : focal_px / -point_C.z;
   return glm::dvec2(camera.centre_px) + scale * glm::dvec2(point_C.x, -point_C.y);
 }
 

@@ -2,7 +2,7 @@
 // The opacities are those of composite.frag, without the lines.
 #include "draw/visibility_sheets.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,6 +12,13 @@ namespace poinsot::draw {
 namespace {
 
 std::uint64_t bit(std::size_t index) { return index < 64 ? std::uint64_t{1} << index : 0; }
+
+// From that flat-on to that of the rim, as the sheet turns away. The normal is a unit vector of either sign.
+double opacityOf(glm::dvec3 normal_C, const SightLine& sight, float flatOn, float rim) {
+  const double facing = std::abs(glm::dot(normal_C, glm::normalize(sight.direction_C)));
+  const double grazing = (1 - facing) * (1 - facing) * (1 - facing);
+  return glm::mix(static_cast<double>(flatOn), static_cast<double>(rim), grazing);
+}
 
 class GlassSheet : public Sheet {
  public:
@@ -29,9 +36,7 @@ class GlassSheet : public Sheet {
   void add(const SightLine& sight, double at, float flatOn, std::size_t mark, double t,
            std::vector<SheetHit>& hits) const {
     if (at >= t) return;
-    const double facing = std::abs(glm::dot(sphere_.normal_C(sight, at), glm::normalize(sight.direction_C)));
-    const double grazing = (1 - facing) * (1 - facing) * (1 - facing);
-    const double opacity = glm::mix(static_cast<double>(flatOn), static_cast<double>(glass_.rimOpacity), grazing);
+    const double opacity = opacityOf(sphere_.normal_C(sight, at), sight, flatOn, glass_.rimOpacity);
     hits.push_back({at, opacity, glass_.color, bit(mark)});
   }
 
@@ -57,12 +62,12 @@ class PlaneSheet : public Sheet {
 
   void meet(const SightLine& sight, double t, std::vector<SheetHit>& hits) const override {
     const glm::dvec3 normal = glm::cross(u_C_, v_C_);
-    const double at = glm::dot(normal, centre_C_) / glm::dot(normal, sight.direction_C);
+    const double at = glm::dot(normal, centre_C_ - sight.origin_C) / glm::dot(normal, sight.direction_C);
     if (!(at > 0 && at < t)) return;
-    const glm::dvec3 x = at * sight.direction_C - centre_C_;
+    const glm::dvec3 x = sight.at(at) - centre_C_;
     const auto share = [&](const glm::dvec3& edge) { return glm::dot(x, edge) / glm::dot(edge, edge); };
     if (std::abs(share(u_C_)) > 1 || std::abs(share(v_C_)) > 1) return;
-    const glm::dvec3 fromShadow = at * sight.direction_C - shadowCentre_C_;
+    const glm::dvec3 fromShadow = sight.at(at) - shadowCentre_C_;
     hits.push_back(shaded(at, glm::cross(fromShadow, glm::normalize(normal))));
   }
 
@@ -82,9 +87,90 @@ class PlaneSheet : public Sheet {
   std::size_t mark_;
 };
 
+/// At height h over the apex the radius is slope h.
+class ConeSheet : public Sheet {
+ public:
+  ConeSheet(const Camera& camera, const GlassCone& cone, std::size_t firstMark)
+      : cone_(cone),
+        apex_C_(toCameraExactly(camera, cone.apex_W)),
+        axis_C_(glm::normalize(turnToCamera(camera, cone.axis_W))),
+        slope_(std::tan(static_cast<double>(cone.halfAngle_rad))),
+        height_(static_cast<double>(cone.height_W)),
+        firstMark_(firstMark) {}
+
+  bool inFront(double near) const {
+    const double across = std::sqrt(std::max(1 - axis_C_.z * axis_C_.z, 0.0));
+    const glm::dvec3 base_C = apex_C_ + height_ * axis_C_;
+    return std::min(-apex_C_.z, -base_C.z - slope_ * height_ * across) > near;
+  }
+
+  void meet(const SightLine& sight, double t, std::vector<SheetHit>& hits) const override {
+    const glm::dvec3 d = sight.direction_C, apex = apex_C_ - sight.origin_C;
+    const double t0 = glm::dot(apex, d) / glm::dot(d, d), kk = 1 + slope_ * slope_;
+    const glm::dvec3 o = t0 * d - apex;  // from the point of the line nearest the apex, as for the solids
+    const double du = glm::dot(d, axis_C_), ou = glm::dot(o, axis_C_);
+    const double a = glm::dot(d, d) - kk * du * du, b = glm::dot(d, o) - kk * du * ou,
+                 c = glm::dot(o, o) - kk * ou * ou;
+    if (b * b - a * c < 0) return;
+    const double root = std::sqrt(b * b - a * c), q = b > 0 ? -b - root : -b + root;
+    add(sight, t0 + q / a, t, hits);
+    if (q != 0) add(sight, t0 + c / q, t, hits);
+  }
+
+ private:
+  void add(const SightLine& sight, double at, double t, std::vector<SheetHit>& hits) const {
+    if (!(at > 0 && at < t)) return;
+    const glm::dvec3 x = sight.at(at) - apex_C_;
+    const double height = glm::dot(x, axis_C_);
+    if (height <= 0 || height > height_) return;
+    const glm::dvec3 outwards = glm::normalize((x - height * axis_C_) - slope_ * slope_ * height * axis_C_);
+    const bool outside = glm::dot(outwards, sight.direction_C) < 0;
+    const double opacity =
+        opacityOf(outwards, sight, outside ? cone_.nearOpacity : cone_.farOpacity, cone_.rimOpacity);
+    hits.push_back({at, opacity, cone_.color, bit(outside ? firstMark_ : firstMark_ + 1)});
+  }
+
+  GlassCone cone_;
+  glm::dvec3 apex_C_, axis_C_;
+  double slope_, height_;
+  std::size_t firstMark_;
+};
+
+class PolygonSheet : public Sheet {
+ public:
+  PolygonSheet(const Camera& camera, const GlassPolygon& polygon, std::size_t mark)
+      : polygon_(polygon), mark_(mark) {
+    for (const glm::vec3& corner_W : polygon.corners_W) corners_C_.push_back(toCameraExactly(camera, corner_W));
+    for (std::size_t i = 0; i + 2 < corners_C_.size(); ++i)
+      normal_C_ += glm::cross(corners_C_[i + 1] - corners_C_[0], corners_C_[i + 2] - corners_C_[0]);
+  }
+
+  bool inFront(double near) const {
+    return std::ranges::all_of(corners_C_, [&](const glm::dvec3& corner) { return -corner.z > near; });
+  }
+
+  void meet(const SightLine& sight, double t, std::vector<SheetHit>& hits) const override {
+    if (corners_C_.size() < 3) return;
+    const double at = glm::dot(normal_C_, corners_C_[0] - sight.origin_C) / glm::dot(normal_C_, sight.direction_C);
+    if (!(at > 0 && at < t)) return;
+    for (std::size_t i = 0; i < corners_C_.size(); ++i) {
+      const glm::dvec3 edge = corners_C_[(i + 1) % corners_C_.size()] - corners_C_[i];
+      if (glm::dot(glm::cross(edge, sight.at(at) - corners_C_[i]), normal_C_) < 0) return;
+    }
+    hits.push_back({at, static_cast<double>(polygon_.opacity), polygon_.color, bit(mark_)});
+  }
+
+ private:
+  GlassPolygon polygon_;
+  std::vector<glm::dvec3> corners_C_;
+  glm::dvec3 normal_C_{0};
+  std::size_t mark_;
+};
+
 }  // namespace
 
 std::vector<std::unique_ptr<const Sheet>> sheetsOf(const DrawList& list) {
+  const double near = static_cast<double>(list.camera.near);
   std::vector<std::unique_ptr<const Sheet>> sheets;
   std::size_t mark = 0;
   for (const GlassEllipsoid& glass : list.glassEllipsoids) {
@@ -94,10 +180,16 @@ std::vector<std::unique_ptr<const Sheet>> sheetsOf(const DrawList& list) {
       sheets.push_back(std::make_unique<GlassSheet>(glass, SphereMap(centre_C, semiAxes_C), mark));
     mark += 2;
   }
-  for (const GridPlane& plane : list.planes) {
-    auto sheet = std::make_unique<PlaneSheet>(list.camera, plane, mark++);
-    if (sheet->inFront(static_cast<double>(list.camera.near))) sheets.push_back(std::move(sheet));
+  const auto keep = [&](auto sheet) {
+    if (sheet->inFront(near)) sheets.push_back(std::move(sheet));
+  };
+  for (const GridPlane& plane : list.planes) keep(std::make_unique<PlaneSheet>(list.camera, plane, mark++));
+  for (const GlassCone& cone : list.glassCones) {
+    keep(std::make_unique<ConeSheet>(list.camera, cone, mark));
+    mark += 2;
   }
+  for (const GlassPolygon& polygon : list.glassPolygons)
+    keep(std::make_unique<PolygonSheet>(list.camera, polygon, mark++));
   return sheets;
 }
 

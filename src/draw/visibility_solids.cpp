@@ -33,13 +33,13 @@ class EllipsoidOccluder : public Occluder {
 class BoxOccluder : public Occluder {
  public:
   BoxOccluder(glm::dvec3 centre_C, const glm::dmat3& halfAxes_C)
-      : toCube_(glm::inverse(halfAxes_C)), centre_(toCube_ * centre_C) {}
+      : toCube_(glm::inverse(halfAxes_C)), centre_C_(centre_C) {}
 
   bool hides(const SightLine& sight, double t) const override {
-    const glm::dvec3 d = toCube_ * sight.direction_C;
+    const glm::dvec3 d = toCube_ * sight.direction_C, centre = toCube_ * (centre_C_ - sight.origin_C);
     double enter = -kInfinity, leave = kInfinity;
     for (int i = 0; i < 3; ++i) {
-      const double a = (centre_[i] - 1) / d[i], b = (centre_[i] + 1) / d[i];  // ±infinity where parallel
+      const double a = (centre[i] - 1) / d[i], b = (centre[i] + 1) / d[i];  // ±infinity where parallel
       enter = std::max(enter, std::min(a, b));
       leave = std::min(leave, std::max(a, b));
     }
@@ -48,7 +48,7 @@ class BoxOccluder : public Occluder {
 
  private:
   glm::dmat3 toCube_;
-  glm::dvec3 centre_;
+  glm::dvec3 centre_C_;
 };
 
 /// A truncated cone, from the disc at `from` along `axis`: the radius at height h is r0 + slope h.
@@ -67,7 +67,7 @@ class FrustumOccluder : public Occluder {
 
  private:
   bool meetsDisc(const SightLine& sight, double height, double t) const {
-    const glm::dvec3 centre = from_ + height * axis_;
+    const glm::dvec3 centre = from_ + height * axis_ - sight.origin_C;
     const double hit = glm::dot(centre, axis_) / glm::dot(sight.direction_C, axis_);
     if (!(hit > 0 && hit < t)) return false;
     const glm::dvec3 offset = hit * sight.direction_C - centre;
@@ -79,8 +79,9 @@ class FrustumOccluder : public Occluder {
   // so that no large numbers cancel.
   bool meetsSide(const SightLine& sight, double t) const {
     const glm::dvec3& d = sight.direction_C;
-    const double t0 = glm::dot(from_, d) / glm::dot(d, d);
-    const glm::dvec3 o = t0 * d - from_;
+    const glm::dvec3 from = from_ - sight.origin_C;
+    const double t0 = glm::dot(from, d) / glm::dot(d, d);
+    const glm::dvec3 o = t0 * d - from;
     const double du = glm::dot(d, axis_), ou = glm::dot(o, axis_), kk = 1 + slope_ * slope_;
     const double a = glm::dot(d, d) - kk * du * du;
     const double b = glm::dot(d, o) - kk * du * ou - slope_ * radius_ * du;
@@ -154,8 +155,9 @@ SphereMap::SphereMap(glm::dvec3 centre, const glm::dmat3& semiAxes_C)
 // From the point of the line nearest the centre, so that no large numbers cancel.
 SphereMap::Chord SphereMap::chord(const SightLine& sight) const {
   const glm::dvec3& direction = sight.direction_C;
-  const double t0 = glm::dot(centre_C, direction) / glm::dot(direction, direction);
-  const glm::dvec3 o = toUnitSphere * (t0 * direction - centre_C), d = toUnitSphere * direction;
+  const glm::dvec3 centre = centre_C - sight.origin_C;
+  const double t0 = glm::dot(centre, direction) / glm::dot(direction, direction);
+  const glm::dvec3 o = toUnitSphere * (t0 * direction - centre), d = toUnitSphere * direction;
   const double a = glm::dot(d, d), along = glm::dot(o, d) / a;
   const glm::dvec3 offset = o - along * d;
   const double room = 1 - glm::dot(offset, offset);
@@ -165,7 +167,7 @@ SphereMap::Chord SphereMap::chord(const SightLine& sight) const {
 }
 
 glm::dvec3 SphereMap::normal_C(const SightLine& sight, double t) const {
-  return glm::normalize((toUnitSphere * (t * sight.direction_C - centre_C)) * toUnitSphere);
+  return glm::normalize((toUnitSphere * (sight.at(t) - centre_C)) * toUnitSphere);
 }
 
 bool inFront(const Camera& camera, glm::dvec3 centre_C, const glm::dmat3& semiAxes_C) {

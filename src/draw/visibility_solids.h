@@ -10,10 +10,13 @@
 
 namespace poinsot::draw {
 
-/// A line of sight: the points t * direction_C of camera axes C, where direction_C.z = -1, so that t is the
-/// distance along the view, as depth is.
+/// A line of sight: the points origin_C + t * direction_C of camera axes C, where origin_C.z = 0 (the eye, or
+/// beside it with parallel rays) and direction_C.z = -1, so that t is the distance along the view, as depth is.
 struct SightLine {
+  glm::dvec3 origin_C{0};
   glm::dvec3 direction_C{0, 0, -1};
+
+  glm::dvec3 at(double t) const { return origin_C + t * direction_C; }
 };
 
 /// Something opaque, as the eye has it.

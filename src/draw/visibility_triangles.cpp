@@ -17,13 +17,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 class MeshOccluder : public Occluder {
  public:
   MeshOccluder(std::shared_ptr<const TriangleMesh> mesh, glm::dvec3 origin_C, const glm::dmat3& axes_C)
-      : mesh_(std::move(mesh)),
-        toMesh_(glm::inverse(axes_C)),
-        eye_M_(toMesh_ * -origin_C),
-        tree_(boundsOf(*mesh_)) {}
+      : mesh_(std::move(mesh)), toMesh_(glm::inverse(axes_C)), origin_C_(origin_C), tree_(boundsOf(*mesh_)) {}
 
   bool hides(const SightLine& sight, double t) const override {
-    const Line line{eye_M_, toMesh_ * sight.direction_C};
+    const Line line{toMesh_ * (sight.origin_C - origin_C_), toMesh_ * sight.direction_C};
     return tree_.any(line, t, [&](std::size_t k) { return meets(mesh_->triangles[k], line, t); });
   }
 
@@ -61,7 +58,7 @@ class MeshOccluder : public Occluder {
 
   std::shared_ptr<const TriangleMesh> mesh_;
   glm::dmat3 toMesh_;
-  glm::dvec3 eye_M_;
+  glm::dvec3 origin_C_;
   BoundsTree tree_;
 };
 

@@ -23,7 +23,7 @@ class TubeOccluder : public Occluder {
         tree_(boundsOfPieces()) {}
 
   bool hides(const SightLine& sight, double t) const override {
-    const Line line{glm::dvec3(0), sight.direction_C};
+    const Line line{sight.origin_C, sight.direction_C};
     const double limit = t + lift_;  // the tube is drawn that much nearer than it is
     return tree_.any(line, limit, [&](std::size_t k) {
       return !behind(k) && (meetsCylinder(k, sight, limit) || meetsJoint(k, sight, limit));
@@ -49,7 +49,7 @@ class TubeOccluder : public Occluder {
   }
 
   bool meetsCylinder(std::size_t k, const SightLine& sight, double t) const {
-    const glm::dvec3 from = point(k), along = point(k + 1) - from, d = sight.direction_C;
+    const glm::dvec3 from = point(k) - sight.origin_C, along = point(k + 1) - point(k), d = sight.direction_C;
     const double length2 = glm::dot(along, along);
     if (length2 == 0) return false;
     const auto across = [&](glm::dvec3 v) { return v - glm::dot(v, along) / length2 * along; };
