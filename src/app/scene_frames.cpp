@@ -5,16 +5,6 @@
 #include "app/statistics.h"
 
 namespace poinsot::app {
-namespace {
-
-// A picture of one view without flat things, as one list.
-draw::DrawList onlyList(draw::Picture picture) {
-  draw::DrawList list = std::move(picture.panels.at(0).list);
-  list.texts.insert(list.texts.end(), picture.texts.begin(), picture.texts.end());
-  return list;
-}
-
-}  // namespace
 
 SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s)
     : size_{scene.output.width, scene.output.height},
@@ -26,9 +16,9 @@ SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& contex
 image::Image SceneFrames::frame(std::int64_t k) {
   const double before_s = processCpu_s();
   const double time_s = time_s_.value_or(filmTime_s(k, fps_));
-  const draw::DrawList list = onlyList(stage_.compose(time_s, {size_.width, size_.height}));
+  const draw::Picture picture = stage_.compose(time_s, {size_.width, size_.height});
   compose_s_ += processCpu_s() - before_s;
-  return renderer_.render(list, size_);
+  return renderer_.render(picture);
 }
 
 FrameTimes SceneFrames::times() const {

@@ -10,6 +10,7 @@
 #include "scene/limits.h"
 #include "scene/motion_assembly.h"
 #include "scene/show_assembly.h"
+#include "scene/view_assembly.h"
 
 namespace poinsot::scene {
 namespace {
@@ -22,13 +23,14 @@ constexpr const char* kNothing =
     "    [motion]\n"
     "    omega_body = [0.01, 3.0, 0.0]";
 
-void bodyAndMotion(const Draft& draft, Findings& findings, const SceneFolder& folder, Scene& scene) {
+std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const SceneFolder& folder,
+                                  Scene& scene) {
   const std::optional<Body> body = assembleBody(draft, findings, folder);
   scene.motion.forcing = assembleForcing(draft, body ? &*body : nullptr, findings, folder);
   scene.motion.flight = assembleFlight(draft, findings);
   const auto rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
-  assembleVisible(scene.motion, rest, findings, scene.show);
   if (body) scene.body = *body;
+  return rest;
 }
 
 /// Frames are all k with k/fps < duration.
@@ -50,11 +52,13 @@ Output assembleOutput(const Draft& draft) {
 
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   Scene scene = draft.scene;
+  std::optional<Rest> rest;
   if (!findings.hasBelow("body") && !findings.hasBelow("motion") && findings.count("body.part") == 0)
     findings.refuseFile(kNothing);
   else
-    bodyAndMotion(draft, findings, folder, scene);
+    rest = bodyAndMotion(draft, findings, folder, scene);
   assembleDrawnShape(draft, findings, folder, scene.show);
+  assembleViews(draft, rest, findings, scene);
   checkFrames(scene.time, findings);
   scene.output = assembleOutput(draft);
   return scene;

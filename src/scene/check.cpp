@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/rational.h"
@@ -56,6 +57,10 @@ class Checker {
         return frameRate(node);
       case ValueType::kPixels:
         return pixels(node);
+      case ValueType::kCell:
+        return cell(node);
+      case ValueType::kWords:
+        return someWords(node);
     }
     return std::nullopt;
   }
@@ -175,6 +180,21 @@ class Checker {
     return refuse(node, message);
   }
 
+  std::optional<Checked> someWords(const Node& node) {
+    const auto* array = node.as<Node::Array>();
+    if (!array || array->empty()) return refuseType(node);
+    std::vector<Word> all;
+    for (const Node& element : *array) {
+      const auto one = element.as<std::string>() ? word(element) : refuseType(element);
+      if (!one) return std::nullopt;
+      const Word given = std::get<Word>(*one);
+      if (std::ranges::find(all, given.index, &Word::index) != all.end())
+        return refuse(element, fmt::format("each word may be given once, got {} again", describe(element)));
+      all.push_back(given);
+    }
+    return Checked(std::move(all));
+  }
+
   std::optional<std::vector<double>> numbers(const Node& node, std::size_t count) {
     const auto* array = node.as<Node::Array>();
     if (!array || array->size() != count) return refuseType(node);
@@ -253,6 +273,18 @@ class Checker {
     if (sides[0] * sides[1] > static_cast<double>(kMostPixels))
       return refuse(node, fmt::format("may have at most {} pixels, got {} x {}", kMostPixels, sides[0], sides[1]));
     return wrapped(sides);
+  }
+
+  std::optional<Checked> cell(const Node& node) {
+    const auto* array = node.as<Node::Array>();
+    if (!array || array->size() != 2) return refuseType(node);
+    std::vector<double> both;
+    for (const Node& element : *array) {
+      const auto one = element.as<std::int64_t>() ? integer(element) : refuseType(element);
+      if (!one) return std::nullopt;
+      both.push_back(static_cast<double>(std::get<std::int64_t>(*one)));
+    }
+    return wrapped(both);
   }
 
   std::optional<double> side(const Node& node) {

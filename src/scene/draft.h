@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -75,6 +76,15 @@ struct FlightDraft {
   std::optional<Eigen::Vector3d> position, velocity, gravity;
 };
 
+struct Draft;
+
+/// A view's keys; its camera and what it shows start as the scene's.
+struct ViewDraft {
+  std::string title, subtitle;
+  std::optional<Eigen::Vector2i> at, span;
+  std::vector<std::function<void(Draft&)>> given;  ///< each puts a key of [camera] or [show] into a scene's draft
+};
+
 struct Draft {
   Scene scene;
   BodyDraft body;
@@ -82,6 +92,9 @@ struct Draft {
   ForcingDraft forcing;
   FlightDraft flight;
   ShapeDraft drawn;
+  std::optional<int> preset;  ///< index into cameraPresets()
+  std::optional<std::vector<CameraFrame>> frames;
+  std::vector<ViewDraft> views;
   int quality = 0;  ///< index into qualityPresets()
   std::optional<Eigen::Vector2i> size_px;
   std::optional<int> crf;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/camera_preset.h"
 #include "scene/key_tables.h"
 #include "scene/put.h"
 
@@ -10,14 +11,39 @@ using enum Dimension;
 
 constexpr Range kAzimuth{
     .least = -360, .most = 360, .unit = "deg"};  // bare degrees, read as radians, fall outside
-constexpr Range kElevation{.least = -89, .most = 89, .unit = "deg"};  // at 90 no direction is up in the picture
+constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
 constexpr Range kZoom{.least = 0.05, .most = 20};
 
+const std::vector<std::string_view> kFrames = {"space", "body", "precession"};
+
+std::vector<std::string_view> presetWords() {
+  std::vector<std::string_view> words;
+  for (const CameraPreset& preset : cameraPresets()) words.push_back(preset.name);
+  return words;
+}
+
 }  // namespace
+
+std::vector<Key> framesKeys() {
+  return {{.path = "camera.frames",
+           .type = kWords,
+           .words = kFrames,
+           .example = "[\"space\", \"body\"]",
+           .help = "In place of frame: panels side by side at the same instant, one for each frame.",
+           .put = into([](Draft& d) { return &d.frames; })}};
+}
 
 std::vector<Key> cameraKeys() {
   return {
+      {.path = "camera.preset",
+       .type = kWord,
+       .words = presetWords(),
+       .example = "\"front\"",
+       .help =
+           "Sets azimuth and elevation where these are not given: front has x to the right and z up, top has y "
+           "up.",
+       .put = into([](Draft& d) { return &d.preset; })},
       {.path = "camera.azimuth",
        .dimension = kAngle,
        .range = kAzimuth,
@@ -47,10 +73,11 @@ std::vector<Key> cameraKeys() {
        .put = into([](Draft& d) { return &d.scene.camera.zoom; })},
       {.path = "camera.frame",
        .type = kWord,
-       .words = {"space", "body"},
+       .words = kFrames,
        .fallback = "\"space\"",
        .example = "\"body\"",
-       .help = "Which axes stand still in the picture.",
+       .help = "Which axes stand still in the picture: inertial ones, the body's, or those that turn about L with "
+               "the axis of a symmetric body.",
        .put = into([](Draft& d) { return &d.scene.camera.frame; })},
   };
 }

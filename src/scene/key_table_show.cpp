@@ -61,17 +61,17 @@ std::vector<Key> pictureKeys() {
        .example = "100",
        .help = "Draws the part of omega across the main axis of spin that many times larger; the picture says so.",
        .put = into([](Draft& d) { return &d.scene.show.exaggerateAngles; })},
+  };
+}
+
+std::vector<Key> drawnBodyKeys() {
+  return {
       {.path = "show.labels",
        .type = kBool,
        .fallback = "true",
        .example = "false",
        .help = "Names beside the vectors and axes.",
        .put = into([](Draft& d) { return &d.scene.show.labels; })},
-  };
-}
-
-std::vector<Key> drawnBodyKeys() {
-  return {
       visibleKey("show.body.visible", "The body itself.",
                  into([](Draft& d) { return &d.scene.show.body.visible; })),
       scaleKey("show.body.scale", "Factor on its drawn size.",
@@ -145,10 +145,16 @@ std::vector<Key> drawnThingKeys() {
   };
 }
 
+std::vector<Key> ownFigureKeys() {
+  return figureKeys({.path = "show", .of = [](Draft& d, std::size_t) -> Show& { return d.scene.show; }});
+}
+
 }  // namespace
 
 std::vector<Key> showKeys() {
-  return joined({pictureKeys(), drawnBodyKeys(), drawnShapeKeys(), drawnThingKeys()});
+  return joined({pictureKeys(), drawnBodyKeys(), drawnShapeKeys(), drawnThingKeys(), ownFigureKeys()});
 }
+
+std::vector<Key> shownKeys() { return joined({drawnBodyKeys(), drawnThingKeys(), ownFigureKeys()}); }
 
 }  // namespace poinsot::scene

@@ -30,7 +30,10 @@ std::vector<Key> motionKeys();
 std::vector<Key> forcingKeys();
 std::vector<Key> timeKeys();
 std::vector<Key> cameraKeys();
+std::vector<Key> framesKeys();
 std::vector<Key> showKeys();
+std::vector<Key> shownKeys();  ///< those of [show] that each view may give for itself
+std::vector<Key> viewKeys();
 std::vector<Key> styleKeys();
 std::vector<Key> outputKeys();
 
@@ -42,6 +45,14 @@ struct ShapeTable {
 };
 
 std::vector<Key> shapeKeys(const ShapeTable& table);
+
+/// A table that says what a picture shows: "show".
+struct ShowTable {
+  std::string path;
+  Show& (*of)(Draft&, std::size_t element);
+};
+
+std::vector<Key> figureKeys(const ShowTable& table);
 
 std::vector<Key> joined(std::vector<std::vector<Key>> parts);
 

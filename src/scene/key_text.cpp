@@ -44,6 +44,8 @@ std::string rangeText(const Key& key) {
       return "norm " + numbersText(key);
     case ValueType::kPixels:
       return numbersText(key) + ", even";
+    case ValueType::kWords:
+      return fmt::format("\"{}\", each once", fmt::join(key.words, "\", \""));
     default:
       break;
   }
@@ -77,6 +79,10 @@ std::string typeText(const Key& key) {
       return "a number or a fraction such as \"30000/1001\"";
     case ValueType::kPixels:
       return "an array of width and height";
+    case ValueType::kCell:
+      return "an array of two whole numbers";
+    case ValueType::kWords:
+      return fmt::format("an array of words of \"{}\"", fmt::join(key.words, "\", \""));
   }
   const std::string number(quantityName(key.dimension));
   return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, fmt::join(key.words, "\", \""));

@@ -29,6 +29,8 @@ enum class ValueType {
   kQuaternion,  ///< four numbers w, x, y, z; range is of the norm
   kFrameRate,   ///< an integer, a decimal, or "30000/1001"
   kPixels,      ///< width and height, even; range is of each
+  kCell,        ///< two whole numbers, of columns and of rows; range is of each
+  kWords,       ///< some of `words`, each once
 };
 
 /// Both ends included, in `unit` (of the key's dimension; empty: SI).
@@ -45,7 +47,8 @@ struct Word {
 };
 
 /// A value that passed its checks, in SI.
-using Checked = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, core::Rational, Word>;
+using Checked = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, core::Rational, Word,
+                             std::vector<Word>>;
 
 struct Key {
   std::string path;  ///< "camera.fov"; "body.part[].mass" stands for that of each [[body.part]]

@@ -9,8 +9,8 @@
 namespace poinsot::scene {
 
 Eigen::Vector3d directionOfL(const Scene& scene) {
-  const bool down = scene.motion.lPoints == LPoints::kDown ||
-                    (scene.motion.lPoints == LPoints::kAuto && scene.show.plane.visible);
+  const bool plane = std::ranges::any_of(scene.views, [](const View& view) { return view.show.plane.visible; });
+  const bool down = scene.motion.lPoints == LPoints::kDown || (scene.motion.lPoints == LPoints::kAuto && plane);
   return {0, 0, down ? -1.0 : 1.0};
 }
 

@@ -8,7 +8,8 @@
 
 namespace poinsot::scene {
 
-/// Where L is turned to when the scene gives no orientation: straight down or up.
+/// Where L is turned to when the scene gives no orientation: straight down or up,
+/// by itself down where a view shows the invariable plane.
 Eigen::Vector3d directionOfL(const Scene& scene);
 
 /// Attitude at motion time 0: the scene's, or the one that turns L onto directionOfL(). Unit.

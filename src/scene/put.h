@@ -50,6 +50,12 @@ requires std::is_enum_v<E>
 void assign(E& to, const Checked& value) {
   to = static_cast<E>(std::get<Word>(value).index);  // words stand in the order of the enumerators
 }
+template <class E>
+requires std::is_enum_v<E>
+void assign(std::vector<E>& to, const Checked& value) {
+  to.clear();
+  for (const Word& word : std::get<std::vector<Word>>(value)) to.push_back(static_cast<E>(word.index));
+}
 /// A word in place of a number ("auto") leaves nothing.
 inline void assign(std::optional<double>& to, const Checked& value) {
   const auto* number = std::get_if<double>(&value);

@@ -79,16 +79,31 @@ std::string bracketed(std::string_view table) {
   return fmt::format("[[{}]]", table.substr(0, table.size() - 2));
 }
 
+constexpr std::string_view kViews =
+    R"(Each `[[view]]` is a panel of the picture, all at the same instant; without any there is one, or one for each of
+`camera.frames`. A view takes every key of `[camera]` but `frames`, and every key of `[show]` but `title`, `subtitle`,
+`exaggerate_angles` and the shape of the body, as `camera.frame = "body"` or `show.plane = false` below `[[view]]`;
+without them, those of the scene count.
+
+)";
+
 std::string heading(std::string_view table) {
   std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `{}`\n\n", bracketed(table));
+  if (table == "view[]") text += kViews;
   if (hasVisible(table)) text += fmt::format("`{} = false` is short for `{}.visible = false`.\n\n", table, table);
   return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
+}
+
+/// Whether it repeats, in a view, a key of the scene.
+bool repeated(const Key& key) {
+  return key.path.starts_with("view[].") && tableOf(key.path) != std::string_view("view[]");
 }
 
 std::string tables() {
   std::string text;
   std::string_view current = "(none)";
   for (const Key& key : keys()) {
+    if (repeated(key)) continue;
     if (tableOf(key.path) != current) {
       current = tableOf(key.path);
       text += (text.empty() ? "" : "\n") + heading(current);

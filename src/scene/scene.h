@@ -16,6 +16,7 @@
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
 #include "scene/plot.h"
+#include "scene/shown_figures.h"
 
 /// The whole request as values. Made by scene_file.h, never changed afterwards. SI units, radians.
 namespace poinsot::scene {
@@ -65,7 +66,11 @@ struct Time {
   std::optional<double> speed;  ///< motion seconds per film second; none: chosen from |omega|
 };
 
-enum class CameraFrame { kSpace, kBody };
+enum class CameraFrame {
+  kSpace,
+  kBody,
+  kPrecession,  ///< turns about L with the axis of a free symmetric top: L, omega and the axis stand still
+};
 
 struct Camera {
   double azimuth_rad = 0;                   ///< about the world's vertical (z), from its x axis
@@ -73,12 +78,6 @@ struct Camera {
   double fov_rad = 0;                       ///< vertical field of view
   double zoom = 1;                          ///< 1 frames the whole motion; 2 shows it twice as large
   CameraFrame frame = CameraFrame::kSpace;  ///< which axes stand still in the picture
-};
-
-/// A drawn thing's common options; `scale` multiplies the default size in the picture.
-struct Drawn {
-  bool visible = true;
-  double scale = 1;
 };
 
 struct Show {
@@ -101,6 +100,17 @@ struct Show {
   struct : Drawn {
     bool future = true;  ///< the part not yet travelled, faint
   } herpolhode;
+  ShownFigures figures;
+};
+
+/// One panel of the picture. Of `show`, what is said of the whole picture (title, subtitle, exaggerateAngles) and
+/// the shape drawn for the body are the scene's.
+struct View {
+  Camera camera;
+  Show show;
+  std::string title, subtitle;  ///< its heading, as the picture's
+  int column = 0, row = 0;      ///< of its top left cell, from the picture's top left
+  int columns = 1, rows = 1;    ///< cells that it spans
 };
 
 enum class Theme { kLight, kDark };
@@ -125,8 +135,9 @@ struct Scene {
   Body body;
   Motion motion;
   Time time;
-  Camera camera;
-  Show show;
+  Camera camera;            ///< from which the views' cameras start
+  Show show;                ///< of the whole picture, and from which the views' start
+  std::vector<View> views;  ///< at least one, no two in one cell
   std::vector<Plot> plots;
   std::vector<Readout> readouts;
   Style style;

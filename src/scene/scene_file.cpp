@@ -109,12 +109,14 @@ Draft defaultDraft() {
   return draft;
 }
 
+/// Whether the key's text is set in type.
+bool isSet(std::string_view path) { return nameOf(path) == "title" || nameOf(path) == "subtitle"; }
+
 void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems) {
-  for (const char* path : {"show.title", "show.subtitle"}) {
-    const auto leaf = leaves.values.find(path);
-    const auto* text = leaf == leaves.values.end() ? nullptr : leaf->second.as<std::string>();
+  for (const auto& [path, node] : leaves.values) {
+    const auto* text = isSet(path) ? node.as<std::string>() : nullptr;
     if (const std::string wrong = text && check ? check(*text) : ""; !wrong.empty())
-      problems.add(leaf->second.place, fmt::format("{}: {}", path, wrong));
+      problems.add(node.place, fmt::format("{}: {}", path, wrong));
   }
 }
 

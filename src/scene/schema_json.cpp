@@ -119,6 +119,12 @@ Json pixels(const Key& key) {
   return arrayOf(side, 2);
 }
 
+Json someWords(const Key& key) {
+  Json json = arrayOf(words(key), 1, static_cast<int>(key.words.size()));
+  json["uniqueItems"] = true;
+  return json;
+}
+
 Json typeSchema(const Key& key) {
   switch (key.type) {
     case ValueType::kNumber:
@@ -145,6 +151,10 @@ Json typeSchema(const Key& key) {
       return frameRate(key);
     case ValueType::kPixels:
       return pixels(key);
+    case ValueType::kCell:
+      return arrayOf(bareNumber(key, "integer"), 2);
+    case ValueType::kWords:
+      return someWords(key);
   }
   return {};
 }

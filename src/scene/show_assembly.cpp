@@ -29,9 +29,9 @@ bool momentumIsConstant(const physics::Forcing& forcing) {
   return others.none();
 }
 
-void withoutConstruction(Findings& findings, Show& show) {
+void withoutConstruction(const std::string& prefix, Findings& findings, Show& show) {
   for (const Thing& thing : construction(show)) {
-    const std::string path = fmt::format("show.{}.visible", thing.name);
+    const std::string path = fmt::format("{}show.{}.visible", prefix, thing.name);
     if (findings.has(path) && thing.visible)
       findings.refuse(path,
                       "under gravity, torque or drag L is not constant, so Poinsot's construction does not exist; "
@@ -41,12 +41,12 @@ void withoutConstruction(Findings& findings, Show& show) {
 }
 
 /// "show.L, show.omega": what is visible and does not exist for a body at rest.
-std::string needingRotation(Show& show) {
+std::string needingRotation(const std::string& prefix, Show& show) {
   std::vector<Thing> things = {{"L", show.L.visible}, {"omega", show.omega.visible}};
   for (const Thing& thing : construction(show)) things.push_back(thing);
   std::string names;
   for (const Thing& thing : things)
-    if (thing.visible) names += fmt::format("{}show.{}", names.empty() ? "" : ", ", thing.name);
+    if (thing.visible) names += fmt::format("{}{}show.{}", names.empty() ? "" : ", ", prefix, thing.name);
   return names;
 }
 
@@ -72,15 +72,16 @@ void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolde
     show.body.parts = {asPart(*figure)};
 }
 
-void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, Findings& findings, Show& show) {
-  if (!momentumIsConstant(motion.forcing)) withoutConstruction(findings, show);
-  const std::string shown = rest ? needingRotation(show) : "";
+void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, const std::string& prefix,
+                     Findings& findings, Show& show) {
+  if (!momentumIsConstant(motion.forcing)) withoutConstruction(prefix, findings, show);
+  const std::string shown = rest ? needingRotation(prefix, show) : "";
   if (!shown.empty())
     findings.refuse(rest->path,
                     fmt::format("must not be zero, got {}: without rotation there is nothing to draw for "
                                 "{}; give a rotation, or set these to false",
                                 rest->value, shown));
-  if (!motion.forcing.none() && show.exaggerateAngles != 1)
+  if (prefix.empty() && !motion.forcing.none() && show.exaggerateAngles != 1)
     findings.refuse(
         "show.exaggerate_angles",
         "larger angles are another motion, which is exact only where nothing acts on the body; leave it "

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "scene/draft.h"
 #include "scene/findings.h"
 #include "scene/motion_assembly.h"
@@ -11,7 +14,9 @@ namespace poinsot::scene {
 /// What is drawn in place of the body, into show.body; what is wrong goes to `findings`.
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show);
 
-/// Leaves out of `show` what this motion does not have, and refuses what the user asks for of that.
-void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, Findings& findings, Show& show);
+/// Leaves out of `show` what this motion does not have, and refuses what the user asks for of that. `prefix`: what
+/// stands before "show" in the paths of its keys ("", "view[1].").
+void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, const std::string& prefix,
+                     Findings& findings, Show& show);
 
 }  // namespace poinsot::scene

@@ -41,28 +41,54 @@ struct Sides {
   }
 };
 
+/// An extent before a camera that stands in a direction and looks at it, at any distance.
+struct Fit {
+  double tanY;
+  Vector3d right, up, backward;
+  Seen seen;
+  Sides across, upright;
+
+  Fit(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px)
+      : tanY(std::tan(0.5 * camera.fov_rad)) {
+    POINSOT_EXPECT(!extent.points_V.empty() || extent.ballRadius > 0);
+    const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
+    const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
+    backward = Vector3d(ca * ce, sa * ce, se);
+    right = Vector3d(-sa, ca, 0);
+    up = backward.cross(right);
+    seen.ballRadius = extent.ballRadius;
+    for (const Vector3d& p : extent.points_V) seen.points_C.emplace_back(right.dot(p), up.dot(p), backward.dot(p));
+    const double tanX = tanY * static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
+    across = Sides{0, tanX * (1 - 2 * margins.left), tanX * (1 - 2 * margins.right)};
+    upright = Sides{1, tanY * (1 - 2 * margins.bottom), tanY * (1 - 2 * margins.top)};
+  }
+
+  double needed() const { return std::max(across.distance(seen), upright.distance(seen)); }
+  /// The z axis; straight from above or below it has no direction in the picture.
+  glm::vec3 upwards() const { return std::abs(backward.z()) > 0.9999 ? toPicture(up) : glm::vec3(0, 0, 1); }
+};
+
+double focal_px(const Fit& fit, glm::vec2 size_px) { return 0.5 * static_cast<double>(size_px.y) / fit.tanY; }
+
 }  // namespace
 
-draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins,
+double fittingUnit_px(const scene::Camera& camera, const Extent& extent, const Margins& margins,
                       glm::vec2 size_px) {
-  POINSOT_EXPECT(!extent.points_V.empty() || extent.ballRadius > 0);
-  const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
-  const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
-  const Vector3d backward(ca * ce, sa * ce, se), right(-sa, ca, 0), up = backward.cross(right);
-  Seen seen{{}, extent.ballRadius};
-  for (const Vector3d& p : extent.points_V) seen.points_C.emplace_back(right.dot(p), up.dot(p), backward.dot(p));
+  const Fit fit(camera, extent, margins, size_px);
+  return focal_px(fit, size_px) / fit.needed();
+}
 
-  const double tanY = std::tan(0.5 * camera.fov_rad);
-  const double tanX = tanY * static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
-  const Sides across{0, tanX * (1 - 2 * margins.left), tanX * (1 - 2 * margins.right)};
-  const Sides upright{1, tanY * (1 - 2 * margins.bottom), tanY * (1 - 2 * margins.top)};
-  const double needed = std::max(across.distance(seen), upright.distance(seen));
-  const double shiftX = across.shift(seen, needed), shiftY = upright.shift(seen, needed);
+draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px,
+                      double mostUnit_px) {
+  const Fit fit(camera, extent, margins, size_px);
+  const Seen& seen = fit.seen;
+  const double needed = std::max(fit.needed(), focal_px(fit, size_px) / mostUnit_px);
+  const double shiftX = fit.across.shift(seen, needed), shiftY = fit.upright.shift(seen, needed);
   const double distance = needed / camera.zoom;
 
-  const Vector3d target = shiftX * right + shiftY * up;
-  draw::Camera result = draw::lookAt(toPicture(Vector3d(target + distance * backward)), toPicture(target),
-                                     glm::vec3(0, 0, 1), static_cast<float>(camera.fov_rad), size_px);
+  const Vector3d target = shiftX * fit.right + shiftY * fit.up;
+  draw::Camera result = draw::lookAt(toPicture(Vector3d(target + distance * fit.backward)), toPicture(target),
+                                     fit.upwards(), static_cast<float>(camera.fov_rad), size_px);
   double nearest = distance - seen.ballRadius, farthest = distance + seen.ballRadius;
   for (const Vector3d& p : seen.points_C) {
     nearest = std::min(nearest, distance - p.z());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "draw/camera.h"
@@ -22,7 +23,14 @@ struct Extent {
 
 /// A camera in the scene's direction, as near as it can be with all of `extent` inside the margins. It depends on
 /// the whole motion and not on the time: nothing breathes.
-draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins,
+///
+/// `mostUnit_px`: pixels of a unit of V, across the view at the centre of what is shown, that zoom 1 may have at
+/// most.
+draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px,
+                      double mostUnit_px = std::numeric_limits<double>::infinity());
+
+/// The pixels that a unit has where all of `extent` is as near as it can be, at zoom 1.
+double fittingUnit_px(const scene::Camera& camera, const Extent& extent, const Margins& margins,
                       glm::vec2 size_px);
 
 }  // namespace poinsot::stage

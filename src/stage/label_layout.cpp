@@ -49,21 +49,22 @@ void separate(Placed& a, Placed& b, float space_px) {
   b.centre_px[axis] += push;
 }
 
-void keepInside(Placed& p, glm::vec2 size_px) {
+void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
   const glm::vec2 free = p.half_px + glm::vec2(kBorder * std::min(size_px.x, size_px.y));
-  p.centre_px = glm::clamp(p.centre_px, glm::min(free, 0.5f * size_px), glm::max(size_px - free, 0.5f * size_px));
+  const glm::vec2 low = glm::min(free + glm::vec2(0, top_px), 0.5f * size_px);
+  p.centre_px = glm::clamp(p.centre_px, low, glm::max(size_px - free, 0.5f * size_px));
 }
 
 }  // namespace
 
-void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo) {
+void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px) {
   std::vector<Placed> placed;
   for (const Label& label : labels) placed.push_back(place(label));
   const glm::vec2 size_px = list.camera.size_px;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < placed.size(); ++i)
       for (std::size_t j = i + 1; j < placed.size(); ++j) separate(placed[i], placed[j], 0.3f * labels[i].size_px);
-    for (Placed& p : placed) keepInside(p, size_px);
+    for (Placed& p : placed) keepInside(p, size_px, top_px);
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];

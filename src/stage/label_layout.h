@@ -20,7 +20,7 @@ struct Label {
 };
 
 /// Places labels beside their anchors, apart from one another and inside the picture. A continuous function of the
-/// anchors, so that labels do not jump in a film.
-void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo);
+/// anchors, so that labels do not jump in a film. The picture's uppermost `top_px` stay free.
+void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px = 0);
 
 }  // namespace poinsot::stage

@@ -16,6 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 // In shares of the reference height.
+constexpr double kHeading = 0.044, kUnderHeading = 0.028;
 constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.025, kEdge = 0.055;
 // In em.
 constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
@@ -35,7 +36,7 @@ double referenceHeight(glm::vec2 size_px) {
   return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
 }
 
-void addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors) {
+double addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors) {
   const double H = referenceHeight(picture.size_px) * scene.style.textSize;
   const double left = kEdge * H, room = static_cast<double>(picture.size_px.x) - 2 * left;
   double y = kEdge * H;
@@ -49,14 +50,35 @@ void addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& 
   };
   if (!scene.show.title.empty()) addLine("\\textbf{" + scene.show.title + "}", kTitle, colors.ink);
   if (!scene.show.subtitle.empty()) addLine(scene.show.subtitle, kSubtitle, colors.quietInk);
+  const double bottom = y > kEdge * H ? y : 0;
   // What is not to scale is said in the picture.
   y = static_cast<double>(picture.size_px.y) - (kEdge + kNote) * H;
   if (scene.show.exaggerateAngles > 1)
     addLine("angles drawn " + grouped(scene.show.exaggerateAngles) + " times larger", kNote, colors.quietInk);
+  return bottom;
+}
+
+double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, double type_px,
+                  const Palette& colors) {
+  const auto width = static_cast<double>(cell.size_px.x), edge = 0.5 * kEdge * type_px;
+  double y = edge;
+  const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
+    const text::GlyphRun run = text::setTex(tex);
+    const double room = std::max(width - 2 * edge, 1.0);
+    const double size_px = std::min(size * type_px, room / std::max(run.width_em, 1e-9));
+    y += size_px * std::max(run.inkTop_em, kCapHeight);
+    const glm::vec2 baseline(0.5 * (width - size_px * run.width_em), y);
+    picture.texts.push_back(
+        {tex, glm::vec2(cell.origin_px) + baseline, static_cast<float>(size_px), color, 1, std::nullopt, 0});
+    y += size_px * (std::max(-run.inkBottom_em, kDescent) + kLeading);
+  };
+  if (!view.title.empty()) addLine("\\textbf{" + view.title + "}", kHeading, colors.ink);
+  if (!view.subtitle.empty()) addLine(view.subtitle, kUnderHeading, colors.quietInk);
+  return y > edge ? y : 0;
 }
 
 void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
-                  const scene::Style& style, const Palette& colors) {
+                  double type_px, const Palette& colors) {
   const auto corners_V = construction.planeCorners(state);
   std::array<glm::vec2, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
@@ -67,7 +89,7 @@ void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, 
   const auto tip =
       static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
   const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
-  const auto size_px = static_cast<float>(kNote * referenceHeight(list.camera.size_px) * style.textSize);
+  const auto size_px = static_cast<float>(kNote * type_px);
   const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
   const std::string tex = "invariable plane";
   const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;

@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "stage/construction_figure.h"
 #include "stage/palette.h"
+#include "stage/picture_layout.h"
 
 /// Type that stands still in a picture: title, notes, the plane's name. (label_layout.h: type that follows its
 /// thing.)
@@ -15,11 +16,17 @@ namespace poinsot::stage {
 double referenceHeight(glm::vec2 size_px);
 
 /// Title and subtitle at the top left, set smaller where they would not fit; at the bottom, what is not to scale.
-void addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors);
+/// Returns how far down the title reaches, in pixels; 0 without one.
+double addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors);
+
+/// A panel's title and subtitle, centred over it; `type_px` as of referenceHeight(). Returns how far down they
+/// reach from the panel's top.
+double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, double type_px,
+                  const Palette& colors);
 
 /// "invariable plane": under the edge that runs to the plane's lowest corner from the left, or over the one that
-/// runs to its highest where the plane is above the body.
+/// runs to its highest where the plane is above the body. `type_px` as of referenceHeight().
 void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
-                  const scene::Style& style, const Palette& colors);
+                  double type_px, const Palette& colors);
 
 }  // namespace poinsot::stage

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/expect.h"
+#include "physics/precession_cones.h"
 #include "scene/make_motion.h"
 
 namespace poinsot::stage {
@@ -58,6 +60,22 @@ Matrix3d standingBody(const scene::Scene& scene) {
   const int axis = spinAxis(omega_P);
   const Vector3d spin_B = scene.body.axes.toB((omega_P[axis] < 0 ? -1 : 1) * Vector3d::Unit(axis));
   return Quaterniond::FromTwoVectors(spin_B, scene::directionOfL(scene)).toRotationMatrix();
+}
+
+// V's z is up or down L as the scene has it; at time 0 the body's axis k lies in V's half plane of y and z.
+Precession precessionOf(const scene::Scene& scene, const physics::Motion& motion) {
+  const physics::RigidBodyState start = motion.at(0);
+  const auto cones = physics::precessionCones(motion.axes().moments(), motion.axes().toP(start.omega_B));
+  POINSOT_EXPECT(cones);  // a scene with another body has no such view
+  const Vector3d along_W = start.L_W.normalized(), up_W = scene::directionOfL(scene).z() * along_W;
+  const Vector3d k_W = start.q_WB * motion.axes().toB(cones->k_P);
+  // Of a body that spins about k, any direction will do.
+  const Vector3d across_W = cones->tilt_rad > 1e-12 ? k_W : Vector3d(up_W.unitOrthogonal());
+  Precession precession{Matrix3d::Identity(), along_W, cones->precessionRate};
+  precession.R_VW.row(2) = up_W;
+  precession.R_VW.row(1) = (across_W - across_W.dot(up_W) * up_W).normalized();
+  precession.R_VW.row(0) = precession.R_VW.row(1).cross(precession.R_VW.row(2));
+  return precession;
 }
 
 double kineticEnergy(const physics::PrincipalMoments& moments, const Vector3d& omega_P) {
@@ -130,8 +148,9 @@ PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const ph
       speed_(chosenSpeed(scene)),
       duration_s_(scene.time.duration_s),
       isFree_(scene.motion.forcing.none()),
-      bodyStandsStill_(scene.camera.frame == scene::CameraFrame::kBody),
+      frame_(scene.camera.frame),
       R_VB_(standingBody(scene)),
+      precession_(frame_ == scene::CameraFrame::kPrecession ? precessionOf(scene, *motion_) : Precession()),
       outline_(outlineOf(*this)),
       liveliest_(indexOfMostEnergy(*this, outline_)),
       pathStep_s_(pathStep(*this)) {}
@@ -150,15 +169,26 @@ std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
   return points;
 }
 
-Matrix3d PictureMotion::R_VW(double filmTime_s) const {
-  if (!bodyStandsStill_) return Matrix3d::Identity();
-  return R_VB_ * stateAt(filmTime_s).q_WB.toRotationMatrix().transpose();
+Matrix3d PictureMotion::R_VW(double filmTime_s) const { return R_VW(filmTime_s, stateAt(filmTime_s)); }
+
+Matrix3d PictureMotion::R_VW(double filmTime_s, const physics::RigidBodyState& state) const {
+  switch (frame_) {
+    case scene::CameraFrame::kSpace:
+      break;
+    case scene::CameraFrame::kBody:
+      return R_VB_ * state.q_WB.toRotationMatrix().transpose();
+    case scene::CameraFrame::kPrecession: {
+      const double angle = -precession_.rate * (start_s_ + speed_ * filmTime_s);
+      return precession_.R_VW * Eigen::AngleAxisd(angle, precession_.axis_W).toRotationMatrix();
+    }
+  }
+  return Matrix3d::Identity();
 }
 
 PictureState PictureMotion::at(double filmTime_s) const {
   const physics::RigidBodyState state = stateAt(filmTime_s);
   const Matrix3d R_WB = state.q_WB.toRotationMatrix();
-  const Matrix3d R_VW = bodyStandsStill_ ? Matrix3d(R_VB_ * R_WB.transpose()) : Matrix3d(Matrix3d::Identity());
+  const Matrix3d R_VW = this->R_VW(filmTime_s, state);
   const Matrix3d R_VB = R_VW * R_WB;
   const Matrix3d R_VP = axes().aligned() ? R_VB : Matrix3d(R_VB * axes().q_BP().toRotationMatrix());
   return {R_VB, R_VP, R_VW, R_VW * state.omega_W, axes().toP(state.omega_B), R_VW * state.L_W, state.L_W};

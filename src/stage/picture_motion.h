@@ -11,7 +11,8 @@
 namespace poinsot::stage {
 
 /// The motion as the picture shows it. V: the picture's axes, z up: inertial axes, or the body's turned so that
-/// the axis it spins about points up. Still in rad/s and kg·m²/s; scaling comes later (scales.h).
+/// the axis it spins about points up, or those in which the axis k of a symmetric body and L stand still (k to the
+/// right, as most cameras see it). Still in rad/s and kg·m²/s; scaling comes later (scales.h).
 struct PictureState {
   Eigen::Matrix3d R_VB;
   Eigen::Matrix3d R_VP;  ///< principal axes
@@ -38,6 +39,13 @@ struct PathPoint {
   Eigen::Vector3d omega_P;  ///< in principal axes
   Eigen::Vector3d omega_W;
   Eigen::Vector3d L_W;
+};
+
+/// Axes that turn about L.
+struct Precession {
+  Eigen::Matrix3d R_VW = Eigen::Matrix3d::Identity();  ///< at motion time 0
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();   ///< unit
+  double rate = 0;                                     ///< rad per motion second
 };
 
 class PictureMotion {
@@ -70,6 +78,7 @@ class PictureMotion {
  private:
   static constexpr std::size_t kMostPathPoints = 6000;
 
+  Eigen::Matrix3d R_VW(double filmTime_s, const physics::RigidBodyState& state) const;
   physics::RigidBodyState stateAt(double filmTime_s) const { return motion_->at(start_s_ + speed_ * filmTime_s); }
 
   std::shared_ptr<const physics::Motion> motion_;
@@ -77,8 +86,9 @@ class PictureMotion {
   double speed_;
   double duration_s_;
   bool isFree_;
-  bool bodyStandsStill_;
-  Eigen::Matrix3d R_VB_;  // where the body stands, when it does
+  scene::CameraFrame frame_;
+  Eigen::Matrix3d R_VB_;   // where the body stands, when it does
+  Precession precession_;  // of the picture's axes, when they precess
   std::vector<PathPoint> outline_;
   std::size_t liveliest_;
   double pathStep_s_;  // of film time

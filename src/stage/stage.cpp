@@ -1,22 +1,81 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/stage.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "stage/lettering.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::stage {
+namespace {
 
-Stage::Stage(scene::Scene scene) : scene_(std::move(scene)), colors_(palette(scene_.style.theme)) {
-  views_.emplace_back(scene_, drawnMotion(scene_));
+// Type in a small panel shrinks less than the panel, so that it stays legible from afar: by 16 % in half a width.
+constexpr double kTypeShrinks = 0.25;
+// Bodies of panels that could differ more than this in size are not drawn alike: the smaller would look lost.
+constexpr double kMostUnlike = 1.6;
+
+double typeHeight(glm::ivec2 panel_px, glm::ivec2 picture_px) {
+  const double whole = referenceHeight(picture_px), own = referenceHeight(panel_px);
+  return whole * std::pow(own / whole, kTypeShrinks);
+}
+
+scene::Scene viewOf(const scene::Scene& scene, const scene::View& view) {
+  scene::Scene seen = scene;
+  seen.camera = view.camera;
+  seen.show = view.show;
+  return seen;
+}
+
+/// Room above the panel's picture for what stands over it.
+double topMargin(double heading_px, const PanelFrame& frame, bool titled) {
+  if (heading_px == 0) return titled ? 0.1 : Margins().top;  // the title's lines stand over the picture, not in it
+  return std::min(heading_px / frame.size_px.y + 0.02, 0.4);
+}
+
+/// The body is as large in all panels where it can be.
+void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& frames) {
+  std::vector<double> metre_px;
+  for (std::size_t i = 0; i < views.size(); ++i) metre_px.push_back(views[i].metre_px(frames[i]));
+  const auto [least, most] = std::ranges::minmax(metre_px);
+  if (!(most <= kMostUnlike * least)) return;
+  for (std::size_t i = 0; i < views.size(); ++i) frames[i].mostUnit_px = least / views[i].bodyScale();
+}
+
+}  // namespace
+
+Stage::Stage(scene::Scene scene)
+    : scene_(std::move(scene)), colors_(palette(scene_.style.theme)), layout_(scene_.views) {
+  const auto motion = drawnMotion(scene_);
+  for (const scene::View& view : scene_.views) views_.emplace_back(viewOf(scene_, view), motion);
 }
 
 draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
   draw::Picture picture;
   picture.size_px = size_px;
   picture.background = colors_.paper;
-  picture.panels.push_back({{0, 0}, views_.front().compose(filmTime_s, size_px)});
-  addTitle(picture, scene_, colors_);
+  const double title_px = addTitle(picture, scene_, colors_);
+  const std::vector<Cell> cells = layout_.cells(size_px, title_px);
+  const std::vector<PanelFrame> frames = framesOf(picture, cells);
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    picture.panels.push_back({cells[i].origin_px, views_[i].compose(filmTime_s, frames[i])});
+  layout_.addRules(picture, cells, referenceHeight(size_px), colors_);
   return picture;
+}
+
+std::vector<PanelFrame> Stage::framesOf(draw::Picture& picture, const std::vector<Cell>& cells) const {
+  const bool titled = views_.size() == 1 && !scene_.show.title.empty();
+  std::vector<PanelFrame> frames;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    PanelFrame& frame = frames.emplace_back();
+    frame.size_px = cells[i].size_px;
+    frame.type_px = typeHeight(cells[i].size_px, picture.size_px);
+    frame.heading_px =
+        addHeading(picture, cells[i], scene_.views[i], frame.type_px * scene_.style.textSize, colors_);
+    frame.margins.top = topMargin(frame.heading_px, frame, titled);
+  }
+  if (frames.size() > 1) shareScale(views_, frames);
+  return frames;
 }
 
 }  // namespace poinsot::stage

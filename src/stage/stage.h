@@ -6,6 +6,7 @@
 #include "draw/picture.h"
 #include "scene/scene.h"
 #include "stage/palette.h"
+#include "stage/picture_layout.h"
 #include "stage/view_stage.h"
 
 namespace poinsot::stage {
@@ -26,9 +27,13 @@ class Stage {
   double speed() const { return views_.front().speed(); }
 
  private:
+  /// Adds the panels' headings to the picture.
+  std::vector<PanelFrame> framesOf(draw::Picture& picture, const std::vector<Cell>& cells) const;
+
   scene::Scene scene_;
   Palette colors_;
   std::vector<ViewStage> views_;
+  PictureLayout layout_;
 };
 
 }  // namespace poinsot::stage

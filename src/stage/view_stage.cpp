@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "stage/actors.h"
 #include "stage/arrow.h"
 #include "stage/body_figure.h"
 #include "stage/construction_figure.h"
@@ -64,6 +65,7 @@ struct ViewStage::Plan {
   Scales scales;
   std::optional<ConstructionFigure> construction;
   std::optional<StandFigure> stand;
+  std::vector<std::unique_ptr<const Actor>> actors;
   Extent extent;  // of the whole motion
 
   Plan(scene::Scene s, std::shared_ptr<const physics::Motion> shared)
@@ -74,6 +76,7 @@ struct ViewStage::Plan {
         scales(makeScales(scene, motion, body)) {
     if (showsConstruction(scene, motion)) construction.emplace(scene, motion, scales);
     if (standsOnPivot(scene)) stand.emplace(scene, motion, body, scales.body);
+    actors = makeActors({scene, motion, scales, {axisLength(0), axisLength(1), axisLength(2)}});
     extent = wholeExtent();
   }
 
@@ -88,11 +91,12 @@ struct ViewStage::Plan {
 
   Extent wholeExtent() const;
   void addAxes(Extent& whole) const;
-  draw::Camera camera(glm::vec2 size_px) const;
+  void addActors(Extent& whole) const;
   void addVectors(draw::DrawList& list, const PictureState& state) const;
   void addAxes(draw::DrawList& list, const PictureState& state) const;
-  void addHeight(draw::DrawList& list, const PictureState& state, std::vector<Label>& labels) const;
-  std::vector<Label> labels(const draw::DrawList& list, const PictureState& state) const;
+  void addHeight(draw::DrawList& list, double type_px, const PictureState& state,
+                 std::vector<Label>& labels) const;
+  std::vector<Label> labels(const draw::DrawList& list, double type_px, const PictureState& state) const;
 };
 
 // A body about its centre of mass turns in a ball; one on a pivot takes the place that it sweeps.
@@ -110,6 +114,7 @@ Extent ViewStage::Plan::wholeExtent() const {
     if (scene.show.L.visible) whole.points_V.push_back(scales.L * (R_VW * p.L_W));
     if (scene.show.omega.visible) whole.points_V.push_back(scales.omega * (R_VW * p.omega_W));
   }
+  addActors(whole);
   if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
   return whole;
 }
@@ -123,11 +128,13 @@ void ViewStage::Plan::addAxes(Extent& whole) const {
   }
 }
 
-draw::Camera ViewStage::Plan::camera(glm::vec2 size_px) const {
-  Margins margins;
-  // The title's lines stand over the picture, not in it.
-  if (!scene.show.title.empty()) margins.top = 0.1;
-  return frameAll(scene.camera, extent, margins, size_px);
+void ViewStage::Plan::addActors(Extent& whole) const {
+  constexpr int kInstants = 64;
+  for (int i = 0; i <= kInstants && !actors.empty(); ++i) {
+    const PictureState state = motion.at(motion.duration_s() * i / kInstants);
+    for (const auto& actor : actors)
+      for (const Vector3d& p : actor->outermostPoints(state)) whole.points_V.push_back(p);
+  }
 }
 
 void ViewStage::Plan::addVectors(draw::DrawList& list, const PictureState& state) const {
@@ -145,10 +152,10 @@ void ViewStage::Plan::addAxes(draw::DrawList& list, const PictureState& state) c
              colors.axis);
 }
 
-std::vector<Label> ViewStage::Plan::labels(const draw::DrawList& list, const PictureState& state) const {
+std::vector<Label> ViewStage::Plan::labels(const draw::DrawList& list, double type_px,
+                                           const PictureState& state) const {
   std::vector<Label> labels;
-  const double H = referenceHeight(list.camera.size_px);
-  const auto size_px = static_cast<float>(kLabel * scene.style.textSize * H);
+  const auto size_px = static_cast<float>(kLabel * scene.style.textSize * type_px);
   const glm::vec2 centre_px = project(list.camera, glm::vec3(0));
   const auto add = [&](const std::string& tex, const Vector3d& tip_V, glm::vec2 direction,
                        const draw::Color& color, float size) {
@@ -187,7 +194,7 @@ std::vector<Label> ViewStage::Plan::labels(const draw::DrawList& list, const Pic
 }
 
 // The height of the centre above the plane, 2T/L (eq 40), as a dimension line beside the ellipsoid.
-void ViewStage::Plan::addHeight(draw::DrawList& list, const PictureState& state,
+void ViewStage::Plan::addHeight(draw::DrawList& list, double type_px, const PictureState& state,
                                 std::vector<Label>& labels) const {
   if (!construction || !scene.show.plane.visible || !scene.show.height.visible || state.atRest()) return;
   const Vector3d down = state.L_V.normalized();
@@ -196,11 +203,10 @@ void ViewStage::Plan::addHeight(draw::DrawList& list, const PictureState& state,
   const Vector3d left = across.normalized();
   const double away = 1.08 * construction->semiAxes().maxCoeff();
   const Vector3d foot = construction->planeHeight(state) * down + away * left, head = away * left;
-  const double H = referenceHeight(list.camera.size_px);
   const auto line = [&](const Vector3d& a, const Vector3d& b) {
     draw::Curve curve;
     curve.points_W = {toPicture(a), toPicture(b)};
-    curve.width_px = static_cast<float>(0.9 * kLine * H * scene.style.lineWidth);
+    curve.width_px = static_cast<float>(0.9 * kLine * type_px * scene.style.lineWidth);
     curve.lift_W = 0.004f;
     curve.material.color = colors.L;
     list.curves.push_back(std::move(curve));
@@ -209,7 +215,7 @@ void ViewStage::Plan::addHeight(draw::DrawList& list, const PictureState& state,
   line(foot - 0.035 * left, foot + 0.035 * left);
   line(head - 0.035 * left, head + 0.035 * left);
   if (!scene.show.labels) return;
-  const auto size_px = static_cast<float>(0.72 * kLabel * scene.style.textSize * H);
+  const auto size_px = static_cast<float>(0.72 * kLabel * scene.style.textSize * type_px);
   const glm::vec2 a = project(list.camera, toPicture(foot)), b = project(list.camera, toPicture(head));
   const glm::vec2 middle = 0.5f * (a + b), centre_px = project(list.camera, glm::vec3(0));
   glm::vec2 aside(a.y - b.y, b.x - a.x);
@@ -222,27 +228,35 @@ ViewStage::ViewStage(scene::Scene scene, std::shared_ptr<const physics::Motion> 
 ViewStage::~ViewStage() = default;
 ViewStage::ViewStage(ViewStage&&) noexcept = default;
 
-draw::DrawList ViewStage::compose(double filmTime_s, glm::ivec2 size_px) const {
+draw::DrawList ViewStage::compose(double filmTime_s, const PanelFrame& frame) const {
   const Plan& plan = *plan_;
   draw::DrawList list;
-  list.camera = plan.camera(size_px);
+  list.camera = frameAll(plan.scene.camera, plan.extent, frame.margins, frame.size_px, frame.mostUnit_px);
   list.background = plan.colors.paper;
   const PictureState state = plan.motion.at(filmTime_s);
-  const double line_px = kLine * referenceHeight(size_px) * plan.scene.style.lineWidth;
+  const double line_px = kLine * frame.type_px * plan.scene.style.lineWidth;
   if (plan.scene.show.body.visible) plan.body.add(list, state.R_VB, plan.scales.body, plan.colors, line_px);
   if (plan.stand && plan.scene.show.body.visible) plan.stand->add(list, state, plan.colors);
   plan.addAxes(list, state);
   plan.addVectors(list, state);
   if (plan.construction) plan.construction->add(list, filmTime_s, state, plan.colors, line_px);
   std::vector<Label> labels;
-  if (plan.scene.show.labels) labels = plan.labels(list, state);
-  plan.addHeight(list, state, labels);
-  addLabels(list, labels, plan.colors.paper);
+  if (plan.scene.show.labels) labels = plan.labels(list, frame.type_px, state);
+  plan.addHeight(list, frame.type_px, state, labels);
+  const double type_px = plan.scene.show.labels ? kLabel * plan.scene.style.textSize * frame.type_px : 0;
+  const Canvas canvas{list, labels, plan.colors, line_px, plan.scene.style.lineWidth, type_px};
+  for (const auto& actor : plan.actors) actor->add(canvas, filmTime_s, state);
+  addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px));
   if (plan.construction && plan.scene.show.plane.visible && plan.scene.show.labels && !state.atRest())
-    addPlaneName(list, *plan.construction, state, plan.scene.style, plan.colors);
+    addPlaneName(list, *plan.construction, state, frame.type_px * plan.scene.style.textSize, plan.colors);
   return list;
 }
 
+double ViewStage::metre_px(const PanelFrame& frame) const {
+  return plan_->scales.body * fittingUnit_px(plan_->scene.camera, plan_->extent, frame.margins, frame.size_px);
+}
+
+double ViewStage::bodyScale() const { return plan_->scales.body; }
 double ViewStage::speed() const { return plan_->motion.speed(); }
 
 }  // namespace poinsot::stage

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "draw/draw_list.h"
 #include "physics/motion.h"
 #include "scene/scene.h"
+#include "stage/framing.h"
 
 namespace poinsot::stage {
+
+/// What a view is composed for.
+struct PanelFrame {
+  glm::ivec2 size_px{1, 1};  ///< width, height
+  double type_px = 1;        ///< what type and lines are sized by, as referenceHeight() (lettering.h)
+  Margins margins;
+  double heading_px = 0;                                         ///< at the top, where no label goes
+  double mostUnit_px = std::numeric_limits<double>::infinity();  ///< as in frameAll()
+};
 
 /// Turns one view of a scene into draw lists. Everything that does not depend on time (scales, framing, whole
 /// curves) is worked out once, here; compose() is a pure function of the film time.
@@ -20,8 +31,13 @@ class ViewStage {
   ~ViewStage();
   ViewStage(ViewStage&&) noexcept;
 
-  /// What the view shows at film time `filmTime_s`, in a panel of `size_px` (width, height).
-  draw::DrawList compose(double filmTime_s, glm::ivec2 size_px) const;
+  /// What the view shows at film time `filmTime_s`.
+  draw::DrawList compose(double filmTime_s, const PanelFrame& frame) const;
+
+  /// Pixels that a metre of the body would have at most in this frame; its mostUnit_px does not count.
+  double metre_px(const PanelFrame& frame) const;
+  /// Picture lengths per metre of the body.
+  double bodyScale() const;
 
   /// Motion seconds per film second.
   double speed() const;

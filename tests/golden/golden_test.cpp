@@ -36,6 +36,11 @@ const Golden kGoldens[] = {
     {"rolling", "poinsot_rolling", 7.0},
     {"football", "football", 3.0},
     {"chandler", "chandler_wobble", 5.0},
+    {"two_views",
+     "[body]\nshape = \"ellipsoid\"\nsize = [17, 17, 28]\nmass = 1\n[motion]\nomega_body = [1.6, 0, "
+     "3.5]\n[camera]\n"
+     "frames = [\"space\", \"body\"]\n[show]\nellipsoid = false\nplane = false\n",
+     3.0},
     {"two_keys", "[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [0.3, 1, 0.2]\n", 2.0},
     {"dark",
      "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\n[style]\ntheme = \"dark\"\n",
@@ -88,10 +93,7 @@ image::Image actualPicture(const Golden& golden) {
   static const auto context = gl::openContext(gl::Backend::kAuto);
   static render::Renderer renderer(*context);
   const stage::Stage stage(sceneOf(golden));
-  const draw::Picture picture = stage.compose(golden.filmTime_s, {golden.size.width, golden.size.height});
-  draw::DrawList list = picture.panels.at(0).list;
-  list.texts.insert(list.texts.end(), picture.texts.begin(), picture.texts.end());
-  return renderer.render(list, golden.size);
+  return renderer.render(stage.compose(golden.filmTime_s, {golden.size.width, golden.size.height}));
 }
 
 void write(const fs::path& path, const image::Image& picture) {

@@ -96,6 +96,7 @@ std::string sceneFor(const Key& key) {
     return kOmega + "[[body.part]]\nmass = 1\n" + shapeWith("body.part[]", name);
   if (ofShape && tableOf(key.path) == "show.body")
     return kMoments + kOmega + "[show.body]\n" + shapeWith("show.body", name);
+  if (key.path.starts_with("view[]")) return kMoments + kOmega + "[[view]]\n";
   return kMoments + (key.path == "motion.omega_body" ? "" : kOmega);
 }
 

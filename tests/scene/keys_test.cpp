@@ -72,17 +72,24 @@ std::string shaped(const Key& key, const std::string& value) {
       return "[" + value + ", 0, 0, 0]";
     case ValueType::kPixels:
       return "[" + value + ", 16]";
+    case ValueType::kCell:
+      return "[" + value + ", 1]";
     default:
       return value;
   }
 }
 
 bool numeric(const Key& key) {
-  return key.type != ValueType::kBool && key.type != ValueType::kText && key.type != ValueType::kWord;
+  return key.type != ValueType::kBool && key.type != ValueType::kText && key.type != ValueType::kWord &&
+         key.type != ValueType::kWords;
+}
+
+bool isWhole(const Key& key) {
+  return key.type == ValueType::kInteger || key.type == ValueType::kPixels || key.type == ValueType::kCell;
 }
 
 std::string number(const Key& key, double value) {
-  const bool whole = key.type == ValueType::kInteger || key.type == ValueType::kPixels;
+  const bool whole = isWhole(key);
   std::string text = whole ? std::to_string(std::llround(value)) : nlohmann::json(value).dump();
   return key.range.unit.empty() ? text : "\"" + text + " " + std::string(key.range.unit) + "\"";
 }
@@ -93,7 +100,7 @@ TEST(EveryKey, RefusesWhatIsBeyondItsRange) {
     SCOPED_TRACE(key.path);
     if (!numeric(key)) continue;
     const double step = key.type == ValueType::kPixels ? 2 : 1;
-    const bool whole = key.type == ValueType::kInteger || key.type == ValueType::kPixels;
+    const bool whole = isWhole(key);
     const auto beyond = [&](double end, double sign) {
       return whole ? end + sign * step : end + sign * (end == 0 ? 1e-3 : std::abs(end) * 1e-3);
     };
@@ -152,9 +159,15 @@ std::string headingOf(std::string_view table) {
   return array ? "## `[[" + name + "]]`\n" : "## `[" + name + "]`\n";
 }
 
+/// The keys of [camera] and [show] that a view takes too are written once.
+bool isRepeatedInViews(const Key& key) {
+  return key.path.starts_with("view[].") && tableOf(key.path) != "view[]";
+}
+
 TEST(EveryKey, IsInTheReference) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
+    if (isRepeatedInViews(key)) continue;
     const std::string reference = referenceMarkdown();
     const std::string heading = headingOf(tableOf(key.path));
     const std::size_t section = reference.find(heading);
@@ -178,7 +191,8 @@ TEST(Keys, AreFound) {
   EXPECT_FALSE(isTable("show.pla") || isTable("camera.fov"));
   EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
   EXPECT_THAT(namesBelow(""),
-              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "style", "output"));
+              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "view", "style",
+                                   "output"));
   EXPECT_EQ(findKey("body.part[12].mass")->path, "body.part[].mass");
   EXPECT_EQ(findKey("body.part.mass"), nullptr);
   EXPECT_EQ(findKey("body.part[x].mass"), nullptr);
@@ -195,7 +209,7 @@ TEST(Keys, AreFound) {
 TEST(Keys, OfATableTakeAFlagWhereTheyCanBeHidden) {
   for (const Key& key : keys()) {
     if (nameOf(key.path) != "visible") continue;
-    EXPECT_EQ(messagesOf(kMinimal, {std::string(tableOf(key.path)) + "=true"}), "") << key.path;
+    EXPECT_EQ(messagesOf(sceneFor(key), {std::string(tableOf(pathIn(key))) + "=true"}), "") << key.path;
   }
 }
 

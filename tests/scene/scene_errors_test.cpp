@@ -234,8 +234,8 @@ TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
             "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.x=3"}),
             "qqqqqqqqqqqq.x: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
-            "show, style, "
-            "output\n");
+            "show, view, "
+            "style, output\n");
   EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
             "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "
             "no keys below it\n");

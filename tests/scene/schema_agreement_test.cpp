@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "scene/check.h"
 #include "scene/reference.h"
@@ -47,6 +48,7 @@ bool satisfies(const std::string& word, const json& wanted, const json& value) {
   if (word == "items") return allValid(wanted, value);
   if (word == "minItems") return value.size() >= wanted.get<std::size_t>();
   if (word == "maxItems") return value.size() <= wanted.get<std::size_t>();
+  if (word == "uniqueItems") return std::set<json>(value.begin(), value.end()).size() == value.size();
   ADD_FAILURE() << "the evaluator does not know " << word;
   return false;
 }
@@ -142,7 +144,16 @@ const Samples kSamples[] = {
     {"camera.azimuth",
      {"0.5", "\"-120 deg\"", "\"90°\"", "\"1 rev\""},
      {"\"3 rad/s\"", "\"90\"", "90", "\"90 Grad\""}},
-    {"camera.frame", {"\"space\"", "\"body\""}, {"\"Space\"", "1"}},
+    {"camera.frame", {"\"space\"", "\"body\"", "\"precession\""}, {"\"Space\"", "1", "[\"space\"]"}},
+    {"camera.frames",
+     {"[\"space\", \"body\"]", "[\"precession\"]"},
+     {"[]", "\"space\"", "[\"space\", \"space\"]", "[\"Space\"]", "[1]", "[[\"space\"]]"}},
+    {"camera.preset", {"\"front\"", "\"three_quarter\""}, {"\"Front\"", "1"}},
+    {"camera.elevation", {"\"90 deg\"", "\"-90 deg\""}, {"1.6", "\"90 m\""}},
+    {"view[].at", {"[0, 0]", "[7, 1]"}, {"[8, 0]", "[-1, 0]", "[1]", "[1, 0, 0]", "1", "[1.5, 0]", "[\"1\", 0]"}},
+    {"view[].span", {"[1, 1]", "[8, 2]"}, {"[0, 1]", "[9, 1]", "2", "[true, 1]"}},
+    {"view[].camera.frame", {"\"body\""}, {"\"Body\"", "2"}},
+    {"view[].show.plane.opacity", {"0.5", "\"30 %\""}, {"2", "\"30 cm\""}},
     {"show.title", {"\"\"", "\"a word\""}, {"1", "true"}},
     {"show.labels", {"true", "false"}, {"1", "\"yes\""}},
     {"output.size", {"[640, 360]"}, {"[641, 360]", "[640.0, 360]", "[640]", "[14, 16]", "\"640x360\""}},

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/camera_preset.h"
+
+namespace poinsot::scene {
+
+std::span<const CameraPreset> cameraPresets() {
+  // As drawings are laid out: from the front x is to the right and z up; from the top x is to the right and y up.
+  static constexpr CameraPreset kPresets[] = {{"front", -90, 0},   {"back", 90, 0},           {"right", 0, 0},
+                                              {"left", 180, 0},    {"top", -90, 90},          {"bottom", -90, -90},
+                                              {"raised", -90, 18}, {"three_quarter", -55, 20}};
+  return kPresets;
+}
+
+}  // namespace poinsot::scene

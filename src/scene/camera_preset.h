@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace poinsot::scene {
+
+/// Where a camera stands, by a word; an explicit azimuth or elevation wins.
+struct CameraPreset {
+  std::string_view name;
+  double azimuth_deg, elevation_deg;
+};
+
+std::span<const CameraPreset> cameraPresets();
+
+}  // namespace poinsot::scene

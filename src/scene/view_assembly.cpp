@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/view_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "physics/precession_cones.h"
+#include "scene/camera_preset.h"
+#include "scene/show_assembly.h"
+
+namespace poinsot::scene {
+namespace {
+
+/// What the keys below `prefix` ("", "view[1].") do not say themselves.
+void usePreset(const std::optional<int>& preset, const std::string& prefix, const Findings& findings,
+               Camera& camera) {
+  if (!preset) return;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const CameraPreset& chosen = cameraPresets()[static_cast<std::size_t>(*preset)];
+  if (!findings.has(prefix + "camera.azimuth")) camera.azimuth_rad = chosen.azimuth_deg * kDegree;
+  if (!findings.has(prefix + "camera.elevation")) camera.elevation_rad = chosen.elevation_deg * kDegree;
+}
+
+// ---- frames ----
+
+/// Why there is no frame that precesses with the body; empty where there is one.
+std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& rest) {
+  if (!scene.motion.forcing.none())
+    return "only free motion precesses steadily about L; here something acts on the body";
+  if (rest) return "a body at rest does not precess";
+  const physics::PrincipalAxes& axes = scene.body.axes;
+  if (physics::precessionCones(axes.moments(), axes.toP(scene.motion.omega_B))) return "";
+  const Eigen::Vector3d& I = axes.moments().values();
+  return fmt::format(
+      "only a symmetric body precesses steadily; all three moments differ here: ({:g}, {:g}, {:g}) kg·m²", I[0],
+      I[1], I[2]);
+}
+
+void checkFrame(const View& view, const std::string& path, const Scene& scene, const std::optional<Rest>& rest,
+                Findings& findings) {
+  const bool startKnown = rest || !scene.motion.omega_B.isZero(0);
+  if (view.camera.frame != CameraFrame::kPrecession || !startKnown) return;
+  if (const std::string why = withoutPrecession(scene, rest); !why.empty())
+    findings.refuse(path, fmt::format("\"precession\" does not exist: {}", why));
+}
+
+const char* headingOf(CameraFrame frame) {
+  switch (frame) {
+    case CameraFrame::kSpace:
+      return "In space";
+    case CameraFrame::kBody:
+      return "In the body";
+    case CameraFrame::kPrecession:
+      return "With the precession";
+  }
+  return "";
+}
+
+/// Panels side by side, one for each frame.
+std::vector<View> viewsOf(const std::vector<CameraFrame>& frames, const Scene& scene) {
+  std::vector<View> views;
+  for (const CameraFrame frame : frames) {
+    View& view = views.emplace_back();
+    view.camera = scene.camera;
+    view.show = scene.show;
+    view.camera.frame = frame;
+    view.column = static_cast<int>(views.size()) - 1;
+    if (frames.size() > 1) view.title = headingOf(frame);
+  }
+  return views;
+}
+
+void refuseFrames(Findings& findings) {
+  if (!findings.has("camera.frames")) return;
+  if (findings.count("view") > 0)
+    findings.refuse("camera.frames",
+                    "each [[view]] has a camera.frame of its own; give frames or views, not both");
+  if (findings.has("camera.frame"))
+    findings.refuse("camera.frame", "given beside camera.frames; give frame for one panel, frames for several");
+}
+
+// ---- views ----
+
+View viewOf(const ViewDraft& given, const std::string& prefix, const Findings& findings, const Scene& scene) {
+  Draft whole;  // what the view's keys are put into
+  whole.scene.camera = scene.camera;
+  whole.scene.show = scene.show;
+  for (const auto& put : given.given) put(whole);
+  View view{
+      .camera = whole.scene.camera, .show = whole.scene.show, .title = given.title, .subtitle = given.subtitle};
+  usePreset(whole.preset, prefix, findings, view.camera);
+  const Eigen::Vector2i span = given.span.value_or(Eigen::Vector2i(1, 1));
+  view.columns = span[0];
+  view.rows = span[1];
+  return view;
+}
+
+/// Where it says, else to the right of the one before.
+void placeView(const std::optional<Eigen::Vector2i>& at, const std::vector<View>& before, View& view) {
+  if (at) view.column = (*at)[0], view.row = (*at)[1];
+  if (at || before.empty()) return;
+  view.column = before.back().column + before.back().columns;
+  view.row = before.back().row;
+}
+
+bool overlap(const View& a, const View& b) {
+  return a.column < b.column + b.columns && b.column < a.column + a.columns && a.row < b.row + b.rows &&
+         b.row < a.row + a.rows;
+}
+
+void checkPlace(const View& view, const std::string& path, const std::vector<View>& before, Findings& findings) {
+  constexpr int kMostCells = 8;
+  if (view.column + view.columns > kMostCells || view.row + view.rows > kMostCells)
+    return findings.refuse(path + ".at",
+                           fmt::format("the panel at [{}, {}] would leave the grid, which has at most "
+                                       "{} columns and rows; give at or a smaller span",
+                                       view.column, view.row, kMostCells));
+  const auto other = std::ranges::find_if(before, [&](const View& b) { return overlap(view, b); });
+  if (other != before.end())
+    findings.refuse(path + ".at", fmt::format("the panel at [{}, {}] would cover view[{}]", view.column, view.row,
+                                              other - before.begin()));
+}
+
+/// The draft has only those elements that gave a key which passed its checks.
+std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::optional<Rest>& rest,
+                             Findings& findings, const Scene& scene) {
+  std::vector<View> views;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string path = fmt::format("view[{}]", i);
+    const ViewDraft given = i < draft.views.size() ? draft.views[i] : ViewDraft();
+    View view = viewOf(given, path + ".", findings, scene);
+    placeView(given.at, views, view);
+    checkPlace(view, path, views, findings);
+    assembleVisible(scene.motion, rest, path + ".", findings, view.show);
+    const bool own = findings.has(path + ".camera.frame");
+    checkFrame(view, own ? path + ".camera.frame" : "camera.frame", scene, rest, findings);
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+}  // namespace
+
+void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, Scene& scene) {
+  refuseFrames(findings);
+  usePreset(draft.preset, "", findings, scene.camera);
+  const std::size_t count = findings.count("view");
+  // What the scene shows itself is only where the views start, where there are any.
+  assembleVisible(scene.motion, count > 0 ? std::nullopt : rest, "", findings, scene.show);
+  if (count > 0) {
+    scene.views = givenViews(draft, count, rest, findings, scene);
+    return;
+  }
+  scene.views = viewsOf(draft.frames.value_or(std::vector{scene.camera.frame}), scene);
+  for (const View& view : scene.views)
+    checkFrame(view, draft.frames ? "camera.frames" : "camera.frame", scene, rest, findings);
+}
+
+}  // namespace poinsot::scene

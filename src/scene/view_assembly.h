@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "scene/draft.h"
+#include "scene/findings.h"
+#include "scene/motion_assembly.h"
+
+namespace poinsot::scene {
+
+/// The panels of the picture, into scene.views: those of [[view]], of camera.frames, else one; of a scene whose
+/// body, motion and show are known. What is wrong goes to `findings`.
+void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, Scene& scene);
+
+}  // namespace poinsot::scene

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/picture_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/expect.h"
+
+namespace poinsot::stage {
+namespace {
+
+constexpr double kMostTitle = 0.4;  // of the picture's height: panels keep the rest however small it is
+constexpr double kRule = 1.5 / 1080, kRuleInset = 0.03;  // width, and free at either end, in shares of type_px
+constexpr float kRuleOpacity = 0.35f;
+
+/// Where line `i` of `n` cells is between two ends.
+int lineAt(int i, int n, int from, int to) {
+  return from + static_cast<int>(std::lround(static_cast<double>(to - from) * i / n));
+}
+
+}  // namespace
+
+PictureLayout::PictureLayout(const std::vector<scene::View>& views) {
+  POINSOT_EXPECT(!views.empty());
+  for (const scene::View& view : views) {
+    places_.push_back({view.column, view.row, view.columns, view.rows});
+    columns_ = std::max(columns_, view.column + view.columns);
+    rows_ = std::max(rows_, view.row + view.rows);
+  }
+}
+
+std::vector<Cell> PictureLayout::cells(glm::ivec2 size_px, double top_px) const {
+  const bool shared = places_.size() > 1;
+  const auto top = static_cast<int>(shared ? std::min(top_px, kMostTitle * size_px.y) : 0);
+  std::vector<Cell> cells;
+  for (const Place& place : places_) {
+    const glm::ivec2 low(lineAt(place.column, columns_, 0, size_px.x), lineAt(place.row, rows_, top, size_px.y));
+    const glm::ivec2 high(lineAt(place.column + place.columns, columns_, 0, size_px.x),
+                          lineAt(place.row + place.rows, rows_, top, size_px.y));
+    cells.push_back({low, glm::max(high - low, glm::ivec2(1))});
+  }
+  return cells;
+}
+
+void PictureLayout::addRules(draw::Picture& picture, const std::vector<Cell>& cells, double type_px,
+                             const Palette& colors) const {
+  const auto width = static_cast<float>(kRule * type_px), inset = static_cast<float>(kRuleInset * type_px);
+  const auto add = [&](glm::vec2 from, glm::vec2 to) {
+    const glm::vec2 along = glm::vec2(to.x > from.x ? inset : 0, to.y > from.y ? inset : 0);
+    picture.strokes.push_back({.points_px = {from + along, to - along},
+                               .width_px = width,
+                               .color = colors.quietInk,
+                               .opacity = kRuleOpacity});
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const glm::vec2 low(cells[i].origin_px), high(cells[i].origin_px + cells[i].size_px);
+    if (places_[i].column > 0) add(low, {low.x, high.y});
+    if (places_[i].row > 0) add(low, {high.x, low.y});
+  }
+}
+
+}  // namespace poinsot::stage

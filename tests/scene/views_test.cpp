@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Panels of a picture: what a view takes from the scene, where it stands, what is refused.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <numbers>
+
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kDegree = std::numbers::pi / 180;
+const std::string kTop = "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.5, 0, 1]\n";
+
+Scene sceneWith(const std::string& extra, const std::vector<std::string>& overrides = {}) {
+  return parseScene(kTop + extra, "test.toml", overrides);
+}
+
+std::string messagesWith(const std::string& extra) { return messagesOf(kTop + extra, {}); }
+
+TEST(Views, OfASceneWithoutAnyThereIsOne) {
+  const Scene scene = sceneWith("[camera]\nzoom = 2\n[show]\nL = false\n");
+  ASSERT_EQ(scene.views.size(), 1u);
+  EXPECT_EQ(scene.views[0].camera.zoom, 2);
+  EXPECT_FALSE(scene.views[0].show.L.visible);
+  EXPECT_EQ(scene.views[0].title, "");
+}
+
+TEST(Views, StartFromTheScenesCameraAndShow) {
+  const Scene scene = sceneWith(
+      "[camera]\nzoom = 2\n[show]\nplane.opacity = 0.5\nheight = false\n[[view]]\n[[view]]\ntitle = \"B\"\n"
+      "subtitle = \"b\"\ncamera = {zoom = 3, frame = \"body\"}\nshow.plane.grid = false\nshow.height = true\n");
+  ASSERT_EQ(scene.views.size(), 2u);
+  const View &first = scene.views[0], &second = scene.views[1];
+  EXPECT_EQ(first.camera.zoom, 2);
+  EXPECT_EQ(first.camera.frame, CameraFrame::kSpace);
+  EXPECT_TRUE(first.show.plane.grid);
+  EXPECT_FALSE(first.show.height.visible);
+  EXPECT_EQ(second.title + second.subtitle, "Bb");
+  EXPECT_EQ(second.camera.zoom, 3);
+  EXPECT_EQ(second.camera.frame, CameraFrame::kBody);
+  EXPECT_EQ(second.show.plane.opacity, 0.5);
+  EXPECT_FALSE(second.show.plane.grid);
+  EXPECT_TRUE(second.show.height.visible);
+}
+
+TEST(Views, MayBeOverridden) {
+  EXPECT_EQ(sceneWith("[[view]]\n[[view]]\n", {"view[1].camera.zoom=4"}).views[1].camera.zoom, 4);
+  EXPECT_EQ(sceneWith("", {"camera.frames=[\"body\", \"space\"]"}).views.size(), 2u);
+}
+
+TEST(Views, StandWhereTheySayElseRightOfTheOneBefore) {
+  const Scene scene = sceneWith("[[view]]\nspan = [2, 1]\n[[view]]\n[[view]]\nat = [0, 1]\n[[view]]\n");
+  const std::vector<std::array<int, 4>> expected = {{0, 0, 2, 1}, {2, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+  ASSERT_EQ(scene.views.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const View& v = scene.views[i];
+    EXPECT_EQ((std::array{v.column, v.row, v.columns, v.rows}), expected[i]) << i;
+  }
+}
+
+TEST(Views, OfFramesStandSideBySideWithHeadings) {
+  const Scene scene = sceneWith("[camera]\nframes = [\"space\", \"body\", \"precession\"]\nzoom = 1.5\n");
+  ASSERT_EQ(scene.views.size(), 3u);
+  const char* titles[] = {"In space", "In the body", "With the precession"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(scene.views[i].camera.frame, static_cast<CameraFrame>(i));
+    EXPECT_EQ(scene.views[i].camera.zoom, 1.5);
+    EXPECT_EQ(scene.views[i].column, static_cast<int>(i));
+    EXPECT_EQ(scene.views[i].title, titles[i]);
+  }
+  EXPECT_EQ(sceneWith("[camera]\nframes = [\"body\"]\n").views[0].title, "");
+}
+
+TEST(Views, APresetSetsWhatIsNotGiven) {
+  const Scene scene = sceneWith(
+      "[camera]\npreset = \"front\"\nelevation = \"10 deg\"\n[[view]]\n[[view]]\ncamera.preset = "
+      "\"top\"\n[[view]]\n"
+      "camera = {preset = \"top\", azimuth = \"5 deg\"}\n");
+  EXPECT_DOUBLE_EQ(scene.views[0].camera.azimuth_rad, -90 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.views[0].camera.elevation_rad, 10 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.views[1].camera.elevation_rad, 90 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.views[2].camera.azimuth_rad, 5 * kDegree);
+}
+
+// L is turned down where any view shows the plane: there is one motion.
+TEST(Views, ShowWhatTheMotionHas) {
+  const Scene scene = sceneWith("[[view]]\nshow.plane = false\n[[view]]\n[motion.drag]\nrate = 0.1\n");
+  for (const View& view : scene.views) EXPECT_FALSE(view.show.plane.visible || view.show.ellipsoid.visible);
+  EXPECT_THAT(messagesWith("[[view]]\n[[view]]\nshow.plane = true\n[motion.drag]\nrate = 0.1\n"),
+              HasSubstr("view[1].show.plane.visible: under gravity, torque or drag L is not constant"));
+}
+
+TEST(Views, RefuseToCoverOneAnother) {
+  EXPECT_EQ(messagesWith("[[view]]\n[[view]]\nat = [0, 0]\n"),
+            "view[1].at: the panel at [0, 0] would cover view[0]\n");
+  EXPECT_EQ(messagesWith("[[view]]\nspan = [2, 2]\n[[view]]\nat = [1, 1]\n"),
+            "view[1].at: the panel at [1, 1] would cover view[0]\n");
+  EXPECT_THAT(messagesWith("[[view]]\nspan = [8, 1]\n[[view]]\n"),
+              HasSubstr("view[1].at: the panel at [8, 0] would leave the grid, which has at most 8 columns"));
+}
+
+TEST(Views, RefuseFramesBesideThem) {
+  EXPECT_THAT(messagesWith("[camera]\nframes = [\"space\", \"body\"]\n[[view]]\n"),
+              HasSubstr("camera.frames: each [[view]] has a camera.frame of its own"));
+  EXPECT_THAT(messagesWith("[camera]\nframes = [\"space\", \"body\"]\nframe = \"body\"\n"),
+              HasSubstr("camera.frame: given beside camera.frames"));
+  EXPECT_THAT(messagesWith("[camera]\nframes = [\"space\", \"space\"]\n"),
+              HasSubstr("camera.frames: each word may be given once, got \"space\" again"));
+  EXPECT_THAT(messagesWith("[[view]]\nshow.title = \"A\"\n"), HasSubstr("view[0].show.title: unknown key"));
+}
+
+TEST(Views, PrecessWithASymmetricFreeBodyOnly) {
+  const std::string frame = "[camera]\nframe = \"precession\"\n";
+  EXPECT_EQ(messagesWith(frame), "");
+  EXPECT_THAT(messagesWith(frame + "[motion.drag]\nrate = 0.1\n"),
+              HasSubstr("camera.frame: \"precession\" does not exist: only free motion precesses steadily"));
+  const std::string uneven = "[body]\nprincipal_moments = [2, 2.5, 3]\n[motion]\nomega_body = [0.5, 0, 1]\n";
+  EXPECT_THAT(
+      messagesOf(uneven + frame, {}),
+      HasSubstr("camera.frame: \"precession\" does not exist: only a symmetric body precesses steadily; all "
+                "three moments differ here: (2, 2.5, 3) kg·m²"));
+  EXPECT_THAT(messagesOf(uneven + "[[view]]\n[[view]]\ncamera.frame = \"precession\"\n", {}),
+              HasSubstr("view[1].camera.frame: \"precession\" does not exist"));
+  EXPECT_THAT(messagesOf(uneven + "[camera]\nframes = [\"space\", \"precession\"]\n", {}),
+              HasSubstr("camera.frames: \"precession\" does not exist"));
+}
+
+TEST(Views, HaveTheirHeadingsChecked) {
+  const TextCheck check = [](std::string_view text) { return std::string(text == "bad" ? "no TeX" : ""); };
+  EXPECT_THROW(parseScene(kTop + "[[view]]\nsubtitle = \"bad\"\n", "test.toml", {}, check), core::Error);
+}
+
+}  // namespace
+}  // namespace poinsot::scene
