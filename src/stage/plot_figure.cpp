@@ -217,7 +217,7 @@ void PlotFigure::Plan::addPair(draw::Picture& picture, const PlotBox& panel, con
                                double filmTime_s, const PlotPen& pen) const {
   const double em = pen.em_px, baseline = labelRow(area, pen);
   double right = panel.right - 0.5 * em;
-  const double least = panel.left + em + widthOf(frame.y.label, em) + 0.5 * em;
+  const double least = labelLeft(area, frame, pen) + widthOf(frame.y.label, em) + em;
   const PlotAxis* axes[] = {&frame.y, &frame.x};
   for (const std::size_t which : {0u, 1u}) {
     const ValueFormat format = valueFormat(*axes[which], pen.decimalSign);

@@ -39,11 +39,13 @@ void addStroke(draw::Picture& picture, glm::dvec2 from, glm::dvec2 to, double wi
   picture.strokes.push_back(std::move(stroke));
 }
 
-/// Shrinks the longer side so that both axes have one scale; the corner at their crossing stays.
+/// Shrinks the longer side so that both axes have one scale; what is left of the width lies on both sides.
 PlotBox withEqualScales(PlotBox area, const PlotFrame& frame) {
   const double x = frame.x.high - frame.x.low, y = frame.y.high - frame.y.low;
   const double scale = std::min(area.width() / x, area.height() / y);
-  area.right = area.left + scale * x;
+  const double spare = area.width() - scale * x;
+  area.left += 0.5 * spare;
+  area.right -= 0.5 * spare;
   area.top = area.bottom - scale * y;
   return area;
 }
@@ -108,6 +110,10 @@ double addLine(draw::Picture& picture, const std::string& tex, double x, double 
   return width;
 }
 
+double labelLeft(const PlotBox& area, const PlotFrame& frame, const PlotPen& pen) {
+  return area.left - kTickGap * pen.em_px - widestLabel(frame.y.ticks, pen);
+}
+
 double labelRow(const PlotBox& area, const PlotPen& pen) { return area.top - kLabelRise * pen.em_px; }
 
 PlotBox curveArea(const PlotBox& panel, const PlotFrame& frame, double rightRoom_px, const PlotPen& pen) {
@@ -140,7 +146,8 @@ void addFrame(draw::Picture& picture, const PlotBox& panel, const PlotBox& area,
   addTicksX(picture, panel, area, frame.x, pen);
   addTicksY(picture, area, frame.y, pen);
   const double left = panel.left + kEdge * em, room = panel.width() - 2 * kEdge * em;
-  addLabel(picture, frame.y.label, left, labelRow(area, pen), Align::kLeft, room, em, pen.colors.ink);
+  addLabel(picture, frame.y.label, labelLeft(area, frame, pen), labelRow(area, pen), Align::kLeft,
+           panel.right - labelLeft(area, frame, pen), em, pen.colors.ink);
   addLabel(picture, frame.x.label, area.right, area.bottom + kLabelRow * em, Align::kRight, area.right - left, em,
            pen.colors.ink);
   if (!frame.title.empty())

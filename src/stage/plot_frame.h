@@ -55,7 +55,8 @@ PlotFrame fitted(const PlotFrame& frame, const PlotBox& area, const PlotPen& pen
 void addFrame(draw::Picture& picture, const PlotBox& panel, const PlotBox& area, const PlotFrame& frame,
               const PlotPen& pen);
 
-/// Baseline of the y axis's label, px.
+/// Where the y axis's label begins, over the axis's own labels, and its baseline; px.
+double labelLeft(const PlotBox& area, const PlotFrame& frame, const PlotPen& pen);
 double labelRow(const PlotBox& area, const PlotPen& pen);
 
 }  // namespace poinsot::stage

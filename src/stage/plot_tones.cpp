@@ -7,8 +7,8 @@
 namespace poinsot::stage {
 namespace {
 
-// Towards ink and towards paper; in linear light. Farther, the hue would be lost.
-constexpr float kDarkest = 0.62f, kLightest = 0.45f;
+// Towards ink and towards paper, in linear light: farther, the hue or the type's contrast would be lost.
+constexpr float kDarkest = 0.75f, kLightest = 0.16f;
 
 /// `place` from 0, the darkest, to 1.
 draw::Color tone(const Palette& colors, const draw::Color& color, float place) {
