@@ -10,14 +10,15 @@
 namespace poinsot::stage {
 namespace {
 
-// Type in a small panel shrinks less than the panel, so that it stays legible from afar: by 16 % in half a width.
-constexpr double kTypeShrinks = 0.25;
+// Type in a small panel shrinks less than the panel, so that it stays legible from afar: this power of its share
+// of the picture. In half a picture to 87 %, in a quarter to 76 %.
+constexpr double kTypeShrinks = 0.2;
 // Bodies of panels that could differ more than this in size are not drawn alike: the smaller would look lost.
 constexpr double kMostUnlike = 1.6;
 
 double typeHeight(glm::ivec2 panel_px, glm::ivec2 picture_px) {
-  const double whole = referenceHeight(picture_px), own = referenceHeight(panel_px);
-  return whole * std::pow(own / whole, kTypeShrinks);
+  const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); };
+  return referenceHeight(picture_px) * std::pow(area(panel_px) / area(picture_px), kTypeShrinks);
 }
 
 scene::Scene viewOf(const scene::Scene& scene, const scene::View& view) {
