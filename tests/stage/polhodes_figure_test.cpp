@@ -44,11 +44,11 @@ TEST(PolhodesFigure, EveryCurveIsOnTheEnergyEllipsoid) {
     parting += curve.separatrix;
     for (const Vector3d& p : curve.points_P) {
       const Vector3d omega = p / s.scales.ellipsoid, m = kI.cwiseProduct(omega);
-      EXPECT_NEAR(omega.dot(m) / twoT(), 1, 1e-13);  // measured 2e-15
+      EXPECT_NEAR(omega.dot(m) / twoT(), 1, 1e-13);  // measured 1.1e-15
       // L² = 2 T I2 on the separatrix alone.
       const double excess = m.squaredNorm() / (twoT() * kI[1]) - 1;
       if (curve.separatrix) {
-        EXPECT_NEAR(excess, 0, 1e-13);  // measured 2e-15
+        EXPECT_NEAR(excess, 0, 1e-13);  // measured 4e-16
       } else {
         EXPECT_GT(std::abs(excess), 1e-3);
       }
@@ -61,7 +61,7 @@ TEST(BinetFigure, TheTipOfLIsOnBothSurfacesAndOnTheCurve) {
   const Scenery s;
   const BinetFigure figure(s.setting);
   const auto onSurfaces = [&](const Vector3d& p_P) {
-    EXPECT_NEAR(p_P.norm(), figure.sphereRadius(), 1e-13);                 // measured 9e-16
+    EXPECT_NEAR(p_P.norm(), figure.sphereRadius(), 1e-13);                 // measured 7e-16
     EXPECT_NEAR(p_P.cwiseQuotient(figure.semiAxes_P()).norm(), 1, 1e-13);  // measured 7e-16
   };
   for (const Vector3d& p_P : figure.polhode_P()) onSurfaces(p_P);
@@ -90,7 +90,7 @@ TEST(ComponentsFigure, TheirSumIsOmegaAndEachIsAlongItsAxis) {
     for (const double t : {0.0, 2.3, 7.0}) {
       const PictureState state = s.motion.at(t);
       const Eigen::Matrix3d parts = figure.components_V(state);
-      EXPECT_LT((parts.rowwise().sum() - s.scales.omega * state.omega_V).norm(), 1e-14);  // measured 5e-16
+      EXPECT_LT((parts.rowwise().sum() - s.scales.omega * state.omega_V).norm(), 1e-14);  // measured 4e-16
       for (int i = 0; i < 3; ++i) EXPECT_LT(parts.col(i).cross(state.R_VP.col(i)).norm(), 1e-15);
     }
   }
