@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "physics/transcendental.h"
 
@@ -25,6 +26,9 @@ constexpr std::size_t kMaxOrder = 40;
 // Of |omega| h. The series converges up to pi/2 over the rate at which n moves, and no body's n moves faster than
 // 2 |omega|: terms fall at least like 0.32^n.
 constexpr double kLongestStep = 0.25;
+// A step this long is only ever tried, and found too long, after a torque that is far too strong for it: not worth
+// following.
+constexpr double kMostParts = 1e4;
 // Of the first term: what is left out is below the rounding of the change.
 constexpr double kNegligible = 0x1p-56;
 
@@ -148,6 +152,7 @@ void FreeFlow::apply(DrivenState& state, double h) const {
   const double turned = norm({m[0] / I_[0], m[1] / I_[1], m[2] / I_[2]}) * std::abs(h);
   if (turned <= kLongestStep) return state.turn(turnOver(m, h));
   const double parts = std::ceil(turned / kLongestStep);
+  if (!(parts <= kMostParts)) return state.turn({{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0}});
   for (double i = 0; i < parts; ++i) state.turn(turnOver(state.momentum_P(), h / parts));
 }
 

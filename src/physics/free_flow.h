@@ -16,6 +16,7 @@ class FreeFlow {
   explicit FreeFlow(const PrincipalMoments& moments) : I_{moments[0], moments[1], moments[2]} {}
 
   /// Turns the attitude by the free rotation over h_s seconds (either sign); the angular momentum in space stays.
+  /// More than 2500 rad make it not a number: a driven motion takes steps of a radian.
   void apply(DrivenState& state, double h_s) const;
 
  private:
