@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstring>
 #include <fstream>
@@ -91,7 +92,8 @@ class Writer {
 constexpr int kFilter = PNG_FILTER_NONE;
 constexpr int kLevel = 4;
 
-bool drawPicture(png_structp png, png_infop info, const Image& picture, png_textp texts, int textCount) {
+bool drawPicture(png_structp png, png_infop info, const Image& picture, png_textp texts, int textCount,
+                 png_uint_32 pixelsPerMetre) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   const auto width = static_cast<png_uint_32>(picture.size.width),
              height = static_cast<png_uint_32>(picture.size.height);
@@ -99,6 +101,7 @@ bool drawPicture(png_structp png, png_infop info, const Image& picture, png_text
   png_set_IHDR(png, info, width, height, 8, type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
                PNG_FILTER_TYPE_BASE);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (pixelsPerMetre > 0) png_set_pHYs(png, info, pixelsPerMetre, pixelsPerMetre, PNG_RESOLUTION_METER);
   png_set_text(png, info, texts, textCount);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilter);
   png_set_compression_level(png, kLevel);
@@ -236,15 +239,18 @@ bool startsWith(std::span<const std::uint8_t> bytes, std::string_view text) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encodePng(const Image& picture, const std::vector<PngText>& texts) {
+std::vector<std::uint8_t> encodePng(const Image& picture, const std::vector<PngText>& texts, double dpi) {
   POINSOT_EXPECT(picture.pixels.size() == picture.rowBytes() * static_cast<std::size_t>(picture.size.height));
   std::vector<PngText> all = {{"Software", fmt::format("poinsot {}", core::version())}};
   all.insert(all.end(), texts.begin(), texts.end());
   std::vector<png_text> chunks;
   for (PngText& text : all) chunks.push_back(textChunk(text));
 
+  constexpr double kInch_m = 0.0254;
+  const auto pixelsPerMetre = static_cast<png_uint_32>(std::lround(dpi / kInch_m));
   Writer writer;
-  if (!drawPicture(writer.png(), writer.info(), picture, chunks.data(), static_cast<int>(chunks.size())))
+  if (!drawPicture(writer.png(), writer.info(), picture, chunks.data(), static_cast<int>(chunks.size()),
+                   pixelsPerMetre))
     throw Error(ErrorKind::kEncode, fmt::format("writing a PNG: {}", writer.complaint()));
   return std::move(writer.bytes());
 }

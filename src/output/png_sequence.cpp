@@ -26,8 +26,8 @@ void createFolder(const std::filesystem::path& folder) {
 }  // namespace
 
 void writePng(const std::filesystem::path& target, const image::Image& picture,
-              const std::vector<image::PngText>& texts) {
-  writeFileAtomically(target, image::encodePng(picture, texts));
+              const std::vector<image::PngText>& texts, double dpi) {
+  writeFileAtomically(target, image::encodePng(picture, texts, dpi));
 }
 
 PngSequence::PngSequence(FramePattern pattern, std::vector<image::PngText> texts)

@@ -10,9 +10,9 @@
 
 namespace poinsot::output {
 
-/// One picture, atomic and durable. @throws core::Error(kIo).
+/// One picture, atomic and durable; `dpi` as in encodePng. @throws core::Error(kIo).
 void writePng(const std::filesystem::path& target, const image::Image& picture,
-              const std::vector<image::PngText>& texts = {});
+              const std::vector<image::PngText>& texts = {}, double dpi = 0);
 
 /// Frames as numbered PNG files, each appearing under its name only when complete.
 /// Frames already written stay if the sink is destroyed without finish(): each is whole, and a resumed run keeps

@@ -18,6 +18,7 @@ struct PlacedGlyph {
   double x_em = 0;
   double y_em = 0;
   double scale = 1;
+  std::u32string plain;  ///< what it stands for, without alphabet: "ω", "fi"; what a reader copies from a figure
 };
 
 /// A filled rectangle (bar of a fraction or of a root); (x, y) is its lower left corner.

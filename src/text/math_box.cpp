@@ -30,6 +30,12 @@ std::u32string withLigatures(std::u32string_view text) {
   return result;
 }
 
+// The letters that a character of shaped text was typed as.
+std::u32string typedAs(char32_t character) {
+  const auto* found = std::ranges::find(kLigatures, character, &Ligature::character);
+  return found == std::end(kLigatures) ? std::u32string(1, character) : std::u32string(found->letters);
+}
+
 std::u32string inBold(std::u32string_view text) {
   std::u32string bold;
   for (const char32_t c : text) bold += inAlphabet(c, Alphabet::kBold);
@@ -41,10 +47,10 @@ void growTo(Box& box, double top, double bottom) {
   box.depth = std::max(box.depth, -bottom);
 }
 
-void addGlyph(Box& box, GlyphId id, double x, double y, double scale) {
-  const GlyphMetrics ink = Font::mathematics().metrics(id);
-  box.glyphs.push_back({id, x, y, scale});
-  growTo(box, y + scale * ink.top, y + scale * ink.bottom);
+void addGlyph(Box& box, const PlacedGlyph& glyph) {
+  const GlyphMetrics ink = Font::mathematics().metrics(glyph.id);
+  box.glyphs.push_back(glyph);
+  growTo(box, glyph.y_em + glyph.scale * ink.top, glyph.y_em + glyph.scale * ink.bottom);
 }
 
 }  // namespace
@@ -63,7 +69,7 @@ Box glyphBox(char32_t character, char32_t plain, const MathStyle& style) {
   const double scale = scaleOf(style.level);
 
   Box box;
-  addGlyph(box, id, 0, 0, scale);
+  addGlyph(box, {id, 0, 0, scale, {plain}});
   // Roman letters carry a correction too, which belongs to their use as accented or scripted bases, not to words.
   box.italic = leans(plain, style.alphabet) ? scale * metrics.italicCorrection : 0;
   box.width = scale * metrics.advance + box.italic;
@@ -84,7 +90,7 @@ Box textBox(std::u32string_view text, bool bold, int level) {
     const ShapedGlyph& g = glyphs[i];
     if (i > 0 && g.index > glyphs[i - 1].index)
       kerned += kerning_em(letters[glyphs[i - 1].index], letters[g.index]);
-    addGlyph(box, g.id, scale * (g.x_em + kerned), scale * g.y_em, scale);
+    addGlyph(box, {g.id, scale * (g.x_em + kerned), scale * g.y_em, scale, typedAs(letters[g.index])});
     box.width += scale * g.advance_em;
   }
   box.width += scale * kerned;
@@ -101,7 +107,7 @@ Box spaceBox(double width_em, int level) {
 }
 
 void place(Box& box, const Box& part, double x, double y) {
-  for (const PlacedGlyph& g : part.glyphs) box.glyphs.push_back({g.id, x + g.x_em, y + g.y_em, g.scale});
+  for (const PlacedGlyph& g : part.glyphs) box.glyphs.push_back({g.id, x + g.x_em, y + g.y_em, g.scale, g.plain});
   for (const Rule& r : part.rules) box.rules.push_back({x + r.x_em, y + r.y_em, r.width_em, r.height_em});
   growTo(box, y + part.height, y - part.depth);
 }

@@ -171,7 +171,7 @@ std::optional<Box> squareRoot(const Box& content, const MathStyle& style) {
     const double top = content.height + scale * c.radicalVerticalGap + spare / 2 + rule;
     const double y = top - scale * sign.top;
     Box box;
-    box.glyphs.push_back({form, 0, y, scale});
+    box.glyphs.push_back({form, 0, y, scale, U"√"});
     box.depth = std::max(0.0, -(y + scale * sign.bottom));
     box.height = top;
     // The bar starts where the sign's ink ends: overlapping edges would be darker than the rest of the bar.

@@ -259,6 +259,13 @@ TEST_F(PngFile, KnowsItsOwn) {
     EXPECT_FALSE(isOwnPng(save("cut.png", Bytes(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(n)))));
 }
 
+// 600 dpi are 600 / 0.0254 = 23622.05 pixels a metre: 0x5c46, in both directions, unit 1 (PNG 1.2, 4.2.4.2).
+TEST(Png, SaysHowManyPixelsMakeAnInch) {
+  const std::string chunk("\0\0\0\x09pHYs\0\0\x5c\x46\0\0\x5c\x46\x01", 17);
+  EXPECT_TRUE(contains(encodePng(noise({3, 3}, 3), {}, 600), chunk));
+  EXPECT_FALSE(contains(encodePng(noise({3, 3}, 3)), "pHYs"));
+}
+
 TEST(Png, SaysItsVersion) { EXPECT_THAT(libpngVersion(), ::testing::StartsWith("1.6.")); }
 
 }  // namespace

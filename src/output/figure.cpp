@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+#include "core/version.h"
+#include "output/atomic_file.h"
+#include "output/figure_parts.h"
+#include "output/figure_writers.h"
+#include "output/png_sequence.h"
+
+namespace poinsot::output {
+namespace {
+
+constexpr double kInch_mm = 25.4;
+
+// LaTeX reads these in a file's name as something else.
+void requireNameForLatex(const std::string& name) {
+  if (name.find_first_of("%#$&{}\\^~\"") == std::string::npos) return;
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("{}: LaTeX cannot load a picture whose name has one of % # $ & {{ }} \\ ^ ~ \"",
+                                core::printable(name)));
+}
+
+void write(const std::filesystem::path& target, std::string_view text) {
+  writeFileAtomically(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+// The image first: a .tex that is there can be set.
+void writeTikz(const std::filesystem::path& target, const Figure& figure) {
+  const std::filesystem::path imageFile = std::filesystem::path(target).replace_extension(".png");
+  requireNameForLatex(imageFile.filename().string());
+  const std::string tikz = tikzOf(figure, imageFile.filename().string());
+  std::vector<image::PngText> texts;
+  if (!figure.options.title.empty()) texts.push_back({"Title", figure.options.title});
+  if (!figure.options.description.empty()) texts.push_back({"Description", figure.options.description});
+  writePng(imageFile, figure.imagePart, texts, figure.dpi());
+  write(target, tikz);
+}
+
+}  // namespace
+
+std::optional<FigureMedium> figureMedium(const std::filesystem::path& target) {
+  const std::string extension = target.extension().string();
+  if (extension == ".pdf") return FigureMedium::kPdf;
+  if (extension == ".svg") return FigureMedium::kSvg;
+  if (extension == ".tex") return FigureMedium::kTikz;
+  return std::nullopt;
+}
+
+int pixelsAcross(double width_mm, double dpi) {
+  return std::max(1, static_cast<int>(std::lround(width_mm / kInch_mm * dpi)));
+}
+
+draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium) {
+  return medium == FigureMedium::kTikz ? withoutTexts(picture) : surfacesOf(picture);
+}
+
+void writeFigure(const std::filesystem::path& target, const draw::Picture& picture, const image::Image& imagePart,
+                 const FigureOptions& options) {
+  const auto medium = figureMedium(target);
+  POINSOT_EXPECT(medium.has_value());
+  POINSOT_EXPECT(imagePart.size.width == picture.size_px.x && imagePart.size.height == picture.size_px.y);
+  if (!(options.width_mm > 0 && std::isfinite(options.width_mm)))
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("a figure's width must be more than 0 mm, got {} mm", options.width_mm));
+  const Figure figure{picture, imagePart, options};
+  switch (*medium) {
+    case FigureMedium::kPdf:
+      return writeFileAtomically(target, pdfOf(figure));
+    case FigureMedium::kSvg:
+      return write(target, svgOf(figure));
+    case FigureMedium::kTikz:
+      return writeTikz(target, figure);
+  }
+}
+
+std::vector<glm::dvec2> labelAnchors(const draw::Picture& picture, FigureMedium medium,
+                                     const FigureOptions& options) {
+  const double scale = options.width_mm / kInch_mm * 72 / picture.size_px.x;
+  std::vector<glm::dvec2> anchors;
+  for (const draw::Text& label : labelsOf(picture)) {
+    const glm::dvec2 p_px = label.baseline_px;
+    const glm::dvec2 up{p_px.x, static_cast<double>(picture.size_px.y) - p_px.y};
+    anchors.push_back(medium == FigureMedium::kSvg ? p_px : scale * up);
+  }
+  return anchors;
+}
+
+double Figure::pointsPerPixel() const { return options.width_mm / kInch_mm * 72 / picture.size_px.x; }
+
+std::string creator() { return fmt::format("poinsot {}", core::version()); }
+
+}  // namespace poinsot::output

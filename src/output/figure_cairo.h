@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "text/glyph_run.h"
+
+struct _cairo;
+struct _cairo_font_face;
+
+namespace poinsot::output {
+
+/// The embedded mathematics font as cairo has it, of the thread that asks.
+std::shared_ptr<_cairo_font_face> cairoFont();
+
+/// Sets font and size on a cairo context: unhinted, unrounded.
+void useFont(_cairo* context, _cairo_font_face* font, double size);
+
+/// A glyph's outline as SVG path data, 1000 units to the em, y down; empty for a space.
+std::string svgPathOf(text::GlyphId id);
+
+}  // namespace poinsot::output

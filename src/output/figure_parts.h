@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "draw/picture.h"
+#include "draw/visibility_lines.h"
+
+namespace poinsot::output {
+
+/// The picture without flat curves, areas, strokes and texts: what only an image can hold.
+draw::Picture surfacesOf(const draw::Picture& picture);
+
+/// The picture without its texts, those of panels included.
+draw::Picture withoutTexts(const draw::Picture& picture);
+
+/// The flat curves of one panel, to be painted in order over its surfaces and cut off at its edges.
+struct PanelCurves {
+  glm::ivec2 origin_px{0};
+  glm::ivec2 size_px{0};
+  std::vector<draw::SeenLine> lines;  ///< from the panel's corner
+};
+std::vector<PanelCurves> curvesOf(const draw::Picture& picture);
+
+/// All texts in the order they are painted, placed from the picture's corner.
+std::vector<draw::Text> labelsOf(const draw::Picture& picture);
+
+}  // namespace poinsot::output

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "output/figure_cairo.h"
+#include "output/figure_ink.h"
+#include "output/figure_parts.h"
+#include "output/figure_writers.h"
+#include "text/math_setter.h"
+#include "text/plain_text.h"
+
+namespace poinsot::output {
+namespace {
+
+using SurfacePtr = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using ContextPtr = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  throw core::Error(core::ErrorKind::kEncode, fmt::format("writing a PDF: {}", cairo_status_to_string(status)));
+}
+
+cairo_status_t append(void* to, const unsigned char* data, unsigned size) noexcept try {
+  auto* bytes = static_cast<Bytes*>(to);
+  bytes->insert(bytes->end(), data, data + size);
+  return CAIRO_STATUS_SUCCESS;
+} catch (const std::bad_alloc&) {
+  return CAIRO_STATUS_NO_MEMORY;
+}
+
+/// Pixels as cairo keeps them: one native 32-bit number each, alpha multiplied in and on top.
+class CairoImage {
+ public:
+  explicit CairoImage(const image::Image& image)
+      : surface_(cairo_image_surface_create(image.channels == 4 ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+                                            image.size.width, image.size.height),
+                 &cairo_surface_destroy) {
+    check(cairo_surface_status(surface_.get()));
+    unsigned char* rows = cairo_image_surface_get_data(surface_.get());
+    const int stride = cairo_image_surface_get_stride(surface_.get());
+    for (int y = 0; y < image.size.height; ++y)
+      for (int x = 0; x < image.size.width; ++x) {
+        const std::uint32_t pixel = packed(image.at(x, y), image.channels);
+        std::memcpy(rows + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, &pixel, sizeof(pixel));
+      }
+    cairo_surface_mark_dirty(surface_.get());
+  }
+
+  cairo_surface_t* surface() const { return surface_.get(); }
+
+ private:
+  static std::uint32_t packed(const std::uint8_t* p, int channels) {
+    const std::uint32_t alpha = channels == 4 ? p[3] : 255;
+    const auto times = [&](std::uint32_t c) { return (c * alpha + 127) / 255; };
+    return alpha << 24 | times(p[0]) << 16 | times(p[1]) << 8 | times(p[2]);
+  }
+
+  SurfacePtr surface_;
+};
+
+/// Paints a picture on a page; the unit of its context is the picture's pixel.
+class Page {
+ public:
+  Page(cairo_t* context, const draw::Color& paper) : context_(context), paper_(paper), font_(cairoFont()) {}
+
+  void paint(const image::Image& image) {
+    const CairoImage pixels(image);
+    cairo_set_source_surface(context_, pixels.surface(), 0, 0);
+    cairo_paint(context_);
+  }
+
+  void paint(const PanelCurves& panel) {
+    cairo_save(context_);
+    cairo_rectangle(context_, panel.origin_px.x, panel.origin_px.y, panel.size_px.x, panel.size_px.y);
+    cairo_clip(context_);
+    cairo_translate(context_, panel.origin_px.x, panel.origin_px.y);
+    cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(context_, CAIRO_LINE_CAP_BUTT);
+    for (const draw::SeenLine& line : panel.lines) {
+      use(inkOver(paper_, line.color, 1));
+      outline(line.points_px, line.closed);
+      cairo_set_line_width(context_, line.width_px);
+      cairo_stroke(context_);
+    }
+    cairo_restore(context_);
+  }
+
+  void paint(const draw::Area& area) {
+    use(inkOver(paper_, area.color, area.opacity));
+    outline(area.points_px, true);
+    cairo_fill(context_);
+  }
+
+  void paint(const draw::Stroke& stroke) {
+    if (stroke.width_px <= 0 || stroke.points_px.empty()) return;
+    use(inkOver(paper_, stroke.color, stroke.opacity));
+    outline(stroke.points_px, stroke.closed);
+    const double dash = static_cast<double>(stroke.dash_px);
+    cairo_set_dash(context_, &dash, stroke.dash_px > stroke.width_px ? 1 : 0, 0);
+    strokeRound(static_cast<double>(stroke.width_px));
+    cairo_set_dash(context_, nullptr, 0, 0);
+  }
+
+  void paint(const draw::Text& text) {
+    const text::GlyphRun run = text::setTex(text.tex);
+    if (text.halo && text.halo_px > 0) paintHalo(text, run);
+    use(inkOver(paper_, text.color, text.opacity));
+    for (auto begin = run.glyphs.begin(); begin != run.glyphs.end();) {
+      const double scale = begin->scale;
+      const auto end = std::find_if(begin, run.glyphs.end(), [&](const auto& g) { return g.scale != scale; });
+      show({begin, end}, text);
+      begin = end;
+    }
+    addRules(text, run);
+    cairo_fill(context_);
+  }
+
+ private:
+  void use(const Ink& ink) { cairo_set_source_rgba(context_, ink.srgb.r, ink.srgb.g, ink.srgb.b, ink.alpha); }
+
+  template <typename Points>
+  void outline(const Points& points, bool closed) {
+    for (const auto& p : points) cairo_line_to(context_, static_cast<double>(p.x), static_cast<double>(p.y));
+    // A single point has no length; cairo draws its round dot where a line leads back to it.
+    if (points.size() == 1)
+      cairo_line_to(context_, static_cast<double>(points[0].x), static_cast<double>(points[0].y));
+    if (closed) cairo_close_path(context_);
+  }
+
+  void strokeRound(double width) {
+    cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(context_, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_width(context_, width);
+    cairo_stroke(context_);
+  }
+
+  static cairo_glyph_t placed(const text::PlacedGlyph& glyph, const draw::Text& text) {
+    const double size = static_cast<double>(text.size_px);
+    return {glyph.id, static_cast<double>(text.baseline_px.x) + size * glyph.x_em,
+            static_cast<double>(text.baseline_px.y) - size * glyph.y_em};
+  }
+
+  // Glyphs of one size, each with the characters it stands for.
+  void show(std::span<const text::PlacedGlyph> run, const draw::Text& text) {
+    std::vector<cairo_glyph_t> glyphs;
+    std::vector<cairo_text_cluster_t> clusters;
+    std::string plain;
+    for (const text::PlacedGlyph& glyph : run) {
+      const std::string meaning = text::toUtf8(glyph.plain);
+      glyphs.push_back(placed(glyph, text));
+      clusters.push_back({static_cast<int>(meaning.size()), 1});
+      plain += meaning;
+    }
+    useFont(context_, font_.get(), static_cast<double>(text.size_px) * run.front().scale);
+    cairo_show_text_glyphs(context_, plain.data(), static_cast<int>(plain.size()), glyphs.data(),
+                           static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
+                           cairo_text_cluster_flags_t{});
+  }
+
+  void addRules(const draw::Text& text, const text::GlyphRun& run) {
+    const double size = static_cast<double>(text.size_px);
+    for (const text::Rule& rule : run.rules)
+      cairo_rectangle(context_, static_cast<double>(text.baseline_px.x) + size * rule.x_em,
+                      static_cast<double>(text.baseline_px.y) - size * (rule.y_em + rule.height_em),
+                      size * rule.width_em, size * rule.height_em);
+  }
+
+  void paintHalo(const draw::Text& text, const text::GlyphRun& run) {
+    for (const text::PlacedGlyph& glyph : run.glyphs) {
+      useFont(context_, font_.get(), static_cast<double>(text.size_px) * glyph.scale);
+      const cairo_glyph_t at = placed(glyph, text);
+      cairo_glyph_path(context_, &at, 1);
+    }
+    addRules(text, run);
+    use(inkOver(paper_, *text.halo, text.opacity));
+    strokeRound(2 * static_cast<double>(text.halo_px));
+  }
+
+  cairo_t* context_;
+  draw::Color paper_;
+  std::shared_ptr<cairo_font_face_t> font_;
+};
+
+/// The date that a build of fixed content asks for, as cairo wants it; empty where none does.
+/// Source: reproducible-builds.org, SOURCE_DATE_EPOCH: seconds since 1970, UTC.
+std::string askedDate() {
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  if (epoch == nullptr || *epoch == 0) return "";
+  char* end = nullptr;
+  const std::time_t seconds = std::strtoll(epoch, &end, 10);
+  std::tm utc{};
+  if (*end != 0 || gmtime_r(&seconds, &utc) == nullptr)
+    throw core::Error(
+        core::ErrorKind::kUsage,
+        fmt::format("SOURCE_DATE_EPOCH must be seconds since 1970, got '{}'", core::printable(epoch)));
+  char text[40] = "";
+  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// cairo dates a PDF by the clock when no date is set, and none cannot be set: the entry is overwritten with
+/// blanks, which keeps every offset of the file.
+void eraseDate(Bytes& pdf) {
+  constexpr std::string_view kEntry = "/CreationDate (D:";  // in a title the bracket would be escaped
+  const auto found = std::ranges::search(pdf, kEntry);
+  const auto end = std::find(found.end(), pdf.end(), ')');
+  if (!found.empty() && end != pdf.end()) std::fill(found.begin(), end + 1, ' ');
+}
+
+void setMetadata(cairo_surface_t* surface, const FigureOptions& options) {
+  const auto set = [&](cairo_pdf_metadata_t which, const std::string& value) {
+    if (!value.empty()) cairo_pdf_surface_set_metadata(surface, which, value.c_str());
+  };
+  set(CAIRO_PDF_METADATA_TITLE, options.title);
+  set(CAIRO_PDF_METADATA_SUBJECT, options.description);
+  set(CAIRO_PDF_METADATA_CREATOR, creator());
+  set(CAIRO_PDF_METADATA_CREATE_DATE, askedDate());
+}
+
+}  // namespace
+
+Bytes pdfOf(const Figure& figure) {
+  const double scale = figure.pointsPerPixel();
+  Bytes bytes;
+  const SurfacePtr surface(cairo_pdf_surface_create_for_stream(append, &bytes, scale * figure.picture.size_px.x,
+                                                               scale * figure.picture.size_px.y),
+                           &cairo_surface_destroy);
+  check(cairo_surface_status(surface.get()));
+  setMetadata(surface.get(), figure.options);
+  const ContextPtr context(cairo_create(surface.get()), &cairo_destroy);
+  cairo_scale(context.get(), scale, scale);
+
+  Page page(context.get(), figure.picture.background);
+  page.paint(figure.imagePart);
+  for (const PanelCurves& panel : curvesOf(figure.picture)) page.paint(panel);
+  for (const draw::Area& area : figure.picture.areas) page.paint(area);
+  for (const draw::Stroke& stroke : figure.picture.strokes) page.paint(stroke);
+  for (const draw::Text& label : labelsOf(figure.picture)) page.paint(label);
+  check(cairo_status(context.get()));
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()));
+  if (askedDate().empty()) eraseDate(bytes);
+  return bytes;
+}
+
+}  // namespace poinsot::output

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/figure.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <regex>
+#include <sstream>
+
+#include "core/error.h"
+#include "image/flip.h"
+#include "output/figure_parts.h"
+#include "output/figure_testing.h"
+
+namespace poinsot::output {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+double flipBetween(const image::Image& a, const image::Image& b) { return image::flip(a, b).mean(); }
+
+image::Image withoutAlpha(const image::Image& picture) {
+  if (picture.channels == 3) return picture;
+  image::Image rgb(picture.size, 3);
+  for (int y = 0; y < picture.size.height; ++y)
+    for (int x = 0; x < picture.size.width; ++x) std::memcpy(rgb.at(x, y), picture.at(x, y), 3);
+  return rgb;
+}
+
+/// Areas, dashes, half-transparent lines and a formula on plain paper.
+draw::Picture plot() {
+  draw::Picture picture;
+  picture.size_px = {600, 400};
+  picture.areas.push_back({{{40, 40}, {560, 40}, {560, 340}}, {0.1f, 0.2f, 0.6f}, 0.2f});
+  for (int i = 0; i < 4; ++i) {
+    draw::Stroke wave;
+    for (int k = 0; k <= 260; ++k) {
+      const float x = 40 + 2 * static_cast<float>(k);
+      wave.points_px.emplace_back(x, 190 + 100 * std::sin(0.02f * x + static_cast<float>(i)));
+    }
+    wave.width_px = 2 + static_cast<float>(i);
+    wave.dash_px = i % 2 == 0 ? 0.0f : 12.0f;
+    wave.color = {0.6f, 0.02f * static_cast<float>(i), 0.05f};
+    wave.opacity = i < 2 ? 1.0f : 0.4f;
+    picture.strokes.push_back(wave);
+  }
+  draw::Text formula;
+  formula.tex = R"(Precession $\Omega_p = \frac{I_3 \omega_3}{I_1}\sqrt{1 + \hat{k}_2}$)";
+  formula.baseline_px = {60.37f, 375.61f};
+  formula.halo = draw::Color(1);
+  formula.halo_px = 3;
+  picture.texts.push_back(formula);
+  return picture;
+}
+
+// ---- the picture
+// ------------------------------------------------------------------------------------------------
+
+struct Shown {
+  const char* scene;
+  double filmTime_s;
+};
+
+// The bar is a mean FLIP of 0.02. Measured, svg and pdf: 0.0078 and 0.0058, 0.0069 and 0.0061, 0.0035 and 0.0032,
+// 0.0016 and 0.0016; the plot below, all edges, 0.0175 and 0.0181. What remains is that viewers blend soft edges
+// in encoded values, a trace darker.
+const Shown kShown[] = {{"poinsot_rolling", 7}, {"tennis_racket", 5.2}, {"football", 3}, {"explorer_1", 5}};
+
+TEST_F(FigureTest, SvgIsThePngsPicture) {
+  POINSOT_NEEDS("rsvg-convert");
+  for (const Shown& shown : kShown) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const auto figure = written(picture, std::string(shown.scene) + ".svg");
+    const double flip = flipBetween(withoutAlpha(seen(figure, picture)), rendered(picture));
+    EXPECT_LT(flip, 0.02) << shown.scene;
+  }
+}
+
+TEST_F(FigureTest, PdfIsThePngsPicture) {
+  POINSOT_NEEDS("pdftocairo");
+  for (const Shown& shown : kShown) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const auto figure = written(picture, std::string(shown.scene) + ".pdf");
+    const double flip = flipBetween(seen(figure, picture), rendered(picture));
+    EXPECT_LT(flip, 0.02) << shown.scene;
+  }
+}
+
+TEST_F(FigureTest, PlotsAreThePngsPicture) {
+  POINSOT_NEEDS("pdftocairo");
+  POINSOT_NEEDS("rsvg-convert");
+  const draw::Picture picture = plot();
+  const image::Image png = rendered(picture);
+  const double pdf = flipBetween(seen(written(picture, "plot.pdf"), picture), png);
+  const double svg = flipBetween(withoutAlpha(seen(written(picture, "plot.svg"), picture)), png);
+  EXPECT_LT(pdf, 0.02);
+  EXPECT_LT(svg, 0.02);
+}
+
+// ---- text
+// -------------------------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, PdfTextIsFound) {
+  POINSOT_NEEDS("pdftotext");
+  const auto text = spoken("pdftotext '" + written(plot(), "words.pdf").string() + "' -").text;
+  EXPECT_THAT(text, HasSubstr("Precession"));
+  EXPECT_THAT(text, HasSubstr("Ω"));
+  EXPECT_THAT(text, HasSubstr("ω"));
+  EXPECT_THAT(text, HasSubstr("√"));
+  const auto scene =
+      spoken("pdftotext '" + written(sceneAt("poinsot_rolling", 7), "scene.pdf").string() + "' -").text;
+  EXPECT_THAT(scene, HasSubstr("ω"));
+  EXPECT_THAT(scene, HasSubstr("Poinsot’s construction"));
+  EXPECT_THAT(scene, HasSubstr("invariable plane"));
+  EXPECT_THAT(scene, HasSubstr("L"));
+}
+
+TEST_F(FigureTest, PdfFontsAreEmbeddedSubsets) {
+  POINSOT_NEEDS("pdffonts");
+  const std::string fonts = spoken("pdffonts '" + written(plot(), "fonts.pdf").string() + "' | tail -n +3").text;
+  EXPECT_THAT(fonts, HasSubstr("+LatinModernMath-Regular"));
+  // Columns emb, sub, uni of every font say yes.
+  const std::regex line(R"(.*\+LatinModernMath-Regular .* yes yes yes .*)");
+  std::istringstream lines(fonts);
+  for (std::string font; std::getline(lines, font);) EXPECT_TRUE(std::regex_match(font, line)) << font;
+}
+
+TEST_F(FigureTest, SvgTextIsThereToBeSelected) {
+  const std::string svg = content(written(plot(), "words.svg"));
+  EXPECT_THAT(svg, HasSubstr(">Precession Ω_p = I₃ω₃/I₁ √(1 + k̂₂)</text>"));
+  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0\""));
+  EXPECT_THAT(svg, Not(HasSubstr("@font-face")));
+}
+
+// ---- where the labels are
+// -----------------------------------------------------------------------------------------
+
+/// How much darkness there is, and its centre.
+struct Ink {
+  double mass = 0, x = 0, y = 0;
+};
+
+// Where ink covers a pixel in part, the renderer mixes light and a viewer encoded values.
+Ink inkOf(const image::Image& picture, bool mixedAsLight) {
+  Ink ink;
+  for (int y = 0; y < picture.size.height; ++y)
+    for (int x = 0; x < picture.size.width; ++x) {
+      const std::uint8_t value = *picture.at(x, y);
+      const double dark = 1 - (mixedAsLight ? static_cast<double>(draw::linearFromSrgb8(value)) : value / 255.0);
+      ink.mass += dark;
+      ink.x += dark * (x + 0.5);
+      ink.y += dark * (y + 0.5);
+    }
+  ink.x /= ink.mass;
+  ink.y /= ink.mass;
+  return ink;
+}
+
+draw::Picture oneLabel(const std::string& tex, glm::vec2 baseline_px) {
+  draw::Picture picture;
+  picture.size_px = {600, 400};
+  draw::Text label;
+  label.tex = tex;
+  label.baseline_px = baseline_px;
+  picture.texts.push_back(label);
+  return picture;
+}
+
+// The centre of the ink moves with the anchor. Measured: pdf 0.058 px, svg 0.010 px at most. Looked at 8 times as
+// large: viewers put glyphs on whole pixels.
+TEST_F(FigureTest, LabelsAreWhereThePngHasThem) {
+  POINSOT_NEEDS("pdftocairo");
+  POINSOT_NEEDS("rsvg-convert");
+  constexpr int kTimes = 8;
+  for (const char* tex :
+       {R"($\boldsymbol{\omega}$)", R"($\hat{\mathbf e}_3$)", "invariable plane", R"($\frac{2T}{L}$)"}) {
+    const draw::Picture picture = oneLabel(tex, {211.37f, 160.81f});
+    const Ink png = inkOf(rendered(picture), true);
+    for (const char* name : {"label.pdf", "label.svg"}) {
+      const Ink ink = inkOf(seen(written(picture, name), picture, kTimes), false);
+      EXPECT_NEAR(ink.x / kTimes, png.x, 0.1) << tex << ' ' << name;
+      EXPECT_NEAR(ink.y / kTimes, png.y, 0.1) << tex << ' ' << name;
+    }
+  }
+}
+
+std::vector<glm::dvec2> pairsIn(const std::string& text, const char* pattern) {
+  const std::regex expression(pattern);
+  std::vector<glm::dvec2> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+    found.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]));
+  return found;
+}
+
+// The numbers in the files, in pixels, against labelsOf: 0.5 px is asked, three decimals of a unit are kept.
+TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
+  const draw::Picture picture = sceneAt("poinsot_rolling", 7);
+  const auto labels = labelsOf(picture);
+  ASSERT_GT(labels.size(), 5u);
+  const auto svg = pairsIn(content(written(picture, "anchors.svg")),
+                           R"re(<g transform="translate\(([\d.-]+) ([\d.-]+)\) scale)re");
+  const auto tikz =
+      pairsIn(content(written(picture, "anchors.tex")), R"re(base west.* at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
+  ASSERT_EQ(svg.size(), labels.size());
+  ASSERT_EQ(tikz.size(), labels.size());
+  const double pixelsPerPoint = kWidth / (kWidth_mm / 25.4 * 72);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const glm::dvec2 wanted = labels[i].baseline_px;
+    EXPECT_LT(glm::distance(svg[i], wanted), 0.001);
+    EXPECT_LT(glm::distance({tikz[i].x * pixelsPerPoint, kHeight - tikz[i].y * pixelsPerPoint}, wanted), 0.004);
+    EXPECT_LT(glm::distance(labelAnchors(picture, FigureMedium::kPdf, {})[i], tikz[i]), 0.001);
+  }
+}
+
+// ---- what the files say of themselves
+// -----------------------------------------------------------------------------
+
+TEST_F(FigureTest, TitleAndDescriptionAreInTheFiles) {
+  FigureOptions options;
+  options.title = "Poinsot & <Euler>";
+  options.description = "An ellipsoid rolls on a plane; ω is its axis.";
+  const std::string svg = content(written(plot(), "said.svg", options));
+  EXPECT_THAT(svg, HasSubstr("<title>Poinsot &amp; &lt;Euler&gt;</title>"));
+  EXPECT_THAT(svg, HasSubstr("<desc>An ellipsoid rolls on a plane; ω is its axis.</desc>"));
+  const std::string tex = content(written(plot(), "said.tex", options));
+  EXPECT_THAT(tex, HasSubstr("% An ellipsoid rolls on a plane; ω is its axis.\n"));
+  POINSOT_NEEDS("pdfinfo");
+  const std::string info = spoken("pdfinfo '" + written(plot(), "said.pdf", options).string() + "'").text;
+  EXPECT_THAT(info, testing::ContainsRegex("Title: +Poinsot & <Euler>\n"));
+  EXPECT_THAT(info, testing::ContainsRegex("Subject: +An ellipsoid rolls on a plane; ω is its axis.\n"));
+  EXPECT_THAT(info, testing::ContainsRegex("Creator: +poinsot "));
+  EXPECT_THAT(info, Not(HasSubstr("CreationDate")));
+  EXPECT_THAT(info, testing::ContainsRegex("Page size: +243.78 x 162.52 pts"));  // 86 mm by two thirds of it
+}
+
+TEST_F(FigureTest, ThePdfIsDatedAsTheEnvironmentAsks) {
+  POINSOT_NEEDS("pdfinfo");
+  ::setenv("SOURCE_DATE_EPOCH", "1000000000", 1);  // 2001-09-09T01:46:40Z
+  const auto file = written(plot(), "dated.pdf");
+  ::setenv("SOURCE_DATE_EPOCH", "soon", 1);
+  EXPECT_THROW(written(plot(), "dated.pdf"), core::Error);
+  ::unsetenv("SOURCE_DATE_EPOCH");
+  EXPECT_THAT(spoken("pdfinfo -isodates '" + file.string() + "'").text,
+              testing::ContainsRegex("CreationDate: +2001-09-09T01:46:40"));
+}
+
+TEST_F(FigureTest, ATransparentFigureHasNoPaper) {
+  POINSOT_NEEDS("rsvg-convert");
+  const auto file = written(plot(), "clear.svg", {}, true);
+  const std::string png = file.string() + ".png";
+  ASSERT_EQ(spoken("rsvg-convert -o '" + png + "' '" + file.string() + "'").status, 0);
+  const image::Image picture = image::readPng(png);
+  ASSERT_EQ(picture.channels, 4);
+  EXPECT_EQ(picture.at(2, 2)[3], 0);
+}
+
+// ---- LaTeX
+// --------------------------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, TikzCompiles) {
+  POINSOT_NEEDS("pdflatex");
+  const auto file = written(sceneAt("poinsot_rolling", 7), "tikz.tex");
+  const auto folder = file.parent_path().string();
+  const Spoken said =
+      spoken("cd '" + folder +
+             "' && pdflatex -interaction=nonstopmode -halt-on-error -jobname tikzdoc "
+             R"('\documentclass{article}\usepackage{tikz,amsmath}\begin{document}\input{tikz}\end{document}')");
+  EXPECT_EQ(said.status, 0) << said.text;
+}
+
+TEST_F(FigureTest, NamesThatLatexCannotLoadAreRefused) {
+  const draw::Picture picture = plot();
+  const image::Image part = rendered(imagePartOf(picture, FigureMedium::kTikz));
+  try {
+    writeFigure("50%.tex", picture, part, {});
+    FAIL() << "no error";
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+    EXPECT_THAT(error.what(), HasSubstr("50%.png: LaTeX cannot load"));
+  }
+  FigureOptions flat;
+  flat.width_mm = 0;
+  EXPECT_THROW(writeFigure("a.pdf", picture, part, flat), core::Error);
+  EXPECT_THROW(writeFigure("a.gif", picture, part, {}), std::logic_error);
+}
+
+// ---- the same bytes
+// ---------------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, TheSamePictureIsTheSameBytes) {
+  const draw::Picture picture = sceneAt("poinsot_rolling", 7);
+  for (const std::string name : {"twice.pdf", "twice.svg", "twice.tex"}) {
+    const std::string first = content(written(picture, name));
+    ::sleep(1);                                                     // a date of the clock would show
+    EXPECT_TRUE(content(written(picture, name)) == first) << name;  // not _EQ: it would print them
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::output
