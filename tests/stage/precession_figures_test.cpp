@@ -92,9 +92,9 @@ TEST(DecompositionFigure, TheParallelogramCloses) {
     for (const double t : kTimes_s) {
       const PictureState state = s.motion.at(t);
       const auto [precession, spin] = figure.parts_V(state);
-      EXPECT_LT((precession + spin - s.scales.omega * state.omega_V).norm(), 1e-14);  // measured 2e-16
+      EXPECT_LT((precession + spin - s.scales.omega * state.omega_V).norm(), 1e-14);  // measured 1.1e-16
       EXPECT_LT((precession - s.scales.omega / I1 * state.L_V).norm(), 1e-13);        // measured 4e-16
-      EXPECT_LT(spin.cross(state.R_VP.col(2)).norm(), 1e-14);                         // measured 2e-16
+      EXPECT_LT(spin.cross(state.R_VP.col(2)).norm(), 1e-14);                         // measured 4e-17
     }
   }
 }
@@ -108,7 +108,7 @@ TEST(ThetaFigure, TheArcEndsOnBothArrows) {
       const std::vector<Vector3d> arc = figure.arc(state);
       ASSERT_FALSE(arc.empty());
       const double radius = arc.front().norm();
-      for (const Vector3d& p : arc) EXPECT_NEAR(p.norm(), radius, 1e-13);  // measured 4e-16
+      for (const Vector3d& p : arc) EXPECT_NEAR(p.norm(), radius, 1e-13);  // measured 3.3e-16
       EXPECT_LT((arc.front() - radius * state.L_V.normalized()).norm(), 1e-14);
       EXPECT_LT((arc.back() - radius * state.R_VP.col(2)).norm(), 1e-14);
       EXPECT_LT(radius, 1.3);
