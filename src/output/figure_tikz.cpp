@@ -15,11 +15,9 @@ constexpr std::string_view kHead =
     R"(% {creator}
 % The picture is {image}; LaTeX sets its labels in the fonts of the document.
 % In the preamble: \usepackage{{tikz}} \usepackage{{amsmath}}. The labels' \boldsymbol is of amsmath; the package bm,
-% loaded after it, sets bold Greek in more fonts. Scalable fonts (\usepackage{{lmodern}}) come in every size.
-% By itself: \documentclass{{standalone}} \usepackage{{tikz,amsmath,lmodern}} \begin{{document}}
-%            \input{{NAME}} \end{{document}}
-% From another folder: \graphicspath{{{{folder/}}}}. To set labels in the size of the text around the figure:
-%   \newcommand*\poinsotsize[1]{{}} before \input.
+% loaded after it, sets bold Greek in more fonts.
+% By itself: \documentclass{{standalone}} \usepackage{{tikz,amsmath}} \begin{{document}} \input{{NAME}} \end{{document}}
+% From another folder: \graphicspath{{{{folder/}}}}. For larger or smaller labels: \newcommand*\poinsotscale{{1.2}}
 )";
 
 /// Each line of a text as a comment.
@@ -43,11 +41,12 @@ std::string colorOf(const Ink& ink) {
 std::string node(const draw::Text& label, const std::string& latex, glm::dvec2 at_bp, const Figure& figure) {
   const Ink ink = inkOver(figure.picture.background, label.color, label.opacity);
   const std::string opacity = ink.alpha < 1 ? fmt::format(", text opacity={:.3f}", ink.alpha) : "";
+  // The font's 10 pt design scaled, as in the picture: small designs are wider, and not every font has all sizes.
+  const double scale = figure.pointsPerPixel() * static_cast<double>(label.size_px) / (10 * 72 / 72.27);
   return fmt::format(
-      "  \\node[anchor=base west, inner sep=0pt, outer sep=0pt, text={}{}] at ({:.3f}bp, {:.3f}bp)\n"
-      "    {{\\poinsotsize{{{:.3f}bp}}{}}};\n",
-      colorOf(ink), opacity, at_bp.x, at_bp.y, figure.pointsPerPixel() * static_cast<double>(label.size_px),
-      latex);
+      "  \\node[anchor=base west, inner sep=0pt, outer sep=0pt, scale={:.4f}*\\poinsotscale, "
+      "font=\\fontsize{{10}}{{12}}\\selectfont,\n    text={}{}] at ({:.3f}bp, {:.3f}bp) {{{}}};\n",
+      scale, colorOf(ink), opacity, at_bp.x, at_bp.y, latex);
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ std::string tikzOf(const Figure& figure, const std::string& imageName) {
   }
   return fmt::format(fmt::runtime(kHead), fmt::arg("creator", creator()), fmt::arg("image", imageName)) +
          comment(figure.options.title) + comment(figure.options.description) +
-         "\\providecommand*\\poinsotsize[1]{\\fontsize{#1}{#1}\\selectfont}%\n" + latexDefinitionsFor(all) +
+         "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
          fmt::format(
              "\\begin{{tikzpicture}}\n"
              "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"

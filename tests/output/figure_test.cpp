@@ -203,8 +203,8 @@ TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
   ASSERT_GT(labels.size(), 5u);
   const auto svg = pairsIn(content(written(picture, "anchors.svg")),
                            R"re(<g transform="translate\(([\d.-]+) ([\d.-]+)\) scale)re");
-  const auto tikz =
-      pairsIn(content(written(picture, "anchors.tex")), R"re(base west.* at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
+  const auto tikz = pairsIn(content(written(picture, "anchors.tex")),
+                            R"re(base west[\s\S]*? at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
   ASSERT_EQ(svg.size(), labels.size());
   ASSERT_EQ(tikz.size(), labels.size());
   const double pixelsPerPoint = kWidth / (kWidth_mm / 25.4 * 72);
