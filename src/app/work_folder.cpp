@@ -33,10 +33,10 @@ bool stillThere(int fd, const std::filesystem::path& folder) {
          opened.st_ino == named.st_ino;
 }
 
-FileHandle openLocked(const std::filesystem::path& folder) {
+core::FileHandle openLocked(const std::filesystem::path& folder) {
   for (;;) {
     if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) failWithErrno(folder);
-    FileHandle handle(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    core::FileHandle handle(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (!handle && errno == ENOENT) continue;
     if (!handle) failWithErrno(folder);
     if (flock(handle.get(), LOCK_EX | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now");

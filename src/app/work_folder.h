@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/file_handle.h"
+#include "core/file_handle.h"
 
 namespace poinsot::app {
 
@@ -24,7 +24,7 @@ class WorkFolder {
   void removeContents() const;
 
   std::filesystem::path path_;
-  FileHandle lock_;
+  core::FileHandle lock_;
 };
 
 }  // namespace poinsot::app

@@ -19,7 +19,7 @@ namespace poinsot::app {
 namespace {
 
 struct Pipe {
-  FileHandle read, write;
+  core::FileHandle read, write;
 };
 
 [[noreturn]] void cannotStart(const char* what) {
@@ -30,7 +30,7 @@ struct Pipe {
 Pipe makePipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) cannotStart("pipe");
-  return {FileHandle(ends[0]), FileHandle(ends[1])};
+  return {core::FileHandle(ends[0]), core::FileHandle(ends[1])};
 }
 
 /// Between fork and exec: only calls that are safe there.

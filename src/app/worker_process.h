@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "app/file_handle.h"
 #include "app/frame_plan.h"
 #include "app/line_channel.h"
 #include "app/worker_protocol.h"
+#include "core/file_handle.h"
 
 namespace poinsot::app {
 
@@ -44,7 +44,7 @@ class WorkerProcess {
 
  private:
   pid_t pid_ = -1;
-  FileHandle jobs_, reports_;
+  core::FileHandle jobs_, reports_;
   LineReader reader_{-1};
   std::optional<FrameRange> segment_;
   bool finished_ = false;

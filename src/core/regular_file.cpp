@@ -6,47 +6,54 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 #include "core/text.h"
 
 namespace poinsot::core {
 namespace {
 
-/// Closes on every way out.
-struct Descriptor {
-  int number;
-  explicit Descriptor(int opened) : number(opened) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
+std::string reasonOfErrno() { return std::generic_category().message(errno); }
 
-const char* whyNotRegular(mode_t mode) { return S_ISDIR(mode) ? "it is a directory" : "it is not a regular file"; }
+void expectRegular(const FileHandle& file, ErrorKind kind) {
+  struct stat status {};
+  if (!file || ::fstat(file.get(), &status) != 0) throw Error(kind, reasonOfErrno());
+  if (S_ISDIR(status.st_mode)) throw Error(kind, "it is a directory");
+  if (!S_ISREG(status.st_mode)) throw Error(kind, "it is not a regular file");
+}
 
 }  // namespace
 
-std::string readRegularFile(const std::filesystem::path& path, std::size_t mostBytes, ErrorKind kind) {
-  const std::string name = printable(path.string());
-  const auto refuse = [&](const char* why) { throw Error(kind, fmt::format("cannot read {}: {}", name, why)); };
-  // O_NONBLOCK: opening a FIFO must not wait for its writer.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.number < 0) refuse(std::strerror(errno));
-  struct stat status {};
-  if (::fstat(file.number, &status) != 0) refuse(std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) refuse(whyNotRegular(status.st_mode));
+FileHandle openForReading(const std::filesystem::path& path) {
+  return FileHandle(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+}
+
+std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind) {
+  expectRegular(file, kind);
   std::string bytes;
   char buffer[1 << 16];
-  while (bytes.size() <= mostBytes) {  // one byte too many is enough to refuse it
-    const ssize_t count = ::read(file.number, buffer, sizeof buffer);
+  while (bytes.size() <= mostBytes) {
+    const std::size_t wanted = std::min(sizeof buffer, mostBytes + 1 - bytes.size());
+    const ssize_t count = ::read(file.get(), buffer, wanted);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse(std::strerror(errno));
-    if (count == 0) return bytes;
+    if (count < 0) throw Error(kind, reasonOfErrno());
+    if (count == 0) break;
     bytes.append(buffer, static_cast<std::size_t>(count));
   }
+  return bytes;
+}
+
+std::string readRegularFile(const std::filesystem::path& path, std::size_t mostBytes, ErrorKind kind) {
+  const std::string name = printable(path.string());
+  std::string bytes;
+  try {
+    bytes = bytesOf(openForReading(path), mostBytes, kind);
+  } catch (const Error& error) {
+    throw Error(kind, fmt::format("cannot read {}: {}", name, error.message()));
+  }
+  if (bytes.size() <= mostBytes) return bytes;
   throw Error(ErrorKind::kLimit,
               fmt::format("{} has more than {} bytes, the most that are read", name, mostBytes));
 }

@@ -6,10 +6,20 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/file_handle.h"
 
+/// Reading whole files that come from anywhere.
 namespace poinsot::core {
 
-/// All bytes of a regular file: no directory, and no pipe or device that might never end.
+/// For reading; does not wait for the writer of a pipe. Empty where it cannot be opened, and errno says why.
+FileHandle openForReading(const std::filesystem::path& path);
+
+/// From where an open regular file stands (no directory, and no pipe or device that might never end) to its end:
+/// at most one byte more than `mostBytes`, which is enough to refuse it.
+/// @throws Error(kind) saying only why. An empty handle is errno's reason.
+std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind);
+
+/// All bytes of a regular file.
 /// @throws Error(kind) "cannot read FILE: why"; Error(kLimit) if it has more than `mostBytes`.
 std::string readRegularFile(const std::filesystem::path& path, std::size_t mostBytes, ErrorKind kind);
 

@@ -21,6 +21,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/regular_file.h"
 #include "core/text.h"
 #include "core/version.h"
 
@@ -209,24 +210,17 @@ std::vector<png_bytep> rowsOf(Image& picture) {
 
 // ---- files
 
-[[noreturn]] void failReading(const std::filesystem::path& path, std::string_view reason) {
-  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason));
+std::string fileBytes(const std::filesystem::path& path) {
+  try {
+    // No PNG within the limits of decodePng is longer than this, so reading less cuts only what is refused anyway.
+    return core::bytesOf(core::openForReading(path), kLargestPngBytes * 2, ErrorKind::kIo);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), error.message()));
+  }
 }
 
-/// At most `limit` bytes from the start of a regular file.
-std::vector<std::uint8_t> readBytes(const std::filesystem::path& path, std::uint64_t limit) {
-  std::error_code failure;
-  const auto status = std::filesystem::status(path, failure);
-  if (failure) failReading(path, failure.message());
-  if (!std::filesystem::is_regular_file(status)) failReading(path, "not a regular file");
-  const auto size = std::filesystem::file_size(path, failure);
-  if (failure) failReading(path, failure.message());
-  std::ifstream file(path, std::ios::binary);
-  if (!file) failReading(path, std::strerror(errno));
-  std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(size, limit));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (file.gcount() != static_cast<std::streamsize>(bytes.size())) failReading(path, "cannot be read to its end");
-  return bytes;
+std::span<const std::uint8_t> asBytes(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 std::uint32_t bigEndian32(std::span<const std::uint8_t> b) {
@@ -272,14 +266,12 @@ Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name) {
   return picture;
 }
 
-Image readPng(const std::filesystem::path& path) {
-  // No PNG within the limits of decodePng is longer than this, so reading less cuts only what is refused anyway.
-  return decodePng(readBytes(path, kLargestPngBytes * 2), path.native());
-}
+Image readPng(const std::filesystem::path& path) { return decodePng(asBytes(fileBytes(path)), path.native()); }
 
 bool isOwnPng(const std::filesystem::path& path) try {
   constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes
-  const auto bytes = readBytes(path, kHead);
+  const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
+  const auto bytes = asBytes(head);
   if (!std::equal(kSignature.begin(), kSignature.end(), bytes.begin(),
                   bytes.begin() + std::min(bytes.size(), kSignature.size())))
     return false;

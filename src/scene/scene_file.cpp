@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <deque>
 #include <functional>
 #include <set>
 
+#include "core/regular_file.h"
 #include "core/text.h"
 #include "scene/assemble.h"
 #include "scene/check.h"
 #include "scene/document.h"
-#include "scene/file_text.h"
 
 namespace poinsot::scene {
 namespace {
@@ -20,19 +19,8 @@ namespace {
 // --- Reading the file ---
 
 [[noreturn]] void refuseFile(const std::filesystem::path& path, const std::string& why) {
-  throw core::Error(core::ErrorKind::kScene,
-                    fmt::format("cannot read the scene {}: {}", core::printable(path.string()), why));
-}
-
-/// At most one byte more than a scene may have, which is enough to refuse it.
-std::string sceneText(const std::filesystem::path& path) {
-  // O_NONBLOCK: opening a FIFO must not wait for its writer.
-  const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  try {
-    return textOf(file, kMostBytes);
-  } catch (const core::Error& error) {
-    refuseFile(path, error.message());
-  }
+  throw core::Error(core::ErrorKind::kScene, "cannot read the scene: " + why,
+                    core::SourceLocation{core::printable(path.string())});
 }
 
 // --- Overrides ---
@@ -142,9 +130,17 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   return scene;
 }
 
+std::string readSceneText(const std::filesystem::path& path) {
+  try {
+    return core::bytesOf(core::openForReading(path), kMostBytes, core::ErrorKind::kScene);
+  } catch (const core::Error& error) {
+    refuseFile(path, error.message());
+  }
+}
+
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                 const TextCheck& textCheck) {
-  return parseScene(sceneText(path), path.string(), overrides, textCheck);
+  return parseScene(readSceneText(path), path.string(), overrides, textCheck);
 }
 
 }  // namespace poinsot::scene

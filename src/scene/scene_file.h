@@ -16,6 +16,10 @@ namespace poinsot::scene {
 /// see.
 using TextCheck = std::function<std::string(std::string_view)>;
 
+/// The text of a scene file; of one too long, enough for parseScene() to refuse it.
+/// @throws core::Error(kScene) for a file that is missing, unreadable, or not a regular file.
+std::string readSceneText(const std::filesystem::path& path);
+
 /// Reads a scene file. `overrides` are the words after -D, "key.path=value", where value is a TOML value or, when
 /// it is none, text; the last of several for one key wins.
 /// @throws SceneErrors with every problem of the file and the overrides at once;

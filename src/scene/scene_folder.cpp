@@ -7,9 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/regular_file.h"
 #include "core/text.h"
-#include "scene/file_text.h"
 #include "scene/limits.h"
 
 namespace poinsot::scene {
@@ -32,11 +31,11 @@ void expectBeneath(const std::filesystem::path& path) {
 }
 
 /// Folder by folder, so that no link on the way leads elsewhere. O_NONBLOCK: opening a FIFO must not wait.
-OpenFile openBeneath(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  OpenFile at(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY));
+core::FileHandle openBeneath(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  core::FileHandle at(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY));
   for (const auto& part : path) {
     if (!at) refuse(path, reason(errno));
-    at = OpenFile(::openat(at.handle(), part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+    at = core::FileHandle(::openat(at.get(), part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
   }
   if (!at) refuse(path, reason(errno));
   return at;
@@ -47,10 +46,10 @@ OpenFile openBeneath(const std::filesystem::path& folder, const std::filesystem:
 std::string SceneFolder::read(const std::string& relativePath) const {
   const std::filesystem::path path(relativePath);
   expectBeneath(path);
-  const OpenFile file = openBeneath(folder_, path);
+  const core::FileHandle file = openBeneath(folder_, path);
   std::string text;
   try {
-    text = textOf(file, kMostFileBytes);
+    text = core::bytesOf(file, kMostFileBytes, core::ErrorKind::kScene);
   } catch (const core::Error& error) {
     refuse(path, error.message());
   }

@@ -6,18 +6,18 @@
 
 #include <csignal>
 
-#include "app/file_handle.h"
+#include "core/file_handle.h"
 
 namespace poinsot::app {
 namespace {
 
 struct Pipe {
-  FileHandle read, write;
+  core::FileHandle read, write;
   Pipe() {
     int ends[2];
     if (pipe(ends) == 0) {
-      read = FileHandle(ends[0]);
-      write = FileHandle(ends[1]);
+      read = core::FileHandle(ends[0]);
+      write = core::FileHandle(ends[1]);
     }
   }
 };

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "app/file_handle.h"
 #include "app/worker_protocol.h"
+#include "core/file_handle.h"
 
 namespace poinsot::app {
 namespace {
@@ -33,12 +33,12 @@ struct RecordingSink : output::FrameSink {
 };
 
 struct Pipe {
-  FileHandle read, write;
+  core::FileHandle read, write;
   Pipe() {
     int ends[2];
     if (pipe(ends) == 0) {
-      read = FileHandle(ends[0]);
-      write = FileHandle(ends[1]);
+      read = core::FileHandle(ends[0]);
+      write = core::FileHandle(ends[1]);
     }
   }
 };

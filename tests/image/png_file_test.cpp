@@ -234,8 +234,8 @@ TEST_F(PngFile, NamesThePathAndTheReason) {
     return "";
   };
   EXPECT_EQ(message(folder() / "none.png"), (folder() / "none.png").native() + ": No such file or directory");
-  EXPECT_EQ(message(folder()), folder().native() + ": not a regular file");
-  EXPECT_EQ(message("/dev/zero"), "/dev/zero: not a regular file");
+  EXPECT_EQ(message(folder()), folder().native() + ": it is a directory");
+  EXPECT_EQ(message("/dev/zero"), "/dev/zero: it is not a regular file");
   ASSERT_EQ(::mkfifo((folder() / "fifo.png").c_str(), 0600), 0);
   EXPECT_THAT(message(folder() / "fifo.png"), ::testing::EndsWith("not a regular file"));  // and does not wait
   EXPECT_THAT(message(save("empty.png", {})), ::testing::HasSubstr("empty.png: not a readable PNG"));

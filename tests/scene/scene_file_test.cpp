@@ -224,7 +224,7 @@ class NoScene : public testing::Test {
       loadScene(folder_ + "/" + name);
     } catch (const core::Error& error) {
       EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
-      return error.message();
+      return error.what();
     }
     return "";
   }
@@ -249,10 +249,10 @@ TEST(TextCheck, ItsComplaintsAreReportedWithTheRest) {
 }
 
 TEST_F(NoScene, SaysWhyAFileCannotBeRead) {
-  EXPECT_EQ(messageOf("none.toml"), "cannot read the scene " + folder_ + "/none.toml: No such file or directory");
-  EXPECT_EQ(messageOf(""), "cannot read the scene " + folder_ + "/: it is a directory");
+  EXPECT_EQ(messageOf("none.toml"), folder_ + "/none.toml: cannot read the scene: No such file or directory");
+  EXPECT_EQ(messageOf(""), folder_ + "/: cannot read the scene: it is a directory");
   ASSERT_EQ(::mkfifo((folder_ + "/fifo.toml").c_str(), 0600), 0);
-  EXPECT_EQ(messageOf("fifo.toml"), "cannot read the scene " + folder_ + "/fifo.toml: it is not a regular file");
+  EXPECT_EQ(messageOf("fifo.toml"), folder_ + "/fifo.toml: cannot read the scene: it is not a regular file");
 }
 
 TEST_F(NoScene, DoesNotPrintWhatATerminalObeys) {

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace poinsot::app {
+namespace poinsot::core {
 
 /// Sole owner of a file descriptor; -1 is none.
 class FileHandle {
@@ -29,4 +29,4 @@ class FileHandle {
   int fd_;
 };
 
-}  // namespace poinsot::app
+}  // namespace poinsot::core
