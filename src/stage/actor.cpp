@@ -46,13 +46,46 @@ void Canvas::dot(const Vector3d& at_V, double radius, const draw::Color& color) 
   list.ellipsoids.push_back({toPicture(at_V), glm::mat3(static_cast<float>(radius)), {color, 0.4f}});
 }
 
+void Canvas::tube(const std::vector<Vector3d>& points_V, bool closed, double radius,
+                  const draw::Color& color) const {
+  if (points_V.size() < 2) return;
+  draw::Curve curve;
+  for (const Vector3d& p : points_V) curve.points_W.push_back(toPicture(p));
+  curve.closed = closed;
+  curve.radius_W = static_cast<float>(radius * thickness);
+  curve.material.color = color;
+  list.curves.push_back(std::move(curve));
+}
+
+draw::GlassEllipsoid& Canvas::glassEllipsoid(const Eigen::Matrix3d& semiAxes_V, const draw::Color& color,
+                                             double opacity, const GlassShares& shares) const {
+  draw::GlassEllipsoid& ellipsoid = list.glassEllipsoids.emplace_back();
+  ellipsoid.semiAxes_W = toPicture(semiAxes_V);
+  ellipsoid.color = color;
+  ellipsoid.nearOpacity = glass(opacity, shares.near);
+  ellipsoid.farOpacity = glass(opacity, shares.far);
+  ellipsoid.rimOpacity = glass(opacity, shares.rim);
+  return ellipsoid;
+}
+
+// Powers of what passes.
+float Canvas::glass(double opacity, double share) const {
+  return static_cast<float>(1 - std::pow(1 - opacity, share * colors.sheetOpacity));
+}
+
 void Canvas::label(const std::string& tex, const Vector3d& at_V, const Vector3d& inside_V,
                    const draw::Color& color, double size) const {
+  labelAt(tex, at_px(at_V), at_px(at_V) - at_px(inside_V), color, size);
+}
+
+void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
+                     double size, double gap) const {
   if (type_px == 0) return;
   const auto size_px = static_cast<float>(size * type_px);
-  const glm::vec2 at = project(list.camera, toPicture(at_V)), inside = project(list.camera, toPicture(inside_V));
-  labels.push_back({tex, at, at - inside, 0.35f * size_px, size_px, color});
+  labels.push_back({tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color});
 }
+
+glm::vec2 Canvas::at_px(const Vector3d& at_V) const { return project(list.camera, toPicture(at_V)); }
 
 draw::Color mixed(const draw::Color& color, const draw::Color& over, double share) {
   const auto s = static_cast<float>(share);

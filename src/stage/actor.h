@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "stage/body_figure.h"
+#include "stage/construction.h"
 #include "stage/label_layout.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
 #include "stage/scales.h"
 
 namespace poinsot::stage {
+
+/// How many sheets' worth of glass is at each place of a hollow thing.
+struct GlassShares {
+  double near = 1, far = 1, rim = 1;
+};
 
 /// What actors draw on, for one picture: V's axes, lengths in the picture's unit. The list's camera is set.
 struct Canvas {
@@ -31,9 +38,23 @@ struct Canvas {
   /// From the origin; `radius` of its shaft.
   void arrow(const Eigen::Vector3d& tip_V, double radius, const draw::Color& color) const;
   void dot(const Eigen::Vector3d& at_V, double radius, const draw::Color& color) const;
+  /// A round tube.
+  void tube(const std::vector<Eigen::Vector3d>& points_V, bool closed, double radius,
+            const draw::Color& color) const;
+  /// A hollow ellipsoid about the origin, its sheets and rim so many times as thick as a sheet of that opacity.
+  draw::GlassEllipsoid& glassEllipsoid(const Eigen::Matrix3d& semiAxes_V, const draw::Color& color, double opacity,
+                                       const GlassShares& shares) const;
+  /// How opaque glass is: `share` times as thick as a sheet of that opacity, and thinner on dark paper. 1 is
+  /// opaque everywhere.
+  float glass(double opacity, double share = 1) const;
   /// Beside a point, on the side that leads away from the picture of `inside_V`.
   void label(const std::string& tex, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
              const draw::Color& color, double size = 1) const;
+  /// Beside a place of the picture, in a direction; `size` in ordinary labels, `gap` in the label's own size.
+  void labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
+               double size = 1, double gap = 0.35) const;
+  /// Where the camera sees a point.
+  glm::vec2 at_px(const Eigen::Vector3d& at_V) const;
 };
 
 /// A share of one colour over another, in linear light: 0 is the second.
@@ -50,8 +71,10 @@ Eigen::Vector3d across(const Eigen::Vector3d& axis, const Eigen::Vector3d& hint)
 struct Setting {
   const scene::Scene& scene;
   const PictureMotion& motion;  ///< outlives the actors
+  const BodyFigure& body;       ///< outlives the actors
   const Scales& scales;
-  Eigen::Vector3d axisLengths;  ///< of the principal axes as they are drawn
+  const Construction* construction;  ///< outlives the actors; null where none of it is shown
+  Eigen::Vector3d axisLengths;       ///< of the principal axes as they are drawn
 };
 
 /// One drawn thing of a view. Its picture is a pure function of the scene, the time and the state.
@@ -62,6 +85,8 @@ class Actor {
   virtual void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const = 0;
   /// What the frame must hold at that instant, in V.
   virtual std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const = 0;
+  /// Of a ball about the origin that the frame must hold besides; 0: none.
+  virtual double ballRadius() const { return 0; }
 };
 
 }  // namespace poinsot::stage

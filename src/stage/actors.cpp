@@ -4,29 +4,60 @@
 #include <type_traits>
 
 #include "stage/axes_figure.h"
+#include "stage/body_actor.h"
 #include "stage/cones_figure.h"
+#include "stage/construction_figures.h"
 #include "stage/decomposition_figure.h"
+#include "stage/omega_paths_figure.h"
 #include "stage/polhodes_figure.h"
+#include "stage/principal_axes_figure.h"
 #include "stage/theta_figure.h"
 #include "stage/trace_figure.h"
+#include "stage/vector_figures.h"
 
 namespace poinsot::stage {
+namespace {
 
-std::vector<std::unique_ptr<const Actor>> makeActors(const Setting& setting) {
-  const scene::ShownFigures& show = setting.scene.show.figures;
-  std::vector<std::unique_ptr<const Actor>> actors;
-  const auto addIf = [&]<class A>(const scene::Extra& thing, std::type_identity<A>) {
-    if (thing.visible) actors.push_back(std::make_unique<A>(setting));
+template <class A>
+constexpr std::type_identity<A> kA{};
+
+}  // namespace
+
+bool showsConstruction(const scene::Show& show, const PictureMotion& motion) {
+  return !motion.liveliest().omega_P.isZero(0) &&
+         (show.ellipsoid.visible || show.plane.visible || show.polhode.visible || show.herpolhode.visible ||
+          show.contact.visible);
+}
+
+std::vector<ShownActor> makeActors(const Setting& setting) {
+  const scene::Show& show = setting.scene.show;
+  std::vector<ShownActor> actors;
+  const auto addIf = [&]<class A>(bool shown, std::string_view name, std::type_identity<A>) {
+    if (shown) actors.push_back({name, std::make_unique<A>(setting)});
   };
-  addIf(show.trace, std::type_identity<TraceFigure>{});
-  addIf(show.cones, std::type_identity<ConesFigure>{});
-  addIf(show.mainAxis, std::type_identity<MainAxisFigure>{});
-  addIf(show.theta, std::type_identity<ThetaFigure>{});
-  addIf(show.decomposition, std::type_identity<DecompositionFigure>{});
-  addIf(show.components, std::type_identity<ComponentsFigure>{});
-  addIf(show.spaceAxes, std::type_identity<SpaceAxesFigure>{});
-  addIf(show.polhodes, std::type_identity<PolhodesFigure>{});
-  addIf(show.binet, std::type_identity<BinetFigure>{});
+  addIf(show.body.visible, "body", kA<BodyActor>);
+  addIf(show.principalAxes.visible, "principal_axes", kA<PrincipalAxesFigure>);
+  addIf(show.L.visible, "L", kA<AngularMomentumFigure>);
+  addIf(show.omega.visible, "omega", kA<AngularVelocityFigure>);
+  if (setting.construction) {
+    const bool surface = show.plane.visible || show.ellipsoid.visible;
+    addIf(show.plane.visible && show.height.visible, "height", kA<HeightFigure>);
+    addIf(show.herpolhode.visible, "herpolhode", kA<HerpolhodeFigure>);
+    addIf(show.ellipsoid.visible, "ellipsoid", kA<EllipsoidFigure>);
+    addIf(show.plane.visible, "plane", kA<PlaneFigure>);
+    addIf(show.polhode.visible, "polhode", kA<PolhodeFigure>);
+    addIf(surface && show.contact.visible, "contact", kA<ContactFigure>);
+  }
+  const scene::ShownFigures& figures = show.figures;
+  addIf(figures.trace.visible, "trace", kA<TraceFigure>);
+  addIf(figures.cones.visible, "cones", kA<ConesFigure>);
+  addIf(figures.mainAxis.visible, "main_axis", kA<MainAxisFigure>);
+  addIf(figures.theta.visible, "theta", kA<ThetaFigure>);
+  addIf(figures.decomposition.visible, "decomposition", kA<DecompositionFigure>);
+  addIf(figures.components.visible, "components", kA<ComponentsFigure>);
+  addIf(figures.spaceAxes.visible, "space_axes", kA<SpaceAxesFigure>);
+  addIf(figures.polhodes.visible, "polhodes", kA<PolhodesFigure>);
+  addIf(figures.binet.visible, "binet", kA<BinetFigure>);
   return actors;
 }
 

@@ -2,14 +2,24 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "stage/actor.h"
 
 namespace poinsot::stage {
 
-/// What a view shows besides body, vectors and construction.
+/// A drawn thing under the name that it has in a scene: "L" for what show.L asks for.
+struct ShownActor {
+  std::string_view name;
+  std::unique_ptr<const Actor> actor;
+};
+
+/// All that a view shows.
 /// @throws core::Error(kScene) for what the motion does not have.
-std::vector<std::unique_ptr<const Actor>> makeActors(const Setting& setting);
+std::vector<ShownActor> makeActors(const Setting& setting);
+
+/// Whether something of Poinsot's construction is shown, and there is one.
+bool showsConstruction(const scene::Show& show, const PictureMotion& motion);
 
 }  // namespace poinsot::stage

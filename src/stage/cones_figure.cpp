@@ -58,17 +58,14 @@ void ConesFigure::addCone(const Canvas& canvas, const Cone& cone, const Vector3d
 }
 
 draw::GlassCone ConesFigure::glass(const Canvas& canvas, const Cone& cone, const draw::Color& color) const {
-  const auto sheet = [&](double share) {
-    return static_cast<float>(1 - std::pow(1 - opacity_, share * canvas.colors.sheetOpacity));
-  };
   draw::GlassCone glass;
   glass.axis_W = toPicture(cone.axis_V);
   glass.halfAngle_rad = static_cast<float>(cone.halfAngle_rad);
   glass.height_W = static_cast<float>(side_ * std::cos(cone.halfAngle_rad));
   glass.color = color;
-  glass.nearOpacity = sheet(1);
-  glass.farOpacity = sheet(1);
-  glass.rimOpacity = sheet(2);
+  glass.nearOpacity = canvas.glass(opacity_);
+  glass.farOpacity = canvas.glass(opacity_);
+  glass.rimOpacity = canvas.glass(opacity_, 2);
   glass.lineColor = color;
   glass.lineWidth_px = static_cast<float>(kRimWidth * canvas.line_px);
   return glass;

@@ -77,24 +77,4 @@ double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& v
   return y > edge ? y : 0;
 }
 
-void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
-                  double type_px, const Palette& colors) {
-  const auto corners_V = construction.planeCorners(state);
-  std::array<glm::vec2, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = project(list.camera, toPicture(corners_V[i]));
-  const bool above =
-      project(list.camera, toPicture(Vector3d(construction.planeHeight(state) * state.L_V.normalized()))).y <
-      project(list.camera, glm::vec3(0)).y;
-  const auto outer = [above](glm::vec2 a, glm::vec2 b) { return above ? a.y > b.y : a.y < b.y; };
-  const auto tip =
-      static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
-  const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
-  const auto size_px = static_cast<float>(kNote * type_px);
-  const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
-  const std::string tex = "invariable plane";
-  const auto width = static_cast<float>(text::setTex(tex).width_em) * size_px;
-  const glm::vec2 place(std::max(middle.x - 0.8f * width, size_px), middle.y + (above ? -1.2f : 2.0f) * size_px);
-  list.texts.push_back({tex, place, size_px, colors.L, 1, colors.paper, 0.1f * size_px});
-}
-
 }  // namespace poinsot::stage

@@ -4,11 +4,10 @@
 #include "draw/draw_list.h"
 #include "draw/picture.h"
 #include "scene/scene.h"
-#include "stage/construction_figure.h"
 #include "stage/palette.h"
 #include "stage/picture_layout.h"
 
-/// Type that stands still in a picture: title, notes, the plane's name. (label_layout.h: type that follows its
+/// Type that stands still in a picture: title, notes. (label_layout.h: type that follows its
 /// thing.)
 namespace poinsot::stage {
 
@@ -23,10 +22,5 @@ double addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette
 /// reach from the panel's top.
 double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, double type_px,
                   const Palette& colors);
-
-/// "invariable plane": under the edge that runs to the plane's lowest corner from the left, or over the one that
-/// runs to its highest where the plane is above the body. `type_px` as of referenceHeight().
-void addPlaneName(draw::DrawList& list, const ConstructionFigure& construction, const PictureState& state,
-                  double type_px, const Palette& colors);
 
 }  // namespace poinsot::stage

@@ -60,17 +60,6 @@ void addFamily(const Canvas& canvas, const PictureState& state, const std::vecto
                 curve.separatrix ? 1.8 : 1, 0.012);
 }
 
-void addTube(const Canvas& canvas, const std::vector<Vector3d>& points_V, bool closed, double radius,
-             const draw::Color& color) {
-  if (points_V.size() < 2) return;  // a steady spin
-  draw::Curve curve;
-  for (const Vector3d& p : points_V) curve.points_W.push_back(toPicture(p));
-  curve.closed = closed;
-  curve.radius_W = static_cast<float>(radius * canvas.thickness);
-  curve.material.color = color;
-  canvas.list.curves.push_back(std::move(curve));
-}
-
 }  // namespace
 
 PolhodesFigure::PolhodesFigure(const Setting& setting) {
@@ -111,24 +100,12 @@ BinetFigure::BinetFigure(const Setting& setting) : opacity_(setting.scene.show.f
     polhode_P_.push_back(scale_ * moments.angularMomentum(sample.omega_P));
 }
 
-void BinetFigure::addGlass(const Canvas& canvas, const Matrix3d& semiAxes_V, const draw::Color& color) const {
-  const auto sheet = [&](double share) {
-    return static_cast<float>(1 - std::pow(1 - opacity_, share * canvas.colors.sheetOpacity));
-  };
-  draw::GlassEllipsoid glass;
-  glass.semiAxes_W = toPicture(semiAxes_V);
-  glass.color = color;
-  glass.nearOpacity = sheet(0.7);
-  glass.farOpacity = sheet(1);
-  glass.rimOpacity = sheet(3.5);
-  canvas.list.glassEllipsoids.push_back(glass);
-}
-
 void BinetFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  addGlass(canvas, radius_ * state.R_VP, canvas.colors.plane);
-  addGlass(canvas, state.R_VP * semiAxes_P_.asDiagonal(), canvas.colors.ellipsoid);
+  constexpr GlassShares kShares{.near = 0.7, .far = 1, .rim = 3.5};
+  canvas.glassEllipsoid(radius_ * state.R_VP, canvas.colors.plane, opacity_, kShares);
+  canvas.glassEllipsoid(state.R_VP * semiAxes_P_.asDiagonal(), canvas.colors.ellipsoid, opacity_, kShares);
   addFamily(canvas, state, curves_, canvas.colors.L);
-  addTube(canvas, turned(state.R_VP, polhode_P_), closes_, kTube, canvas.colors.omega);
+  canvas.tube(turned(state.R_VP, polhode_P_), closes_, kTube, canvas.colors.omega);
   canvas.dot(scale_ * state.L_V, 0.034, canvas.colors.ink);
 }
 

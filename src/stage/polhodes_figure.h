@@ -47,8 +47,6 @@ class BinetFigure final : public Actor {
   const std::vector<Eigen::Vector3d>& polhode_P() const { return polhode_P_; }
 
  private:
-  void addGlass(const Canvas& canvas, const Eigen::Matrix3d& semiAxes_V, const draw::Color& color) const;
-
   double opacity_;
   double radius_;
   Eigen::Vector3d semiAxes_P_;

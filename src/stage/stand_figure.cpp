@@ -3,38 +3,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "stage/actor.h"
 #include "stage/to_picture.h"
 
 namespace poinsot::stage {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kInstants = 240;  // of the film, at which the body's place is looked at
 // In picture lengths, a table's radius in the body's.
 constexpr double kTableRadius = 0.42, kTableThickness = 0.045, kJoint = 0.032, kRod = 0.012;
+constexpr int kRimPoints = 12;    // of the table, to be framed
 constexpr double kMayDip = 0.01;  // under the table's top, of the body's radius: an apex is a point only on paper
 
-/// The body's farthest points in the directions of the picture's cube, at every instant, each with the inertial
-/// height of its point.
-struct Sweep {
-  std::vector<Vector3d> points_V;
-  double lowest_W = 0;
-
-  Sweep(const PictureMotion& motion, const BodyFigure& body, double scale) {
-    std::vector<Vector3d> outer_B;
-    for (const Vector3d& direction : cubeDirections()) outer_B.push_back(scale * body.supportPoint(direction));
-    for (int i = 0; i <= kInstants; ++i) {
-      const PictureState state = motion.at(motion.duration_s() * i / kInstants);
-      for (const Vector3d& p_B : outer_B) points_V.emplace_back(state.R_VB * p_B);
-      const Vector3d down_B = -state.R_VB.transpose() * state.R_VW.col(2);
-      lowest_W = std::min(lowest_W, -scale * down_B.dot(body.supportPoint(down_B)));
-    }
+/// Inertial height of the body's lowest point over the whole film.
+double lowestPoint_W(const PictureMotion& motion, const BodyFigure& body, double scale) {
+  double lowest = 0;
+  for (const PathPoint& p : motion.outline()) {
+    const PictureState state = motion.at(p.filmTime_s);
+    const Vector3d down_B = -state.R_VB.transpose() * state.R_VW.col(2);
+    lowest = std::min(lowest, -scale * down_B.dot(body.supportPoint(down_B)));
   }
-};
+  return lowest;
+}
 
 }  // namespace
 
@@ -45,18 +37,21 @@ bool standsOnPivot(const scene::Scene& scene) {
 StandFigure::StandFigure(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body,
                          double scale)
     : tableRadius_(kTableRadius * scale * body.radius()), toCentre_B_(Vector3d::Zero()) {
-  const Sweep sweep(motion, body, scale);
-  outermostPoints_ = sweep.points_V;
+  for (const Vector3d& direction : cubeDirections()) outer_B_.push_back(scale * body.supportPoint(direction));
   const bool gravity = !scene.motion.forcing.gravity_B.isZero(0);
-  hasTable_ = gravity && sweep.lowest_W > -kMayDip * scale * body.radius();
+  hasTable_ = gravity && lowestPoint_W(motion, body, scale) > -kMayDip * scale * body.radius();
   const bool apart = body.gauge(Vector3d::Zero()) > 1.02;
   if (scene.body.mass && apart) toCentre_B_ = scale * (scene.body.mass->centre_B() - scene.body.fixedPoint_B());
-  if (!hasTable_) return;
-  for (int i = 0; i < 12; ++i) {
-    const double angle = std::numbers::pi * i / 6;
-    outermostPoints_.emplace_back(tableRadius_ * std::cos(angle), tableRadius_ * std::sin(angle),
-                                  -kTableThickness);
-  }
+}
+
+std::vector<Vector3d> StandFigure::outermostPoints(const PictureState& state) const {
+  std::vector<Vector3d> points;
+  for (const Vector3d& p_B : outer_B_) points.emplace_back(state.R_VB * p_B);
+  if (!hasTable_) return points;
+  const Vector3d up_V = state.R_VW.col(2);
+  for (const Vector3d& p : circleAbout(-kTableThickness * up_V, up_V, tableRadius_, kRimPoints))
+    points.push_back(p);
+  return points;
 }
 
 void StandFigure::addRod(draw::DrawList& list, const PictureState& state, const Palette& colors) const {

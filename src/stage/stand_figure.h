@@ -19,14 +19,14 @@ class StandFigure {
 
   void add(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
 
-  /// Points that the frame must hold, in V: the body over the whole film, and the table.
-  const std::vector<Eigen::Vector3d>& outermostPoints() const { return outermostPoints_; }
+  /// Points that the frame must hold at that instant, in V: the body and the table.
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const;
   bool hasTable() const { return hasTable_; }
 
  private:
   void addRod(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
 
-  std::vector<Eigen::Vector3d> outermostPoints_;
+  std::vector<Eigen::Vector3d> outer_B_;  // the body's, in the picture's lengths
   bool hasTable_ = false;
   double tableRadius_;
   Eigen::Vector3d toCentre_B_;  // from the pivot to the centre of mass, in the picture's lengths; zero: no rod

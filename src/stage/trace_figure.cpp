@@ -57,19 +57,6 @@ std::vector<Vector3d> TraceFigure::path_W(double from_s, double to_s) const {
   return points;
 }
 
-void TraceFigure::addSphere(const Canvas& canvas, const PictureState& state) const {
-  draw::GlassEllipsoid glass;
-  glass.semiAxes_W = toPicture(Matrix3d(radius() * state.R_VW));
-  glass.color = canvas.colors.body;
-  const auto sheet = [&](double share) {
-    return static_cast<float>(1 - std::pow(1 - opacity_, share * canvas.colors.sheetOpacity));
-  };
-  glass.nearOpacity = sheet(0.5);
-  glass.farOpacity = sheet(1);
-  glass.rimOpacity = sheet(5);
-  canvas.list.glassEllipsoids.push_back(glass);
-}
-
 void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
                           const draw::Color& color, double width) const {
   if (!(to_s > from_s)) return;
@@ -79,7 +66,8 @@ void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, doubl
 }
 
 void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
-  if (opacity_ > 0) addSphere(canvas, state);
+  if (opacity_ > 0)
+    canvas.glassEllipsoid(radius() * state.R_VW, canvas.colors.body, opacity_, {.near = 0.5, .far = 1, .rim = 5});
   const double longest = kMostPoints * step_s_;
   const double end = std::min(motion_.duration_s(), filmTime_s + longest);
   const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));

@@ -22,7 +22,6 @@ class TraceFigure final : public Actor {
  private:
   std::vector<Eigen::Vector3d> path_W(double from_s, double to_s) const;
   Eigen::Vector3d at_W(double filmTime_s) const;
-  void addSphere(const Canvas& canvas, const PictureState& state) const;
   void addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
                const draw::Color& color, double width) const;
 

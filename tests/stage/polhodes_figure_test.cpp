@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "scene_samples.h"
+#include "scenery.h"
 #include "stage/axes_figure.h"
-#include "stage/body_figure.h"
 
 namespace poinsot::stage {
 namespace {
@@ -18,25 +18,14 @@ using Eigen::Vector3d;
 
 const Vector3d kI(1, 1.7, 2.6), kOmega(0.9, 0.35, 1.1);
 
-struct Scenery {
-  scene::Scene scene;
-  PictureMotion motion;
-  Scales scales;
-  Setting setting;
-
-  explicit Scenery(const std::string& more = "")
-      : scene(scene::parseScene(
-            "[body]\nprincipal_moments = [1, 1.7, 2.6]\n[motion]\nomega_body = [0.9, 0.35, 1.1]\n" + more,
-            "p.toml")),
-        motion(scene, drawnMotion(scene)),
-        scales(makeScales(scene, motion, BodyFigure(scene))),
-        setting{scene, motion, scales, Vector3d::Ones()} {}
-};
+Scenery scenery(const std::string& more = "") {
+  return Scenery("[body]\nprincipal_moments = [1, 1.7, 2.6]\n[motion]\nomega_body = [0.9, 0.35, 1.1]\n" + more);
+}
 
 double twoT() { return kOmega.dot(kI.cwiseProduct(kOmega)); }
 
 TEST(PolhodesFigure, EveryCurveIsOnTheEnergyEllipsoid) {
-  const Scenery s;
+  const Scenery s = scenery();
   const PolhodesFigure figure(s.setting);
   ASSERT_EQ(figure.curves().size(), 2u * 4 * 2 + 2);  // both sides, both ends of an axis, and the separatrix
   int parting = 0;
@@ -58,7 +47,7 @@ TEST(PolhodesFigure, EveryCurveIsOnTheEnergyEllipsoid) {
 }
 
 TEST(BinetFigure, TheTipOfLIsOnBothSurfacesAndOnTheCurve) {
-  const Scenery s;
+  const Scenery s = scenery();
   const BinetFigure figure(s.setting);
   const auto onSurfaces = [&](const Vector3d& p_P) {
     EXPECT_NEAR(p_P.norm(), figure.sphereRadius(), 1e-13);                 // measured 7e-16
@@ -78,14 +67,14 @@ TEST(BinetFigure, TheTipOfLIsOnBothSurfacesAndOnTheCurve) {
 }
 
 TEST(PolhodesFigure, NeedsAFreeMotion) {
-  const Scenery s("[motion.torque]\nbody = [0, 0, 1]\n");
+  const Scenery s = scenery("[motion.torque]\nbody = [0, 0, 1]\n");
   EXPECT_THROW(PolhodesFigure{s.setting}, core::Error);
   EXPECT_THROW(BinetFigure{s.setting}, core::Error);
 }
 
 TEST(ComponentsFigure, TheirSumIsOmegaAndEachIsAlongItsAxis) {
   for (const char* more : {"", "[camera]\nframe = \"body\"\n"}) {
-    const Scenery s(more);
+    const Scenery s = scenery(more);
     const ComponentsFigure figure(s.setting);
     for (const double t : {0.0, 2.3, 7.0}) {
       const PictureState state = s.motion.at(t);

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "scene_samples.h"
+#include "scenery.h"
 #include "stage/cones_figure.h"
 #include "stage/decomposition_figure.h"
 #include "stage/theta_figure.h"
@@ -19,19 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kTimes_s[] = {0, 0.7, 3.3, 5, 9.9};
 
-/// A view's parts, without its pictures.
-struct Scenery {
-  scene::Scene scene;
-  PictureMotion motion;
-  Scales scales;
-  Setting setting;
-
-  explicit Scenery(const std::string& text)
-      : scene(scene::parseScene(text, "sample.toml")),
-        motion(scene, drawnMotion(scene)),
-        scales(makeScales(scene, motion, BodyFigure(scene))),
-        setting{scene, motion, scales, {1.2, 1.1, 1.3}} {}
-};
+const Vector3d kAxisLengths(1.2, 1.1, 1.3);
 
 std::string top(const std::string& moments, const std::string& omega = "[1.1, 0.3, 2]") {
   return "[body]\nprincipal_moments = " + moments + "\n[motion]\nomega_body = " + omega +
@@ -48,7 +37,7 @@ Vector3d onCone(const ConesFigure::Cone& cone, const Vector3d& direction) {
 
 TEST(ConesFigure, BothConesTouchAlongOmega) {
   for (const std::string& text : {kProlate, kOblate, kBodyFrame, kAlongX, kBackwards}) {
-    const Scenery s(text);
+    const Scenery s(text, kAxisLengths);
     const ConesFigure figure(s.setting);
     for (const double t : kTimes_s) {
       const PictureState state = s.motion.at(t);
@@ -87,7 +76,7 @@ TEST(ConesFigure, ABodyWithoutCones) {
 // Eq 32 and 34: the parallelogram closes on omega, one side is along L and as long as |L|/I1, the other along k.
 TEST(DecompositionFigure, TheParallelogramCloses) {
   for (const auto& [text, I1] : {std::pair{kProlate, 2.0}, {kOblate, 1.0}, {kBodyFrame, 2.0}, {kBackwards, 2.0}}) {
-    const Scenery s(text);
+    const Scenery s(text, kAxisLengths);
     const DecompositionFigure figure(s.setting);
     for (const double t : kTimes_s) {
       const PictureState state = s.motion.at(t);
@@ -101,7 +90,7 @@ TEST(DecompositionFigure, TheParallelogramCloses) {
 
 TEST(ThetaFigure, TheArcEndsOnBothArrows) {
   for (const std::string& text : {kProlate, kOblate, kBodyFrame, top("[2, 3, 4]")}) {
-    const Scenery s(text);
+    const Scenery s(text, kAxisLengths);
     const ThetaFigure figure(s.setting);
     for (const double t : kTimes_s) {
       const PictureState state = s.motion.at(t);
@@ -118,7 +107,7 @@ TEST(ThetaFigure, TheArcEndsOnBothArrows) {
 }
 
 TEST(ThetaFigure, UnderGravityTheArcBeginsOnTheVertical) {
-  const Scenery s(top("[2, 2, 0.8]", "[0, 0, 9]") + "[motion.gravity]\nmgr_body = [0, 0, 3]\n");
+  const Scenery s(top("[2, 2, 0.8]", "[0, 0, 9]") + "[motion.gravity]\nmgr_body = [0, 0, 3]\n", kAxisLengths);
   // The start is upright: tilted by the time at which the vertical and the axis differ, or not at all.
   const Scenery tilted(
       "[body]\nprincipal_moments = [2, 2, 0.8]\n[motion]\nomega_body = [0, 0, 9]\norientation = [0.9, 0.3, 0, 0]\n"

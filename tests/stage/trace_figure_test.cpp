@@ -9,8 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene_samples.h"
-#include "stage/body_figure.h"
-#include "stage/scales.h"
+#include "scenery.h"
 
 namespace poinsot::stage {
 namespace {
@@ -56,12 +55,10 @@ TEST(TraceFigure, APointOfTheBody) {
   const std::string text =
       "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1.1, 0.3, 2]\n"
       "orientation = [1, 0, 0, 1]\n[show.trace]\nvisible = true\npoint = [0.1, 0.2, -0.3]\n";
-  const scene::Scene scene = scene::parseScene(text, "t.toml");
-  const PictureMotion motion(scene, drawnMotion(scene));
-  const Scales scales = makeScales(scene, motion, BodyFigure(scene));
-  const TraceFigure figure({scene, motion, scales, Vector3d::Ones()});
+  const Scenery s(text);
+  const TraceFigure figure(s.setting);
   // A quarter turn about z: x to y, y to -x.
-  EXPECT_LT((figure.point_V(motion.at(0)) - scales.body * Vector3d(-0.2, 0.1, -0.3)).norm(), 1e-15);
+  EXPECT_LT((figure.point_V(s.motion.at(0)) - s.scales.body * Vector3d(-0.2, 0.1, -0.3)).norm(), 1e-15);
 }
 
 }  // namespace

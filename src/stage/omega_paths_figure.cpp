@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/omega_paths_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/polhode.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kPolhodePoints = 400;
+constexpr double kWholeRadius = 0.007, kTravelledRadius = 0.011;
+constexpr double kRecent_s = 0.9;  // film time of the bright end of the herpolhode
+
+std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
+  std::vector<Vector3d> points;
+  for (const auto& sample : polhode.samples(kPolhodePoints)) points.push_back(sample.omega_P);
+  return points;
+}
+
+}  // namespace
+
+// ---- polhode
+
+PolhodeFigure::PolhodeFigure(const Setting& setting)
+    : motion_(setting.motion),
+      scale_(setting.construction->scale()),
+      period_s_(std::numeric_limits<double>::infinity()) {
+  if (!motion_.isFree()) return;
+  const physics::Polhode polhode(motion_.moments(), motion_.liveliest().omega_P);
+  free_P_ = pointsOf(polhode);
+  period_s_ = polhode.period() / std::max(std::abs(motion_.speed()), std::numeric_limits<double>::min());
+}
+
+void PolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
+  if (state.atRest()) return;
+  addWhole(canvas, state);
+  const double span = std::min({filmTime_s, period_s_, motion_.longestPath_s()});
+  std::vector<Vector3d> points;
+  for (const PathPoint& p : motion_.path(filmTime_s - span, filmTime_s)) points.push_back(p.omega_P);
+  addTube(canvas, state, points, false, kTravelledRadius, canvas.colors.trail);
+}
+
+void PolhodeFigure::addWhole(const Canvas& canvas, const PictureState& state) const {
+  if (motion_.isFree())
+    return addTube(canvas, state, free_P_, std::isfinite(period_s_), kWholeRadius, canvas.colors.futureTrail);
+  const physics::Polhode polhode(motion_.moments(), state.omega_P);
+  addTube(canvas, state, pointsOf(polhode), std::isfinite(polhode.period()), kWholeRadius,
+          canvas.colors.futureTrail);
+}
+
+void PolhodeFigure::addTube(const Canvas& canvas, const PictureState& state, const std::vector<Vector3d>& omega_P,
+                            bool closed, double radius, const draw::Color& color) const {
+  std::vector<Vector3d> points_V;
+  for (const Vector3d& p : omega_P) points_V.push_back(scale_ * (state.R_VP * p));
+  canvas.tube(points_V, closed, radius, color);
+}
+
+std::vector<Vector3d> PolhodeFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.omega_V};
+}
+
+// ---- herpolhode
+
+HerpolhodeFigure::HerpolhodeFigure(const Setting& setting)
+    : motion_(setting.motion),
+      scale_(setting.construction->scale()),
+      future_(setting.scene.show.herpolhode.future) {}
+
+void HerpolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
+  const double longest = motion_.longestPath_s();
+  const double end = std::min(motion_.duration_s(), filmTime_s + longest);
+  const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));
+  const Palette& colors = canvas.colors;
+  if (future_ && end > filmTime_s) addPath(canvas, state, filmTime_s, end, colors.futureTrail, 1.2, 0.004);
+  if (recent > 0) addPath(canvas, state, std::max(0.0, recent - longest), recent, colors.trail, 1.7, 0.008);
+  if (filmTime_s > 0) addPath(canvas, state, recent, filmTime_s, colors.trail, 2.9, 0.012);
+}
+
+void HerpolhodeFigure::addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
+                               const draw::Color& color, double width, double lift) const {
+  std::vector<Vector3d> points_V;
+  for (const PathPoint& p : motion_.path(from_s, to_s)) points_V.push_back(scale_ * (state.R_VW * p.omega_W));
+  canvas.line(points_V, false, color, width, lift);
+}
+
+std::vector<Vector3d> HerpolhodeFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.omega_V};
+}
+
+}  // namespace poinsot::stage

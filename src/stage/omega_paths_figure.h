@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stage/actor.h"
+#include "stage/construction.h"
+
+/// The paths of the tip of omega. Where something acts on the body, they stay as they were travelled.
+/// @pre of each: the setting has a construction.
+namespace poinsot::stage {
+
+/// On the body: the whole closed curve, faint, and over it what was travelled in the last period. Where something
+/// acts, the curve is the one that the motion would follow from now on if nothing did, and all that was travelled
+/// is shown.
+class PolhodeFigure final : public Actor {
+ public:
+  explicit PolhodeFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  void addWhole(const Canvas& canvas, const PictureState& state) const;
+  void addTube(const Canvas& canvas, const PictureState& state, const std::vector<Eigen::Vector3d>& omega_P,
+               bool closed, double radius, const draw::Color& color) const;
+
+  const PictureMotion& motion_;
+  double scale_;
+  std::vector<Eigen::Vector3d> free_P_;  // of free motion: the closed curve, rad/s
+  double period_s_;                      // of film time; infinite where the curve does not close
+};
+
+/// On the plane: what was travelled, its last second strong; what is to come, faint. In a film of very many turns,
+/// the nearest ones.
+class HerpolhodeFigure final : public Actor {
+ public:
+  explicit HerpolhodeFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  void addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
+               const draw::Color& color, double width, double lift) const;
+
+  const PictureMotion& motion_;
+  double scale_;
+  bool future_;
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/vector_figures.h"
+
+#include <algorithm>
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 0.019;
+constexpr double kNameSize = 1.15;    // in ordinary labels
+constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
+
+}  // namespace
+
+// ---- L
+
+AngularMomentumFigure::AngularMomentumFigure(const Setting& setting) : scale_(setting.scales.L) {}
+
+void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const Vector3d tip_V = scale_ * state.L_V;
+  if (tip_V.isZero(0)) return;
+  canvas.arrow(tip_V, kRadius, canvas.colors.L);
+  canvas.labelAt("$\\mathbf{L}$", canvas.at_px(tip_V), {1, 0}, canvas.colors.L, kNameSize, 0.35 / kNameSize);
+}
+
+std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.L_V};
+}
+
+// ---- omega
+
+AngularVelocityFigure::AngularVelocityFigure(const Setting& setting)
+    : scale_(setting.scales.omega),
+      inConstruction_(setting.scene.show.plane.visible || setting.scene.show.ellipsoid.visible) {}
+
+void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  if (state.atRest()) return;
+  canvas.arrow(scale_ * state.omega_V, kRadius, canvas.colors.omega);
+  addName(canvas, scale_ * state.omega_V);
+}
+
+// In the construction always on the left, of the shaft or of L where that is farther left: it never changes sides.
+// Else over the tip, leaning outwards: it glides from side to side as the tip goes round.
+void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
+  const std::string name = "$\\boldsymbol{\\omega}$";
+  const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
+  const double gap = 0.35 / kNameSize;
+  if (inConstruction_) {
+    const glm::vec2 beside = canvas.at_px(kAlongShaft * tip_V);
+    canvas.labelAt(name, {std::min(beside.x, centre.x), beside.y}, {-1, 0}, canvas.colors.omega, kNameSize, gap);
+    return;
+  }
+  const glm::vec2 tip = canvas.at_px(tip_V);
+  const double lean = std::clamp((tip.x - centre.x) / (2 * canvas.type_px), -1.0, 1.0);
+  canvas.labelAt(name, tip, {lean, -1.1}, canvas.colors.omega, kNameSize, gap);
+}
+
+std::vector<Vector3d> AngularVelocityFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.omega_V};
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/scene_file.h"
+#include "stage/actor.h"
+#include "stage/actors.h"
+
+namespace poinsot::stage {
+
+/// What the actors of a scene are made for, without pictures.
+struct Scenery {
+  scene::Scene scene;
+  PictureMotion motion;
+  BodyFigure body;
+  Scales scales;
+  std::optional<Construction> construction;
+  Setting setting;
+
+  explicit Scenery(const std::string& text, const Eigen::Vector3d& axisLengths = Eigen::Vector3d::Ones())
+      : scene(scene::parseScene(text, "sample.toml")),
+        motion(scene, drawnMotion(scene)),
+        body(scene),
+        scales(makeScales(scene, motion, body)),
+        construction(showsConstruction(scene.show, motion) ? std::optional(Construction(motion, scales))
+                                                           : std::nullopt),
+        setting{scene, motion, body, scales, construction ? &*construction : nullptr, axisLengths} {}
+  Scenery(const Scenery&) = delete;  // the setting points into it
+};
+
+}  // namespace poinsot::stage
