@@ -9,6 +9,7 @@
 #include "scene/forcing_assembly.h"
 #include "scene/limits.h"
 #include "scene/motion_assembly.h"
+#include "scene/plot_assembly.h"
 #include "scene/show_assembly.h"
 #include "scene/view_assembly.h"
 
@@ -58,7 +59,10 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   else
     rest = bodyAndMotion(draft, findings, folder, scene);
   assembleDrawnShape(draft, findings, folder, scene.show);
-  assembleViews(draft, rest, findings, scene);
+  PanelGrid grid(findings);
+  assembleViews(draft, rest, findings, grid, scene);
+  assemblePlots(draft, findings, grid, scene);
+  assembleNotes(draft, findings, scene);
   checkFrames(scene.time, findings);
   scene.output = assembleOutput(draft);
   return scene;

@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "scene/key_text.h"
 #include "scene/limits.h"
+#include "scene/text_lines.h"
 
 namespace poinsot::scene {
 namespace {
@@ -61,6 +62,10 @@ class Checker {
         return cell(node);
       case ValueType::kWords:
         return someWords(node);
+      case ValueType::kPair:
+        return wrapped(numbers(node, 2));
+      case ValueType::kLines:
+        return lines(node);
     }
     return std::nullopt;
   }
@@ -163,6 +168,21 @@ class Checker {
       return refuse(node,
                     fmt::format("may hold no line ends or other control characters, got {}", describe(node)));
     return Checked(*value);
+  }
+
+  /// The line ends of one text part its lines, but for one at its end.
+  std::optional<Checked> lines(const Node& node) {
+    const std::vector<Node> given = linesOf(node);
+    if (given.empty()) return refuseType(node);
+    if (given.size() > kMostLines)
+      return refuse(node, fmt::format("may have at most {} lines, got {}", kMostLines, given.size()));
+    std::vector<std::string> all;
+    for (const Node& line : given) {
+      const auto checked = text(line);
+      if (!checked) return std::nullopt;
+      all.push_back(std::get<std::string>(*checked));
+    }
+    return Checked(std::move(all));
   }
 
   /// The word itself; a number without quotes where that is one.

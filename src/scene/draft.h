@@ -85,6 +85,13 @@ struct ViewDraft {
   std::vector<std::function<void(Draft&)>> given;  ///< each puts a key of [camera] or [show] into a scene's draft
 };
 
+/// A plot's keys; what several of them decide together waits beside it.
+struct PlotDraft {
+  Plot plot;
+  std::optional<std::vector<double>> range;
+  std::optional<Eigen::Vector2i> at, span;
+};
+
 struct Draft {
   Scene scene;
   BodyDraft body;
@@ -94,7 +101,11 @@ struct Draft {
   ShapeDraft drawn;
   std::optional<int> preset;  ///< index into cameraPresets()
   std::optional<std::vector<CameraFrame>> frames;
+  bool noViews = false;
   std::vector<ViewDraft> views;
+  std::vector<PlotDraft> plots;
+  std::vector<Readout> readouts;
+  std::vector<Note> notes;
   int quality = 0;  ///< index into qualityPresets()
   std::optional<Eigen::Vector2i> size_px;
   std::optional<int> crf;

@@ -26,7 +26,7 @@ std::vector<Key> joined(std::vector<std::vector<Key>> parts) {
 
 const std::vector<Key>& keys() {
   static const std::vector<Key> table = joined({fileKeys(), bodyKeys(), motionKeys(), forcingKeys(), timeKeys(),
-                                                framesKeys(), cameraKeys(), showKeys(), viewKeys(), styleKeys(), outputKeys()});
+                                                framesKeys(), cameraKeys(), showKeys(), viewKeys(), plotKeys(), noteKeys(), styleKeys(), outputKeys()});
   return table;
 }
 

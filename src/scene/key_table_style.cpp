@@ -33,6 +33,13 @@ std::vector<Key> styleKeys() {
        .example = "1.25",
        .help = "Factor on the size of all type.",
        .put = into([](Draft& d) { return &d.scene.style.textSize; })},
+      {.path = "style.decimal_sign",
+       .type = kWord,
+       .words = {"point", "comma"},
+       .fallback = "\"point\"",
+       .example = "\"comma\"",
+       .help = "What stands before the decimals of every number that is drawn: 1.5 or 1,5.",
+       .put = into([](Draft& d) { return &d.scene.style.decimalSign; })},
   };
 }
 

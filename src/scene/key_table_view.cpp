@@ -7,10 +7,6 @@ namespace {
 
 using enum ValueType;
 
-// More panels than 8 x 8 are too small to be looked at.
-constexpr Range kCellNumber{.least = 0, .most = 7};
-constexpr Range kCellCount{.least = 1, .most = 8};
-
 template <class F>
 Put intoView(F place) {
   return into([place](Draft& d, std::size_t i) { return place(elementAt(d.views, i)); });
@@ -23,26 +19,22 @@ std::vector<Key> panelKeys() {
        .range = {.least = 0, .most = 200},
        .example = "\"In space\"",
        .help = "Heading of the panel, as show.title is of the picture.",
+       .isTex = true,
        .put = intoView([](ViewDraft& v) { return &v.title; })},
       {.path = "view[].subtitle",
        .type = kText,
        .range = {.least = 0, .most = 200},
        .example = "'$\\mathbf{L}$ stands still'",
        .help = "One line under the panel's heading.",
+       .isTex = true,
        .put = intoView([](ViewDraft& v) { return &v.subtitle; })},
-      {.path = "view[].at",
-       .type = kCell,
-       .range = kCellNumber,
-       .example = "[1, 0]",
-       .help = "Column and row of the panel's top left cell, from 0 at the picture's top left; without it, to the "
-               "right of the view before.",
-       .put = intoView([](ViewDraft& v) { return &v.at; })},
-      {.path = "view[].span",
-       .type = kCell,
-       .range = kCellCount,
-       .example = "[2, 1]",
-       .help = "Columns and rows that the panel takes; without it, one cell.",
-       .put = intoView([](ViewDraft& v) { return &v.span; })},
+      cellKey("view[].at", kCellNumber, "[1, 0]",
+              "Column and row of the panel's top left cell, from 0 at the picture's top left; without it, to the "
+              "right of the view before.",
+              intoView([](ViewDraft& v) { return &v.at; })),
+      cellKey("view[].span", kCellCount, "[2, 1]",
+              "Columns and rows that the panel takes; without it, one cell.",
+              intoView([](ViewDraft& v) { return &v.span; })),
   };
 }
 
@@ -57,6 +49,15 @@ Key ofView(Key key) {
 }
 
 }  // namespace
+
+Key cellKey(std::string path, Range range, std::string_view example, std::string_view help, Put put) {
+  return {.path = std::move(path),
+          .type = kCell,
+          .range = range,
+          .example = example,
+          .help = help,
+          .put = std::move(put)};
+}
 
 std::vector<Key> viewKeys() {
   std::vector<Key> keys = panelKeys();

@@ -34,8 +34,20 @@ std::vector<Key> framesKeys();
 std::vector<Key> showKeys();
 std::vector<Key> shownKeys();  ///< those of [show] that each view may give for itself
 std::vector<Key> viewKeys();
+std::vector<Key> plotKeys();
+std::vector<Key> noteKeys();  ///< of [[readout]] and [[note]]
 std::vector<Key> styleKeys();
 std::vector<Key> outputKeys();
+
+// Two numbers of columns and rows: more panels than 8 x 8 are too small to be looked at.
+constexpr Range kCellNumber{.least = 0, .most = 7};
+constexpr Range kCellCount{.least = 1, .most = 8};
+
+/// "at" or "span" of a panel's table.
+Key cellKey(std::string path, Range range, std::string_view example, std::string_view help, Put put);
+
+/// The names of stateQuantities(), in their order.
+std::vector<std::string_view> quantityWords();
 
 /// Where a table with the keys of a shape keeps them, and what is to be said of them there.
 struct ShapeTable {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "scene/limits.h"
+
 namespace poinsot::scene {
 namespace {
 
@@ -12,6 +14,9 @@ std::string_view unitOfRange(const Key& key) {
 }
 
 bool unlimited(const Range& range) { return range.most == Range{}.most; }
+
+/// A link of the reference.
+std::string listed(const Key& key) { return fmt::format("[{0}](#{0})", key.wordList); }
 
 std::string several(const Key& key, std::string_view count) {
   return fmt::format("{} {}", count, pluralName(key.dimension));
@@ -38,14 +43,18 @@ std::string rangeText(const Key& key) {
       return "";
     case ValueType::kText:
       return fmt::format("at most {} characters", key.range.most);
+    case ValueType::kLines:
+      return fmt::format("at most {} lines of {} characters", kMostLines, key.range.most);
     case ValueType::kWord:
-      return wordsText(key);
+      return key.wordList.empty() ? wordsText(key) : fmt::format("one of the {}", listed(key));
     case ValueType::kQuaternion:
       return "norm " + numbersText(key);
     case ValueType::kPixels:
       return numbersText(key) + ", even";
     case ValueType::kWords:
-      return fmt::format("\"{}\", each once", fmt::join(key.words, "\", \""));
+      return fmt::format("{}, each once", key.wordList.empty()
+                                              ? fmt::format("\"{}\"", fmt::join(key.words, "\", \""))
+                                              : listed(key));
     default:
       break;
   }
@@ -82,7 +91,12 @@ std::string typeText(const Key& key) {
     case ValueType::kCell:
       return "an array of two whole numbers";
     case ValueType::kWords:
+      if (!key.wordList.empty()) return fmt::format("an array of {}", key.wordList);
       return fmt::format("an array of words of \"{}\"", fmt::join(key.words, "\", \""));
+    case ValueType::kPair:
+      return "an array of " + several(key, "two");
+    case ValueType::kLines:
+      return "text, or an array of lines";
   }
   const std::string number(quantityName(key.dimension));
   return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, fmt::join(key.words, "\", \""));

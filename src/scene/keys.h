@@ -31,6 +31,8 @@ enum class ValueType {
   kPixels,      ///< width and height, even; range is of each
   kCell,        ///< two whole numbers, of columns and of rows; range is of each
   kWords,       ///< some of `words`, each once
+  kPair,        ///< two numbers
+  kLines,       ///< lines of text, or one text with line ends; range is of each line's characters
 };
 
 /// Both ends included, in `unit` (of the key's dimension; empty: SI).
@@ -48,7 +50,7 @@ struct Word {
 
 /// A value that passed its checks, in SI.
 using Checked = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, core::Rational, Word,
-                             std::vector<Word>>;
+                             std::vector<Word>, std::vector<std::string>>;
 
 struct Key {
   std::string path;  ///< "camera.fov"; "body.part[].mass" stands for that of each [[body.part]]
@@ -56,9 +58,11 @@ struct Key {
   Dimension dimension = Dimension::kNone;
   Range range{};
   std::vector<std::string_view> words{};
+  std::string_view wordList{};  ///< the reference's heading under which many words are listed; empty: here
   std::string_view fallback{};  ///< TOML; read by the same route as a file; empty: none
   std::string_view example{};   ///< TOML; a value other than the default
   std::string_view help{};      ///< one line
+  bool isTex = false;           ///< its text is set in type, so a TextCheck has its say
   /// `element` counts from 0 in an array of tables and is 0 elsewhere.
   std::function<void(Draft&, std::size_t element, const Checked&)> put{};
 };

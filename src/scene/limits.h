@@ -24,6 +24,7 @@ constexpr double kMostTorque = 1e140;         ///< N·m, a moment times the squa
 constexpr double kMostRatioOfMoments = 1e20;  ///< largest to smallest; physics::FreeMotion solves no more
 
 constexpr std::size_t kMostElements = 1000;  ///< of an array of tables: parts, point masses, steps of a torque
+constexpr std::size_t kMostLines = 40;       ///< of one note: what a picture can hold
 constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;  ///< of a file that a scene names
 
 /// What one word of `quality` sets; an explicit size or crf wins.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/grid_place.h"
+
 namespace poinsot::scene {
 
 /// Which time a plot's axis counts.
@@ -23,17 +25,8 @@ struct Plot {
   std::string title;               ///< the TeX subset of text/
   std::optional<PlotRange> range;  ///< of the vertical axis; none: what the film needs
   PlotTime time = PlotTime::kMotion;
-  bool future = true;         ///< the part not yet travelled is drawn too, faint
-  int column = 0, row = 0;    ///< of its top left cell in the picture's grid
-  int columns = 1, rows = 1;  ///< cells that it spans
-};
-
-enum class Corner { kTopLeft, kTopRight, kBottomLeft, kBottomRight };
-
-/// "t = 3.20 s" in a corner of the picture.
-struct Readout {
-  int quantity = 0;
-  Corner at = Corner::kTopRight;
+  bool future = true;  ///< the part not yet travelled is drawn too, faint
+  GridPlace place;
 };
 
 }  // namespace poinsot::scene

@@ -39,6 +39,14 @@ inline void assign(Eigen::Matrix3d& to, const Checked& value) {
   POINSOT_EXPECT(v.size() == 9);
   to << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
 }
+inline void assign(std::vector<std::string>& to, const Checked& value) {
+  to = std::get<std::vector<std::string>>(value);
+}
+/// The words' places among Key::words.
+inline void assign(std::vector<int>& to, const Checked& value) {
+  to.clear();
+  for (const Word& word : std::get<std::vector<Word>>(value)) to.push_back(word.index);
+}
 inline void assign(std::vector<double>& to, const Checked& value) { to = std::get<std::vector<double>>(value); }
 inline void assign(Eigen::Quaterniond& to, const Checked& value) {
   const auto& v = std::get<std::vector<double>>(value);

@@ -9,6 +9,7 @@
 #include "scene/keys.h"
 #include "scene/limits.h"
 #include "scene/shapes.h"
+#include "scene/state_quantity.h"
 
 namespace poinsot::scene {
 namespace {
@@ -131,6 +132,14 @@ std::string catalogueTable() {
   return text + "\n";
 }
 
+std::string quantitiesTable() {
+  std::string text =
+      "## quantities\n\nWhat `[[plot]]` and `[[readout]]` show.\n\n| name | is | unit |\n| --- | --- | --- |\n";
+  for (const StateQuantity& q : stateQuantities())
+    text += fmt::format("| `{}` | {} | {} |\n", q.name, cell(q.help), unitText(q.unit));
+  return text + "\n";
+}
+
 std::string presets() {
   std::string text = "## Quality\n\n| `quality` | `size` | `crf` |\n| --- | --- | --- |\n";
   for (const QualityPreset& preset : qualityPresets())
@@ -155,7 +164,7 @@ std::string limits() {
 }  // namespace
 
 std::string referenceMarkdown() {
-  return std::string(kOpening) + units() + tables() + shapes() + catalogueTable() + presets() + limits();
+  return std::string(kOpening) + units() + tables() + shapes() + catalogueTable() + quantitiesTable() + presets() + limits();
 }
 
 }  // namespace poinsot::scene

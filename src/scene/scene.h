@@ -15,6 +15,8 @@
 #include "physics/forcing.h"
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
+#include "scene/grid_place.h"
+#include "scene/note.h"
 #include "scene/plot.h"
 #include "scene/shown_figures.h"
 
@@ -109,8 +111,7 @@ struct View {
   Camera camera;
   Show show;
   std::string title, subtitle;  ///< its heading, as the picture's
-  int column = 0, row = 0;      ///< of its top left cell, from the picture's top left
-  int columns = 1, rows = 1;    ///< cells that it spans
+  GridPlace place;
 };
 
 enum class Theme { kLight, kDark };
@@ -137,9 +138,10 @@ struct Scene {
   Time time;
   Camera camera;            ///< from which the views' cameras start
   Show show;                ///< of the whole picture, and from which the views' start
-  std::vector<View> views;  ///< at least one, no two in one cell
+  std::vector<View> views;  ///< with the plots at least one panel, no two in one cell
   std::vector<Plot> plots;
   std::vector<Readout> readouts;
+  std::vector<Note> notes;
   Style style;
   Output output;
 };

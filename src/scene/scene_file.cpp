@@ -12,6 +12,7 @@
 #include "scene/assemble.h"
 #include "scene/check.h"
 #include "scene/document.h"
+#include "scene/text_lines.h"
 
 namespace poinsot::scene {
 namespace {
@@ -97,14 +98,14 @@ Draft defaultDraft() {
   return draft;
 }
 
-/// Whether the key's text is set in type.
-bool isSet(std::string_view path) { return nameOf(path) == "title" || nameOf(path) == "subtitle"; }
-
 void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
-    const auto* text = isSet(path) ? node.as<std::string>() : nullptr;
-    if (const std::string wrong = text && check ? check(*text) : ""; !wrong.empty())
-      problems.add(node.place, fmt::format("{}: {}", path, wrong));
+    if (!check || !findKey(path)->isTex) continue;
+    for (const Node& line : linesOf(node)) {
+      const auto* text = line.as<std::string>();
+      if (const std::string wrong = text ? check(*text) : ""; !wrong.empty())
+        problems.add(line.place, fmt::format("{}: {}", path, wrong));
+    }
   }
 }
 

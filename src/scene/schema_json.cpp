@@ -125,6 +125,14 @@ Json someWords(const Key& key) {
   return json;
 }
 
+Json line(const Key& key) { return {{"type", "string"}, {"maxLength", static_cast<int>(key.range.most)}}; }
+
+/// How long the lines of one text are, the program checks.
+Json lines(const Key& key) {
+  const Json text = {{"type", "string"}};
+  return {{"anyOf", Json::array({text, arrayOf(line(key), 1, static_cast<int>(kMostLines))})}};
+}
+
 Json typeSchema(const Key& key) {
   switch (key.type) {
     case ValueType::kNumber:
@@ -134,7 +142,7 @@ Json typeSchema(const Key& key) {
     case ValueType::kBool:
       return {{"type", "boolean"}};
     case ValueType::kText:
-      return {{"type", "string"}, {"maxLength", static_cast<int>(key.range.most)}};
+      return line(key);
     case ValueType::kWord:
       return words(key);
     case ValueType::kVector:
@@ -155,6 +163,10 @@ Json typeSchema(const Key& key) {
       return arrayOf(bareNumber(key, "integer"), 2);
     case ValueType::kWords:
       return someWords(key);
+    case ValueType::kPair:
+      return arrayOf(number(key), 2);
+    case ValueType::kLines:
+      return lines(key);
   }
   return {};
 }

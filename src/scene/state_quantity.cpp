@@ -184,6 +184,24 @@ Vector3d QuantityBasis::pole_W(const RigidBodyState& state) const {
   return state.L_W.normalized();
 }
 
+std::string_view unitText(QuantityUnit unit) {
+  switch (unit) {
+    case kSecond:
+      return "a time";
+    case kRadianPerSecond:
+      return "in rad/s";
+    case kAction:
+      return "in kg·m²/s";
+    case kJoule:
+      return "in J";
+    case kAngle:
+      return "an angle";
+    case kBare:
+      break;
+  }
+  return "a bare number";
+}
+
 std::span<const StateQuantity> stateQuantities() { return kQuantities; }
 
 const StateQuantity& stateQuantity(int index) {

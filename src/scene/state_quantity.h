@@ -60,6 +60,9 @@ struct StateQuantity {
   double (*size)(const physics::RigidBodyState&, const QuantityBasis&) = nullptr;
 };
 
+/// For messages and the reference: "in rad/s", "an angle".
+std::string_view unitText(QuantityUnit unit);
+
 /// All of them, in the order of the reference. An index into it is what a scene keeps.
 std::span<const StateQuantity> stateQuantities();
 

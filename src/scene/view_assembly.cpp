@@ -59,14 +59,14 @@ const char* headingOf(CameraFrame frame) {
 }
 
 /// Panels side by side, one for each frame.
-std::vector<View> viewsOf(const std::vector<CameraFrame>& frames, const Scene& scene) {
+std::vector<View> viewsOf(const std::vector<CameraFrame>& frames, PanelGrid& grid, const Scene& scene) {
   std::vector<View> views;
   for (const CameraFrame frame : frames) {
     View& view = views.emplace_back();
     view.camera = scene.camera;
     view.show = scene.show;
     view.camera.frame = frame;
-    view.column = static_cast<int>(views.size()) - 1;
+    view.place = grid.take(frames.size() > 1 ? "a view of camera.frames" : "the view", {}, {});
     if (frames.size() > 1) view.title = headingOf(frame);
   }
   return views;
@@ -88,51 +88,24 @@ View viewOf(const ViewDraft& given, const std::string& prefix, const Findings& f
   whole.scene.camera = scene.camera;
   whole.scene.show = scene.show;
   for (const auto& put : given.given) put(whole);
-  View view{
-      .camera = whole.scene.camera, .show = whole.scene.show, .title = given.title, .subtitle = given.subtitle};
+  View view{.camera = whole.scene.camera,
+            .show = whole.scene.show,
+            .title = given.title,
+            .subtitle = given.subtitle,
+            .place = {}};
   usePreset(whole.preset, prefix, findings, view.camera);
-  const Eigen::Vector2i span = given.span.value_or(Eigen::Vector2i(1, 1));
-  view.columns = span[0];
-  view.rows = span[1];
   return view;
-}
-
-/// Where it says, else to the right of the one before.
-void placeView(const std::optional<Eigen::Vector2i>& at, const std::vector<View>& before, View& view) {
-  if (at) view.column = (*at)[0], view.row = (*at)[1];
-  if (at || before.empty()) return;
-  view.column = before.back().column + before.back().columns;
-  view.row = before.back().row;
-}
-
-bool overlap(const View& a, const View& b) {
-  return a.column < b.column + b.columns && b.column < a.column + a.columns && a.row < b.row + b.rows &&
-         b.row < a.row + a.rows;
-}
-
-void checkPlace(const View& view, const std::string& path, const std::vector<View>& before, Findings& findings) {
-  constexpr int kMostCells = 8;
-  if (view.column + view.columns > kMostCells || view.row + view.rows > kMostCells)
-    return findings.refuse(path + ".at",
-                           fmt::format("the panel at [{}, {}] would leave the grid, which has at most "
-                                       "{} columns and rows; give at or a smaller span",
-                                       view.column, view.row, kMostCells));
-  const auto other = std::ranges::find_if(before, [&](const View& b) { return overlap(view, b); });
-  if (other != before.end())
-    findings.refuse(path + ".at", fmt::format("the panel at [{}, {}] would cover view[{}]", view.column, view.row,
-                                              other - before.begin()));
 }
 
 /// The draft has only those elements that gave a key which passed its checks.
 std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::optional<Rest>& rest,
-                             Findings& findings, const Scene& scene) {
+                             Findings& findings, PanelGrid& grid, const Scene& scene) {
   std::vector<View> views;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string path = fmt::format("view[{}]", i);
     const ViewDraft given = i < draft.views.size() ? draft.views[i] : ViewDraft();
     View view = viewOf(given, path + ".", findings, scene);
-    placeView(given.at, views, view);
-    checkPlace(view, path, views, findings);
+    view.place = grid.take(path, given.at, given.span);
     assembleVisible(scene.motion, rest, path + ".", findings, view.show);
     const bool own = findings.has(path + ".camera.frame");
     checkFrame(view, own ? path + ".camera.frame" : "camera.frame", scene, rest, findings);
@@ -141,19 +114,28 @@ std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::o
   return views;
 }
 
+/// A picture without views has plots alone.
+void refuseNoViews(Findings& findings) {
+  if (findings.count("view") > 0)
+    findings.refuse("show.views", "false, but there is a [[view]]; give one of the two");
+  if (findings.count("plot") == 0)
+    findings.refuse("show.views", "without views and without a [[plot]] nothing is left to draw");
+}
+
 }  // namespace
 
-void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, Scene& scene) {
+void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, PanelGrid& grid,
+                   Scene& scene) {
   refuseFrames(findings);
+  if (draft.noViews) refuseNoViews(findings);
   usePreset(draft.preset, "", findings, scene.camera);
   const std::size_t count = findings.count("view");
-  // What the scene shows itself is only where the views start, where there are any.
-  assembleVisible(scene.motion, count > 0 ? std::nullopt : rest, "", findings, scene.show);
-  if (count > 0) {
-    scene.views = givenViews(draft, count, rest, findings, scene);
-    return;
-  }
-  scene.views = viewsOf(draft.frames.value_or(std::vector{scene.camera.frame}), scene);
+  // What the scene shows itself is only where the views start, where there are any, and nothing without views.
+  const bool start = count > 0 || draft.noViews;
+  assembleVisible(scene.motion, start ? std::nullopt : rest, "", findings, scene.show);
+  if (count > 0) scene.views = givenViews(draft, count, rest, findings, grid, scene);
+  if (start) return;
+  scene.views = viewsOf(draft.frames.value_or(std::vector{scene.camera.frame}), grid, scene);
   for (const View& view : scene.views)
     checkFrame(view, draft.frames ? "camera.frames" : "camera.frame", scene, rest, findings);
 }

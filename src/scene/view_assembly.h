@@ -6,11 +6,13 @@
 #include "scene/draft.h"
 #include "scene/findings.h"
 #include "scene/motion_assembly.h"
+#include "scene/panel_grid.h"
 
 namespace poinsot::scene {
 
 /// The panels of the picture, into scene.views: those of [[view]], of camera.frames, else one; of a scene whose
 /// body, motion and show are known. What is wrong goes to `findings`.
-void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, Scene& scene);
+void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, PanelGrid& grid,
+                   Scene& scene);
 
 }  // namespace poinsot::scene

@@ -23,9 +23,9 @@ int lineAt(int i, int n, int from, int to) {
 PictureLayout::PictureLayout(const std::vector<scene::View>& views) {
   POINSOT_EXPECT(!views.empty());
   for (const scene::View& view : views) {
-    places_.push_back({view.column, view.row, view.columns, view.rows});
-    columns_ = std::max(columns_, view.column + view.columns);
-    rows_ = std::max(rows_, view.row + view.rows);
+    const scene::GridPlace& place = places_.emplace_back(view.place);
+    columns_ = std::max(columns_, place.column + place.columns);
+    rows_ = std::max(rows_, place.row + place.rows);
   }
 }
 
@@ -33,7 +33,7 @@ std::vector<Cell> PictureLayout::cells(glm::ivec2 size_px, double top_px) const 
   const bool shared = places_.size() > 1;
   const auto top = static_cast<int>(shared ? std::min(top_px, kMostTitle * size_px.y) : 0);
   std::vector<Cell> cells;
-  for (const Place& place : places_) {
+  for (const scene::GridPlace& place : places_) {
     const glm::ivec2 low(lineAt(place.column, columns_, 0, size_px.x), lineAt(place.row, rows_, top, size_px.y));
     const glm::ivec2 high(lineAt(place.column + place.columns, columns_, 0, size_px.x),
                           lineAt(place.row + place.rows, rows_, top, size_px.y));

@@ -29,10 +29,7 @@ class PictureLayout {
                 const Palette& colors) const;
 
  private:
-  struct Place {
-    int column, row, columns, rows;
-  };
-  std::vector<Place> places_;
+  std::vector<scene::GridPlace> places_;
   int columns_ = 1, rows_ = 1;
 };
 

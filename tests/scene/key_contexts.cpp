@@ -96,6 +96,13 @@ std::string sceneFor(const Key& key) {
     return kOmega + "[[body.part]]\nmass = 1\n" + shapeWith("body.part[]", name);
   if (ofShape && tableOf(key.path) == "show.body")
     return kMoments + kOmega + "[show.body]\n" + shapeWith("show.body", name);
+  if (key.path == "plot[].quantities") return kMoments + kOmega + "[[plot]]\n";
+  if (key.path.starts_with("plot[]")) return kMoments + kOmega + "[[plot]]\nquantities = [\"omega_1\"]\n";
+  if (key.path == "readout[].quantity") return kMoments + kOmega + "[[readout]]\n";
+  if (key.path.starts_with("readout[]")) return kMoments + kOmega + "[[readout]]\nquantity = \"t\"\n";
+  if (key.path == "note[].text") return kMoments + kOmega + "[[note]]\n";
+  if (key.path.starts_with("note[]")) return kMoments + kOmega + "[[note]]\ntext = \"a\"\n";
+  if (key.path == "show.views") return kMoments + kOmega + "[[plot]]\nquantities = [\"omega_1\"]\n";
   if (key.path.starts_with("view[]")) return kMoments + kOmega + "[[view]]\n";
   return kMoments + (key.path == "motion.omega_body" ? "" : kOmega);
 }

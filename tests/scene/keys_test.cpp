@@ -55,7 +55,7 @@ TEST(EveryKey, RefusesWrongTypes) {
     for (const char* value : {"1979-05-27", "[[1]]", "{a = 1}", flag ? "3" : "true", "[true, true, true]"})
       EXPECT_THAT(messagesWith(key, value), StartsWith(prefix)) << value;
     EXPECT_NE(messagesWith(key, "[]"), "");
-    if (key.type != ValueType::kText) {
+    if (key.type != ValueType::kText && key.type != ValueType::kLines) {
       EXPECT_NE(messagesWith(key, "\"no such word\""), "");
     }
   }
@@ -73,6 +73,7 @@ std::string shaped(const Key& key, const std::string& value) {
     case ValueType::kPixels:
       return "[" + value + ", 16]";
     case ValueType::kCell:
+    case ValueType::kPair:
       return "[" + value + ", 1]";
     default:
       return value;
@@ -81,7 +82,7 @@ std::string shaped(const Key& key, const std::string& value) {
 
 bool numeric(const Key& key) {
   return key.type != ValueType::kBool && key.type != ValueType::kText && key.type != ValueType::kWord &&
-         key.type != ValueType::kWords;
+         key.type != ValueType::kWords && key.type != ValueType::kLines;
 }
 
 bool isWhole(const Key& key) {
@@ -191,8 +192,8 @@ TEST(Keys, AreFound) {
   EXPECT_FALSE(isTable("show.pla") || isTable("camera.fov"));
   EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
   EXPECT_THAT(namesBelow(""),
-              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "view", "style",
-                                   "output"));
+              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "view", "plot",
+                                   "readout", "note", "style", "output"));
   EXPECT_EQ(findKey("body.part[12].mass")->path, "body.part[].mass");
   EXPECT_EQ(findKey("body.part.mass"), nullptr);
   EXPECT_EQ(findKey("body.part[x].mass"), nullptr);

@@ -228,14 +228,14 @@ TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
   EXPECT_EQ(messagesOf(kMinimal, {"show.labels.x=3"}),
             "show.labels.x: unknown key; show.labels is true or false, and has no keys below it\n");
   EXPECT_THAT(
-      messagesOf(kMinimal, {"show.qqqqqqqqqqqq.x=3"}),
+      messagesOf(kMinimal, {"show.qqqqqqqqqqqq.q=3"}),
       HasSubstr("unknown table [show.qqqqqqqqqqqq]; [show] has the tables body, principal_axes, L, omega"));
   EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.fps=3"}),
             "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
-  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.x=3"}),
-            "qqqqqqqqqqqq.x: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
+  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.q=3"}),
+            "qqqqqqqqqqqq.q: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
             "show, view, "
-            "style, output\n");
+            "plot, readout, note, style, output\n");
   EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
             "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "
             "no keys below it\n");

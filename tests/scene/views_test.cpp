@@ -57,7 +57,7 @@ TEST(Views, StandWhereTheySayElseRightOfTheOneBefore) {
   const std::vector<std::array<int, 4>> expected = {{0, 0, 2, 1}, {2, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
   ASSERT_EQ(scene.views.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const View& v = scene.views[i];
+    const GridPlace& v = scene.views[i].place;
     EXPECT_EQ((std::array{v.column, v.row, v.columns, v.rows}), expected[i]) << i;
   }
 }
@@ -69,7 +69,7 @@ TEST(Views, OfFramesStandSideBySideWithHeadings) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(scene.views[i].camera.frame, static_cast<CameraFrame>(i));
     EXPECT_EQ(scene.views[i].camera.zoom, 1.5);
-    EXPECT_EQ(scene.views[i].column, static_cast<int>(i));
+    EXPECT_EQ(scene.views[i].place.column, static_cast<int>(i));
     EXPECT_EQ(scene.views[i].title, titles[i]);
   }
   EXPECT_EQ(sceneWith("[camera]\nframes = [\"body\"]\n").views[0].title, "");

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/plot_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/state_quantity.h"
+
+namespace poinsot::scene {
+namespace {
+
+/// The draft has only those elements that gave a key which passed its checks.
+template <class T>
+T elementOrNone(const std::vector<T>& elements, std::size_t i) {
+  return i < elements.size() ? elements[i] : T();
+}
+
+/// Reports a key without which its table says nothing, unless what it says was refused already.
+void require(const std::string& path, const char* example, Findings& findings) {
+  if (!findings.has(path)) findings.refuse(path, fmt::format("is required, such as {}", example));
+}
+
+// ---- plots ----
+
+void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {
+  const auto unit = [](int q) { return stateQuantity(q).unit; };
+  const auto other =
+      std::ranges::find_if(plot.quantities, [&](int q) { return unit(q) != unit(plot.quantities.front()); });
+  if (other == plot.quantities.end()) return;
+  const StateQuantity &a = stateQuantity(plot.quantities.front()), &b = stateQuantity(*other);
+  findings.refuse(path + ".quantities",
+                  fmt::format("a plot has one unit, but \"{}\" is {} and \"{}\" {}; give each unit a [[plot]] of "
+                              "its own",
+                              a.name, unitText(a.unit), b.name, unitText(b.unit)));
+}
+
+void checkPortrait(const Plot& plot, const std::string& path, Findings& findings) {
+  if (!plot.x) return;
+  if (plot.quantities.size() > 1)
+    findings.refuse(path + ".quantities",
+                    fmt::format("a phase portrait shows one quantity against x, got {}; give each a [[plot]] of "
+                                "its own, or leave x out to draw them over time",
+                                plot.quantities.size()));
+  if (findings.has(path + ".time"))
+    findings.refuse(path + ".time", "a phase portrait has no axis of time; leave out time or x");
+}
+
+void checkRange(const Plot& plot, const std::string& path, Findings& findings) {
+  if (plot.range && !(plot.range->low < plot.range->high))
+    findings.refuse(path + ".range", fmt::format("must run from a lower number to a higher one, got [{}, {}]",
+                                                 plot.range->low, plot.range->high));
+}
+
+}  // namespace
+
+void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scene& scene) {
+  for (std::size_t i = 0; i < findings.count("plot"); ++i) {
+    const std::string path = fmt::format("plot[{}]", i);
+    const PlotDraft given = elementOrNone(draft.plots, i);
+    Plot plot = given.plot;
+    require(path + ".quantities", "[\"omega_1\", \"omega_2\"]", findings);
+    checkUnits(plot, path, findings);
+    checkPortrait(plot, path, findings);
+    if (given.range) plot.range = PlotRange{(*given.range)[0], (*given.range)[1]};
+    checkRange(plot, path, findings);
+    plot.place = grid.take(path, given.at, given.span);
+    scene.plots.push_back(std::move(plot));
+  }
+}
+
+void assembleNotes(const Draft& draft, Findings& findings, Scene& scene) {
+  for (std::size_t i = 0; i < findings.count("readout"); ++i) {
+    require(fmt::format("readout[{}].quantity", i), "\"t\"", findings);
+    scene.readouts.push_back(elementOrNone(draft.readouts, i));
+  }
+  for (std::size_t i = 0; i < findings.count("note"); ++i) {
+    require(fmt::format("note[{}].text", i), "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'",
+            findings);
+    scene.notes.push_back(elementOrNone(draft.notes, i));
+  }
+}
+
+}  // namespace poinsot::scene

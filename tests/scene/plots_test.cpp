@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plots, read-outs and notes: what their tables say, where they stand, what is refused and where.
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "scene/state_quantity.h"
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kTop = "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.5, 0, 1]\n";
+
+Scene sceneWith(const std::string& extra, const std::vector<std::string>& overrides = {}) {
+  return parseScene(kTop + extra, "test.toml", overrides);
+}
+
+std::string messagesWith(const std::string& extra) { return messagesOf(kTop + extra, {}); }
+
+std::vector<std::string> namesOf(const std::vector<int>& quantities) {
+  std::vector<std::string> names;
+  for (const int q : quantities) names.emplace_back(stateQuantity(q).name);
+  return names;
+}
+
+std::array<int, 4> cells(const GridPlace& p) { return {p.column, p.row, p.columns, p.rows}; }
+
+// ---- plots ----
+
+TEST(Plots, OfASceneWithoutAnyThereAreNone) {
+  const Scene scene = sceneWith("");
+  EXPECT_TRUE(scene.plots.empty() && scene.readouts.empty() && scene.notes.empty());
+  EXPECT_EQ(scene.style.decimalSign, DecimalSign::kPoint);
+}
+
+TEST(Plots, HaveTheirKeysAndDefaults) {
+  const Scene scene = sceneWith(
+      "[[plot]]\nquantities = [\"omega_3\", \"omega_1\"]\n[[plot]]\nquantities = [\"theta\"]\nx = \"omega\"\n"
+      "title = \"A\"\nrange = [-5, 30.5]\nfuture = false\n[[plot]]\nquantities = [\"T\"]\ntime = \"film\"\n");
+  ASSERT_EQ(scene.plots.size(), 3u);
+  const Plot &first = scene.plots[0], &second = scene.plots[1];
+  EXPECT_THAT(namesOf(first.quantities), ElementsAre("omega_3", "omega_1"));
+  EXPECT_FALSE(first.x || first.range);
+  EXPECT_TRUE(first.future && first.title.empty());
+  EXPECT_EQ(first.time, PlotTime::kMotion);
+  EXPECT_EQ(stateQuantity(second.x.value()).name, "omega");
+  EXPECT_EQ(second.title, "A");
+  EXPECT_EQ(second.range->low, -5);
+  EXPECT_EQ(second.range->high, 30.5);
+  EXPECT_FALSE(second.future);
+  EXPECT_EQ(scene.plots[2].time, PlotTime::kFilm);
+}
+
+TEST(Plots, StandInTheGridOfTheViews) {
+  const auto places = [](const std::string& extra) {
+    const Scene scene = sceneWith(extra);
+    std::vector<std::array<int, 4>> all;
+    for (const View& view : scene.views) all.push_back(cells(view.place));
+    for (const Plot& plot : scene.plots) all.push_back(cells(plot.place));
+    return all;
+  };
+  using Places = std::vector<std::array<int, 4>>;
+  const std::string plot = "[[plot]]\nquantities = [\"T\"]\n";
+  EXPECT_EQ(places(plot + plot), (Places{{0, 0, 1, 1}, {1, 0, 1, 1}, {2, 0, 1, 1}}));
+  // Views stand first, wherever in the file their tables are.
+  EXPECT_EQ(places(plot + "[[view]]\nspan = [1, 2]\n" + plot + "at = [1, 1]\n"),
+            (Places{{0, 0, 1, 2}, {1, 0, 1, 1}, {1, 1, 1, 1}}));
+  EXPECT_EQ(places("[camera]\nframes = [\"space\", \"body\"]\n" + plot + "span = [2, 3]\n"),
+            (Places{{0, 0, 1, 1}, {1, 0, 1, 1}, {2, 0, 2, 3}}));
+}
+
+TEST(Plots, RefuseToCoverAnotherPanelOrToLeaveTheGrid) {
+  const std::string plot = "[[plot]]\nquantities = [\"T\"]\n";
+  EXPECT_EQ(messagesWith(plot + "at = [0, 0]\n"), "plot[0].at: the panel at [0, 0] would cover the view\n");
+  EXPECT_EQ(messagesWith("[[view]]\n" + plot + "at = [0, 0]\n"),
+            "plot[0].at: the panel at [0, 0] would cover view[0]\n");
+  EXPECT_EQ(messagesWith(plot + plot + "at = [1, 0]\n"), "plot[1].at: the panel at [1, 0] would cover plot[0]\n");
+  EXPECT_THAT(messagesWith(plot + "span = [8, 1]\n"), HasSubstr("plot[0].at: the panel at [1, 0] would leave"));
+}
+
+TEST(Plots, NeedQuantitiesOfOneUnit) {
+  EXPECT_THAT(messagesWith("[[plot]]\n"), HasSubstr("plot[0].quantities: is required, such as [\"omega_1\""));
+  EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_4\"]\n"), HasSubstr("got \"omega_4\"; did you mean"));
+  const auto problems = problemsOf(kTop + "[[plot]]\nquantities = [\"omega_1\", \"theta\"]\n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(
+      problems[0].message,
+      "plot[0].quantities: a plot has one unit, but \"omega_1\" is in rad/s and \"theta\" an angle; give each "
+      "unit a [[plot]] of its own");
+  EXPECT_EQ(problems[0].where.line, 6);
+  EXPECT_EQ(problems[0].where.column, 14);
+}
+
+TEST(Plots, AsPhasePortraitsHaveOneQuantityAndNoTime) {
+  EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_1\", \"omega_2\"]\nx = \"theta\"\n"),
+              HasSubstr("plot[0].quantities: a phase portrait shows one quantity against x, got 2"));
+  EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_1\"]\nx = \"theta\"\ntime = \"film\"\n"),
+              HasSubstr("plot[0].time: a phase portrait has no axis of time"));
+}
+
+TEST(Plots, HaveRangesThatGoUp) {
+  for (const char* range : {"[1, 1]", "[2, 1]"}) {
+    const auto problems = problemsOf(kTop + "[[plot]]\nquantities = [\"T\"]\nrange = " + range + "\n");
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_THAT(
+        problems[0].message,
+        HasSubstr("plot[0].range: must run from a lower number to a higher one, got [" + std::string(range + 1)));
+    EXPECT_EQ(problems[0].where.line, 7);
+  }
+}
+
+TEST(Plots, MayBeAllThereIs) {
+  const Scene scene = sceneWith("[show]\nviews = false\n[[plot]]\nquantities = [\"T\"]\n");
+  EXPECT_TRUE(scene.views.empty());
+  EXPECT_EQ(cells(scene.plots.at(0).place), (std::array<int, 4>{0, 0, 1, 1}));
+  EXPECT_EQ(messagesWith("[show]\nviews = false\n"),
+            "show.views: without views and without a [[plot]] nothing is left to draw\n");
+  EXPECT_THAT(messagesWith("[show]\nviews = false\n[[view]]\n[[plot]]\nquantities = [\"T\"]\n"),
+              HasSubstr("show.views: false, but there is a [[view]]"));
+}
+
+TEST(Plots, MayBeOverridden) {
+  const Scene scene = sceneWith("[[plot]]\nquantities = [\"T\"]\n", {"plot[0].quantities=[\"E\", \"V\"]"});
+  EXPECT_THAT(namesOf(scene.plots.at(0).quantities), ElementsAre("E", "V"));
+}
+
+// ---- read-outs and notes ----
+
+TEST(Readouts, HaveTheirKeysAndDefaults) {
+  const Scene scene = sceneWith(
+      "[[readout]]\nquantity = \"t\"\n[[readout]]\nquantity = \"L\"\nat = \"bottom\"\nlabel = \"spin\"\n");
+  ASSERT_EQ(scene.readouts.size(), 2u);
+  EXPECT_EQ(stateQuantity(scene.readouts[0].quantity).name, "t");
+  EXPECT_EQ(scene.readouts[0].at, Spot::kTopRight);
+  EXPECT_EQ(scene.readouts[0].label, "");
+  EXPECT_EQ(scene.readouts[1].at, Spot::kBottom);
+  EXPECT_EQ(scene.readouts[1].label, "spin");
+  EXPECT_THAT(messagesWith("[[readout]]\nat = \"left\"\n"), HasSubstr("readout[0].quantity: is required"));
+  EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"t\"\nat = \"top_left\"\n"),
+              HasSubstr("got \"top_left\"; did you mean \"top left\"?"));
+}
+
+TEST(Notes, AreLinesHoweverTheyAreGiven) {
+  const auto linesOf = [](const std::string& text) {
+    return sceneWith("[[note]]\ntext = " + text + "\n").notes.at(0).lines;
+  };
+  EXPECT_THAT(linesOf("\"one\""), ElementsAre("one"));
+  EXPECT_THAT(linesOf("\"one\\ntwo\""), ElementsAre("one", "two"));
+  EXPECT_THAT(linesOf("\"\"\"\none\n\nthree\n\"\"\""), ElementsAre("one", "", "three"));
+  EXPECT_THAT(linesOf("['one', 'two']"), ElementsAre("one", "two"));
+}
+
+TEST(Notes, HaveTheirKeysAndDefaults) {
+  const Scene scene =
+      sceneWith("[[note]]\ntext = \"a\"\n[[note]]\ntext = \"b\"\nat = \"centre\"\nsize = \"150 %\"\n");
+  EXPECT_EQ(scene.notes.at(0).at, Spot::kBottom);
+  EXPECT_EQ(scene.notes[0].size, 1);
+  EXPECT_EQ(scene.notes.at(1).at, Spot::kCentre);
+  EXPECT_EQ(scene.notes[1].size, 1.5);
+  EXPECT_THAT(messagesWith("[[note]]\nat = \"left\"\n"), HasSubstr("note[0].text: is required"));
+}
+
+TEST(Notes, RefuseWhatCannotBeSet) {
+  EXPECT_THAT(messagesWith("[[note]]\ntext = [\"a\", \"b\\tc\"]\n"),
+              HasSubstr("note[0].text: may hold no line ends"));
+  EXPECT_THAT(messagesWith("[[note]]\ntext = [\"a\\nb\"]\n"), HasSubstr("note[0].text: may hold no line ends"));
+  EXPECT_THAT(messagesWith("[[note]]\ntext = \"" + std::string(201, 'a') + "\"\n"),
+              HasSubstr("may have at most 200 characters, got 201"));
+  std::string many;
+  for (int i = 0; i < 41; ++i) many += "a\\n";
+  EXPECT_THAT(messagesWith("[[note]]\ntext = \"" + many + "\"\n"), HasSubstr("may have at most 40 lines, got 41"));
+}
+
+// Each line is checked for itself, and an element of an array is said to be wrong where it stands.
+TEST(Texts, OfPlotsReadoutsAndNotesAreChecked) {
+  const TextCheck check = [](std::string_view text) { return std::string(text == "bad" ? "no TeX" : ""); };
+  const auto placeOf = [&](const std::string& extra) {
+    try {
+      parseScene(kTop + extra, "test.toml", {}, check);
+    } catch (const SceneErrors& errors) {
+      return std::pair(errors.problems().at(0).where.line, errors.problems().at(0).where.column);
+    }
+    return std::pair(0, 0);
+  };
+  EXPECT_EQ(placeOf("[[plot]]\nquantities = [\"T\"]\ntitle = \"bad\"\n"), std::pair(7, 9));
+  EXPECT_EQ(placeOf("[[readout]]\nquantity = \"T\"\nlabel = \"bad\"\n"), std::pair(7, 9));
+  EXPECT_EQ(placeOf("[[note]]\ntext = [\"good\", \"bad\"]\n"), std::pair(6, 17));
+  EXPECT_EQ(placeOf("[[note]]\ntext = \"good\\nbad\"\n"), std::pair(6, 8));
+  EXPECT_EQ(placeOf("[[note]]\ntext = \"good\"\n"), std::pair(0, 0));
+}
+
+TEST(Style, KnowsTheDecimalSign) {
+  EXPECT_EQ(sceneWith("[style]\ndecimal_sign = \"comma\"\n").style.decimalSign, DecimalSign::kComma);
+}
+
+}  // namespace
+}  // namespace poinsot::scene
