@@ -81,7 +81,7 @@ void Canvas::label(const std::string& tex, const Vector3d& at_V, const Vector3d&
 void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
                      double size, double gap) const {
   if (type_px == 0) return;
-  const auto size_px = static_cast<float>(size * type_px);
+  const auto size_px = static_cast<float>(std::max(size * type_px, least_px));
   labels.push_back({tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color});
 }
 

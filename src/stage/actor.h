@@ -28,6 +28,7 @@ struct Canvas {
   double line_px = 2;    ///< width of an ordinary line
   double thickness = 1;  ///< factor on arrows
   double type_px = 32;   ///< size of an ordinary label; 0: labels are not wanted
+  double least_px = 0;   ///< no label is smaller
 
   /// A flat line; `width` in ordinary lines, `lift` towards the eye.
   void line(const std::vector<Eigen::Vector3d>& points_V, bool closed, const draw::Color& color, double width = 1,

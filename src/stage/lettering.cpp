@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 // In shares of the reference height.
 constexpr double kHeading = 0.044, kUnderHeading = 0.028;
 constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.025, kEdge = 0.055;
+constexpr double kLine = 2.0 / 1080;
+// In points: a label as the text of a book's captions, and nothing that a copier would lose.
+constexpr double kPrintedLabel = 8.5, kPrintedLine = 0.6, kLeastPrinted = 6.5;
 // In em.
 constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
 
@@ -36,14 +39,28 @@ double referenceHeight(glm::vec2 size_px) {
   return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
 }
 
-double addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette& colors) {
-  const double H = referenceHeight(picture.size_px) * scene.style.textSize;
+Sizing screenSizing(glm::vec2 size_px) {
+  const double H = referenceHeight(size_px);
+  return {H, kLine * H, 0};
+}
+
+Sizing printSizing(double pixelsPerInch) {
+  const double point_px = pixelsPerInch / 72;
+  return {kPrintedLabel / kLabelSize * point_px, kPrintedLine * point_px, kLeastPrinted * point_px};
+}
+
+Sizing typeScaled(const Sizing& sizing, double factor) {
+  return {factor * sizing.type_px, sizing.line_px, factor * sizing.least_px};
+}
+
+double addTitle(draw::Picture& picture, const scene::Scene& scene, const Sizing& sizing, const Palette& colors) {
+  const auto [H, line_px, least_px] = typeScaled(sizing, scene.style.textSize);
   const double left = kEdge * H, room = static_cast<double>(picture.size_px.x) - 2 * left;
   double y = kEdge * H;
   const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
     const text::GlyphRun run = text::setTex(tex);
     // A line too long for the picture is set smaller.
-    const double size_px = std::min(size * H, room / std::max(run.width_em, 1e-9));
+    const double size_px = std::min(std::max(size * H, least_px), room / std::max(run.width_em, 1e-9));
     y += size_px * std::max(run.inkTop_em, kCapHeight);
     picture.texts.push_back({tex, glm::vec2(left, y), static_cast<float>(size_px), color, 1, std::nullopt, 0});
     y += size_px * (std::max(-run.inkBottom_em, kDescent) + kLeading);
@@ -58,14 +75,15 @@ double addTitle(draw::Picture& picture, const scene::Scene& scene, const Palette
   return bottom;
 }
 
-double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, double type_px,
+double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, const Sizing& sizing,
                   const Palette& colors) {
-  const auto width = static_cast<double>(cell.size_px.x), edge = 0.5 * kEdge * type_px;
+  const auto width = static_cast<double>(cell.size_px.x), edge = 0.5 * kEdge * sizing.type_px;
   double y = edge;
   const auto addLine = [&](const std::string& tex, double size, const draw::Color& color) {
     const text::GlyphRun run = text::setTex(tex);
     const double room = std::max(width - 2 * edge, 1.0);
-    const double size_px = std::min(size * type_px, room / std::max(run.width_em, 1e-9));
+    const double wanted_px = std::max(size * sizing.type_px, sizing.least_px);
+    const double size_px = std::min(wanted_px, room / std::max(run.width_em, 1e-9));
     y += size_px * std::max(run.inkTop_em, kCapHeight);
     const glm::vec2 baseline(0.5 * (width - size_px * run.width_em), y);
     picture.texts.push_back(

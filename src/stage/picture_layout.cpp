@@ -10,7 +10,7 @@ namespace poinsot::stage {
 namespace {
 
 constexpr double kMostTitle = 0.4;  // of the picture's height: panels keep the rest however small it is
-constexpr double kRule = 1.5 / 1080, kRuleInset = 0.03;  // width, and free at either end, in shares of type_px
+constexpr double kRule = 0.75, kRuleInset = 16;  // width, and free at either end, in ordinary lines
 constexpr float kRuleOpacity = 0.35f;
 
 /// Where line `i` of `n` cells is between two ends.
@@ -42,9 +42,9 @@ std::vector<Cell> PictureLayout::cells(glm::ivec2 size_px, double top_px) const 
   return cells;
 }
 
-void PictureLayout::addRules(draw::Picture& picture, const std::vector<Cell>& cells, double type_px,
+void PictureLayout::addRules(draw::Picture& picture, const std::vector<Cell>& cells, double line_px,
                              const Palette& colors) const {
-  const auto width = static_cast<float>(kRule * type_px), inset = static_cast<float>(kRuleInset * type_px);
+  const auto width = static_cast<float>(kRule * line_px), inset = static_cast<float>(kRuleInset * line_px);
   const auto add = [&](glm::vec2 from, glm::vec2 to) {
     const glm::vec2 along = glm::vec2(to.x > from.x ? inset : 0, to.y > from.y ? inset : 0);
     picture.strokes.push_back({.points_px = {from + along, to - along},

@@ -24,8 +24,8 @@ class PictureLayout {
   /// panel's too.
   std::vector<Cell> cells(glm::ivec2 size_px, double top_px) const;
 
-  /// Hairlines between panels, `type_px` as of referenceHeight().
-  void addRules(draw::Picture& picture, const std::vector<Cell>& cells, double type_px,
+  /// Hairlines between panels.
+  void addRules(draw::Picture& picture, const std::vector<Cell>& cells, double line_px,
                 const Palette& colors) const;
 
  private:

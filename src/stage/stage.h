@@ -5,6 +5,7 @@
 
 #include "draw/picture.h"
 #include "scene/scene.h"
+#include "stage/lettering.h"
 #include "stage/palette.h"
 #include "stage/picture_layout.h"
 #include "stage/view_stage.h"
@@ -21,6 +22,8 @@ class Stage {
 
   /// What the picture shows at film time `filmTime_s`, for a picture of `size_px` (width, height).
   draw::Picture compose(double filmTime_s, glm::ivec2 size_px) const;
+  /// With type and lines of a size of their own, such as printSizing().
+  draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const;
 
   const scene::Scene& scene() const { return scene_; }
   /// Motion seconds per film second: the scene's, or the one chosen from |omega|.
@@ -28,7 +31,8 @@ class Stage {
 
  private:
   /// Adds the panels' headings to the picture.
-  std::vector<PanelFrame> framesOf(draw::Picture& picture, const std::vector<Cell>& cells) const;
+  std::vector<PanelFrame> framesOf(draw::Picture& picture, const std::vector<Cell>& cells, const Sizing& sizing,
+                                   double title_px) const;
 
   scene::Scene scene_;
   Palette colors_;

@@ -9,6 +9,7 @@
 #include "stage/construction.h"
 #include "stage/framing.h"
 #include "stage/label_layout.h"
+#include "stage/lettering.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
 #include "stage/principal_axes_figure.h"
@@ -16,9 +17,6 @@
 
 namespace poinsot::stage {
 namespace {
-
-// In shares of the reference height.
-constexpr double kLine = 2.0 / 1080, kLabel = 0.044;
 
 // The whole film at once, so that nothing breathes.
 Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& motion, const Scales& scales) {
@@ -70,10 +68,11 @@ draw::DrawList ViewStage::compose(double filmTime_s, const PanelFrame& frame) co
   draw::DrawList list;
   list.camera = frameAll(plan.scene.camera, plan.extent, frame.margins, frame.size_px, frame.mostUnit_px);
   list.background = plan.colors.paper;
-  const double line_px = kLine * frame.type_px * style.lineWidth;
-  const double label_px = plan.scene.show.labels ? kLabel * frame.type_px * style.textSize : 0;
+  const double line_px = frame.line_px * style.lineWidth;
+  const double label_px = plan.scene.show.labels ? kLabelSize * frame.type_px * style.textSize : 0;
   std::vector<Label> labels;
-  const Canvas canvas{list, labels, plan.colors, line_px, style.lineWidth, label_px};
+  const Canvas canvas{
+      list, labels, plan.colors, line_px, style.lineWidth, label_px, frame.least_px * style.textSize};
   const PictureState state = plan.motion.at(filmTime_s);
   for (const ShownActor& shown : plan.actors) shown.actor->add(canvas, filmTime_s, state);
   addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px));

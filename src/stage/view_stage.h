@@ -14,7 +14,9 @@ namespace poinsot::stage {
 /// What a view is composed for.
 struct PanelFrame {
   glm::ivec2 size_px{1, 1};  ///< width, height
-  double type_px = 1;        ///< what type and lines are sized by, as referenceHeight() (lettering.h)
+  double type_px = 1;        ///< what type is sized by, as Sizing (lettering.h)
+  double line_px = 2;        ///< width of an ordinary line
+  double least_px = 0;       ///< no label is smaller
   Margins margins;
   double heading_px = 0;                                         ///< at the top, where no label goes
   double mostUnit_px = std::numeric_limits<double>::infinity();  ///< as in frameAll()
