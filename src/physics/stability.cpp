@@ -19,16 +19,30 @@ SpinStability spinStability(const PrincipalMoments& moments, int axis, double sp
   return {stiffness > 0 ? Stability::kStable : Stability::kUnstable, rate};
 }
 
+namespace {
+
+constexpr double kTangentOfFlip = 0.36397023426620234;  // tan 20 deg, see FlipTimes::turnsOver
+
+/// |m_c/m_2| at m_a = 0: eq (38) and |m| = L, solved for the two.
+double tangentFromMiddle(const FreeMotionConstants& k) {
+  const DoubleDouble& other = k.c == 2 ? k.D3 : k.D1;
+  return toDouble(sqrt(abs(k.D) * k.start.I[k.c] / (other * k.start.I[1])));
+}
+
+}  // namespace
+
 FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   const FreeMotionConstants k = freeMotionConstants(moments, omega_P);
   if (k.regime == PolhodeRegime::kSteady) return {};
   const double lambda = std::ldexp(toDouble(k.lambda), k.start.rateExponent), mc = toDouble(k.mc);
   if (!k.periodic()) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return {kInfinity, kInfinity, lambda, 0};
+    return {kInfinity, kInfinity, lambda, 0, 0, true};
   }
-  const double logarithmic = logarithm(4 / std::sqrt(mc));
-  return {2 * toDouble(k.K) / lambda, 2 * logarithmic / lambda, lambda, mc};
+  const double logarithmic = logarithm(4 / std::sqrt(mc)), tangent = tangentFromMiddle(k);
+  const bool distinct = k.start.I[0] < k.start.I[1] && k.start.I[1] < k.start.I[2];
+  return {2 * toDouble(k.K) / lambda,          2 * logarithmic / lambda, lambda, mc, arcTangent(tangent),
+          distinct && tangent < kTangentOfFlip};
 }
 
 }  // namespace poinsot::physics

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <numbers>
 
 #include "physics/principal_moments.h"
 
@@ -27,7 +28,7 @@ struct SpinStability {
 SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin);
 
 /// Flips of a body that spins about its middle axis (tennis racket, T-handle): omega_2 changes sign once in each
-/// half period of the polhode.
+/// half period of the polhode. It does so too where the body only wobbles about another axis: see turnsOver.
 struct FlipTimes {
   /// Half the polhode's period, s: 2K/lambda. 0 for a steady motion, infinite on the separatrix.
   double interval_s = 0;
@@ -37,6 +38,13 @@ struct FlipTimes {
   double asymptotic_s = 0;
   double growthRate = 0;     ///< lambda, 1/s
   double complementary = 1;  ///< mc = 1 - k² of the elliptic functions: 0 on the separatrix
+  /// Smallest angle between L and the line of the middle axis, in [0, pi/2]: tan of it |m_c/m_2| at m_a = 0 (c the
+  /// axis that the polhode goes round). pi/2 for a steady motion.
+  double nearestToMiddle_rad = std::numbers::pi / 2;
+  /// L comes within 20° of the middle axis, so that the body is seen to spin about it for a while and then to
+  /// flip. (The bound is a choice: from about there on it looks like a wide wobble.) Never where two moments are
+  /// equal.
+  bool turnsOver = false;
 };
 
 /// omega_P in rad/s at any one time of the motion. Source: DLMF 19.12.1 (K near k = 1).
