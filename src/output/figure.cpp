@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
-#include "core/version.h"
 #include "output/atomic_file.h"
 #include "output/figure_parts.h"
 #include "output/figure_writers.h"
@@ -19,6 +18,7 @@ namespace poinsot::output {
 namespace {
 
 constexpr double kInch_mm = 25.4;
+constexpr const char* kUnlabelled = "-unlabelled.png";
 
 // LaTeX reads these in a file's name as something else.
 void requireNameForLatex(const std::string& name) {
@@ -34,13 +34,9 @@ void write(const std::filesystem::path& target, std::string_view text) {
 
 // The image first: a .tex that is there can be set.
 void writeTikz(const std::filesystem::path& target, const Figure& figure) {
-  const std::filesystem::path imageFile = std::filesystem::path(target).replace_extension(".png");
-  requireNameForLatex(imageFile.filename().string());
+  const std::filesystem::path imageFile = figureFiles(target).front();
   const std::string tikz = tikzOf(figure, imageFile.filename().string());
-  std::vector<image::PngText> texts;
-  if (!figure.options.title.empty()) texts.push_back({"Title", figure.options.title});
-  if (!figure.options.description.empty()) texts.push_back({"Description", figure.options.description});
-  writePng(imageFile, figure.imagePart, texts, figure.dpi());
+  writePng(imageFile, figure.imagePart, pngTexts(figure.options.title, figure.options.description), figure.dpi());
   write(target, tikz);
 }
 
@@ -52,6 +48,20 @@ std::optional<FigureMedium> figureMedium(const std::filesystem::path& target) {
   if (extension == ".svg") return FigureMedium::kSvg;
   if (extension == ".tex") return FigureMedium::kTikz;
   return std::nullopt;
+}
+
+std::vector<std::filesystem::path> figureFiles(const std::filesystem::path& target) {
+  if (figureMedium(target) != FigureMedium::kTikz) return {target};
+  const std::string imageName = target.stem().string() + kUnlabelled;
+  requireNameForLatex(imageName);
+  return {target.parent_path() / imageName, target};
+}
+
+std::vector<image::PngText> pngTexts(const std::string& title, const std::string& description) {
+  std::vector<image::PngText> texts;
+  if (!title.empty()) texts.push_back({"Title", title});
+  if (!description.empty()) texts.push_back({"Description", description});
+  return texts;
 }
 
 int pixelsAcross(double width_mm, double dpi) {
@@ -94,7 +104,5 @@ std::vector<glm::dvec2> labelAnchors(const draw::Picture& picture, FigureMedium 
 }
 
 double Figure::pointsPerPixel() const { return options.width_mm / kInch_mm * 72 / picture.size_px.x; }
-
-std::string creator() { return fmt::format("poinsot {}", core::version()); }
 
 }  // namespace poinsot::output

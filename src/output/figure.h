@@ -9,6 +9,7 @@
 
 #include "draw/picture.h"
 #include "image/image.h"
+#include "image/png_file.h"
 
 /// Figures for notes: a picture on paper, its surfaces as an image, its lines and type as vectors.
 ///
@@ -21,11 +22,18 @@ namespace poinsot::output {
 enum class FigureMedium {
   kPdf,
   kSvg,
-  kTikz,  ///< NAME.tex with the labels, for LaTeX to set, over NAME.png with all else
+  kTikz,  ///< NAME.tex with the labels, for LaTeX to set, over NAME-unlabelled.png with all else
 };
 
 /// By the name's ending: .pdf, .svg, .tex.
 std::optional<FigureMedium> figureMedium(const std::filesystem::path& target);
+
+/// The files that a figure is made of, in the order they are written; the target is the last.
+/// @throws core::Error(kUsage) for a name that LaTeX cannot load.
+std::vector<std::filesystem::path> figureFiles(const std::filesystem::path& target);
+
+/// What a PNG says of itself, by the keywords of its standard; an empty text is left out.
+std::vector<image::PngText> pngTexts(const std::string& title, const std::string& description);
 
 /// Pixels of a width in print, at least 1.
 int pixelsAcross(double width_mm, double dpi);
@@ -43,8 +51,8 @@ draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium);
 /// is written unless SOURCE_DATE_EPOCH is set. Type is real text: it can be searched and copied, its font is
 /// embedded.
 /// @pre `target` has one of the three endings, `imagePart` is imagePartOf() rendered in the picture's size.
-/// @throws core::Error(kUsage) for labels that cannot be set, a width that is not positive or a name that LaTeX
-/// cannot load; core::Error(kIo) when the file cannot be written; core::Error(kEncode) when cairo fails.
+/// @throws core::Error(kUsage) for labels that cannot be set, a width that is not positive or a name as above;
+/// core::Error(kIo) when the file cannot be written; core::Error(kEncode) when cairo fails.
 void writeFigure(const std::filesystem::path& target, const draw::Picture& picture, const image::Image& imagePart,
                  const FigureOptions& options);
 

@@ -10,6 +10,7 @@
 #include "image/png_file.h"
 #include "output/figure_cairo.h"
 #include "output/figure_ink.h"
+#include "output/figure_mark.h"
 #include "output/figure_parts.h"
 #include "output/figure_writers.h"
 #include "text/math_setter.h"
@@ -83,7 +84,7 @@ class SvgDocument {
     for (const draw::Area& area : figure_.picture.areas) add(area);
     for (const draw::Stroke& stroke : figure_.picture.strokes) add(stroke);
     for (const draw::Text& label : labelsOf(figure_.picture)) add(label);
-    return head() + glyphs() + body_ + "</svg>\n";
+    return marked(kSvgMark, head() + glyphs() + body_ + "</svg>\n");
   }
 
  private:
@@ -91,10 +92,9 @@ class SvgDocument {
     const FigureOptions& options = figure_.options;
     const glm::ivec2 size = figure_.picture.size_px;
     std::string head = fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" role=\"img\" "
         "width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n",
-        creator(), number(options.width_mm), number(options.width_mm * size.y / size.x), size.x, size.y);
+        number(options.width_mm), number(options.width_mm * size.y / size.x), size.x, size.y);
     if (!options.title.empty()) head += fmt::format("<title>{}</title>\n", escaped(options.title));
     if (!options.description.empty()) head += fmt::format("<desc>{}</desc>\n", escaped(options.description));
     return head;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/figure_ink.h"
+#include "output/figure_mark.h"
 #include "output/figure_parts.h"
 #include "output/figure_tex.h"
 #include "output/figure_writers.h"
@@ -12,8 +13,7 @@ namespace poinsot::output {
 namespace {
 
 constexpr std::string_view kHead =
-    R"(% {creator}
-% The picture is {image}; LaTeX sets its labels in the fonts of the document.
+    R"(% The picture is {image}; LaTeX sets its labels in the fonts of the document.
 % In the preamble: \usepackage{{tikz}} \usepackage{{amsmath}}. The labels' \boldsymbol is of amsmath; the package bm,
 % loaded after it, sets bold Greek in more fonts.
 % By itself: \documentclass{{standalone}} \usepackage{{tikz,amsmath}} \begin{{document}} \input{{NAME}} \end{{document}}
@@ -61,16 +61,17 @@ std::string tikzOf(const Figure& figure, const std::string& imageName) {
     nodes += node(label, latex, anchors[k++], figure);
     all += latex;
   }
-  return fmt::format(fmt::runtime(kHead), fmt::arg("creator", creator()), fmt::arg("image", imageName)) +
-         comment(figure.options.title) + comment(figure.options.description) +
-         "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
-         fmt::format(
-             "\\begin{{tikzpicture}}\n"
-             "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"
-             "  \\node[anchor=south west, inner sep=0pt, outer sep=0pt] at (0, 0)\n"
-             "    {{\\includegraphics[width={0:.3f}bp, height={1:.3f}bp]{{{2}}}}};\n",
-             size_bp.x, size_bp.y, imageName) +
-         nodes + "\\end{tikzpicture}%\n";
+  const std::string text = fmt::format(fmt::runtime(kHead), fmt::arg("image", imageName)) +
+                           comment(figure.options.title) + comment(figure.options.description) +
+                           "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
+                           fmt::format(
+                               "\\begin{{tikzpicture}}\n"
+                               "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"
+                               "  \\node[anchor=south west, inner sep=0pt, outer sep=0pt] at (0, 0)\n"
+                               "    {{\\includegraphics[width={0:.3f}bp, height={1:.3f}bp]{{{2}}}}};\n",
+                               size_bp.x, size_bp.y, imageName) +
+                           nodes + "\\end{tikzpicture}%\n";
+  return marked(kTexMark, text);
 }
 
 }  // namespace poinsot::output

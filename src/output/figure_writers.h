@@ -28,7 +28,4 @@ std::string svgOf(const Figure& figure);
 /// @param imageName of the image part's PNG, beside the file.
 std::string tikzOf(const Figure& figure, const std::string& imageName);
 
-/// "poinsot 0.1.0".
-std::string creator();
-
 }  // namespace poinsot::output

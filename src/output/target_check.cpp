@@ -17,6 +17,7 @@
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/atomic_file.h"
+#include "output/figure_mark.h"
 #include "output/film.h"
 
 namespace poinsot::output {
@@ -55,7 +56,7 @@ std::string_view kindOf(mode_t mode) {
   return "a device or socket";
 }
 
-bool isOwn(const std::filesystem::path& file) { return image::isOwnPng(file) || isOwnFilm(file); }
+bool isOwn(const std::filesystem::path& file) { return image::isOwnPng(file) || isOwnFilm(file) || isOwnFigure(file); }
 
 /// What stands at the target already.
 void checkExisting(const std::filesystem::path& target, bool force) {

@@ -10,7 +10,7 @@ namespace poinsot::output {
 
 /// Fails early, before any frame is drawn, where an output could not or should not be written: its folder is
 /// missing or not writable; it is a folder, link, device or pipe; or a file that is not an earlier output of this
-/// program (PNG or MP4 with our mark), unless `force`.
+/// program (PNG, MP4, PDF, SVG or TeX with our mark), unless `force`.
 /// @throws core::Error(kIo) naming the path, the reason and the way out.
 void checkTarget(const std::filesystem::path& target, bool force);
 

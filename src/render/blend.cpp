@@ -5,6 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "core/expect.h"
+
 namespace poinsot::render {
 namespace {
 
@@ -55,10 +57,9 @@ bool nextEightEmpty(const std::uint8_t* coverage) {
   return eight == 0;
 }
 
-}  // namespace
-
-void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture) {
-  Blender blender(color, opacity, picture.channels);
+/// Calls use(pixel, coverage) where the map, cut to the picture, is not empty.
+template <class Use>
+void forEachCovered(const text::CoverageMap& map, image::Image& picture, Use use) {
   const int left = std::max(map.left, 0), right = std::min(map.left + map.width, picture.size.width);
   const int bottom = std::min(map.top + map.height, picture.size.height);
   for (int y = std::max(map.top, 0); y < bottom; ++y) {
@@ -66,11 +67,27 @@ void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float
     for (int x = left; x < right; ++x) {
       const std::uint8_t* coverage = row + (x - map.left);
       if (*coverage)
-        blender.blend(picture.at(x, y), *coverage);
+        use(picture.at(x, y), *coverage);
       else if (x + 8 <= right && nextEightEmpty(coverage))
         x += 7;
     }
   }
+}
+
+}  // namespace
+
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture) {
+  Blender blender(color, opacity, picture.channels);
+  forEachCovered(map, picture,
+                 [&](std::uint8_t* pixel, std::uint8_t coverage) { blender.blend(pixel, coverage); });
+}
+
+void eraseCoverage(const text::CoverageMap& map, float opacity, image::Image& picture) {
+  POINSOT_EXPECT(picture.channels == 4);
+  forEachCovered(map, picture, [&](std::uint8_t* pixel, std::uint8_t coverage) {
+    const float left = 1 - opacity * static_cast<float>(coverage) / 255.0f;
+    pixel[3] = static_cast<std::uint8_t>(left * static_cast<float>(pixel[3]) + 0.5f);
+  });
 }
 
 }  // namespace poinsot::render

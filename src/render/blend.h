@@ -11,4 +11,7 @@ namespace poinsot::render {
 /// of the map lies outside the picture is cut.
 void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture);
 
+/// Takes the picture away where `map` covers it, down to its paper. @pre four channels
+void eraseCoverage(const text::CoverageMap& map, float opacity, image::Image& picture);
+
 }  // namespace poinsot::render

@@ -21,7 +21,9 @@ const text::CoverageMap& TextPainter::coverage(const draw::Text& item, float out
 }
 
 void TextPainter::paint(const draw::Text& item, image::Image& picture) {
-  if (item.halo && item.halo_px > 0)
+  if (item.halo && item.halo_px > 0 && picture.channels == 4)
+    eraseCoverage(coverage(item, item.halo_px), item.opacity, picture);
+  else if (item.halo && item.halo_px > 0)
     blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);
   blendCoverage(coverage(item, 0), item.color, item.opacity, picture);
 }

@@ -20,6 +20,7 @@ class TextPainter {
   /// Forgets the type that the picture before did not show.
   void beginPicture() { coverage_.beginPicture(); }
 
+  /// In a picture of four channels a halo is its paper too: nothing, whatever colour the list has for it.
   /// @throws core::Error(kUsage) for TeX that cannot be set.
   void paint(const std::vector<draw::Text>& texts, image::Image& picture);
 

@@ -49,6 +49,25 @@ TEST(TextPainter, TransparentPictureGainsAlpha) {
   EXPECT_GT(opaque, 50);
 }
 
+// Black all over, and opaque: where the halo is, the paper shows; where the ink is, it is as opaque as ever.
+TEST(TextPainter, WithoutPaperAHaloIsAHole) {
+  image::Image busy({120, 60}, 4);
+  for (std::size_t i = 3; i < busy.pixels.size(); i += 4) busy.pixels[i] = 255;
+  TextPainter painter;
+  painter.paint({{"L", {20, 50}, 50, draw::fromSrgb(0x0072B2), 1, draw::Color(1), 4}}, busy);
+  int holes = 0, ink = 0, white = 0;
+  for (int y = 0; y < busy.size.height; ++y)
+    for (int x = 0; x < busy.size.width; ++x) {
+      const std::uint8_t* p = busy.at(x, y);
+      holes += p[3] == 0;
+      ink += p[2] == 0xB2 && p[3] == 255;
+      white += p[0] > 128 && p[3] > 0;
+    }
+  EXPECT_GT(holes, 300);  // measured 539
+  EXPECT_GT(ink, 100);    // measured 183
+  EXPECT_EQ(white, 0);
+}
+
 TEST(TextPainter, TextThatLeavesThePictureIsCut) {
   image::Image picture = paper(3);
   TextPainter painter;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/figure_alpha.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace poinsot::output {
+namespace {
+
+using Pixel = std::array<int, 4>;
+
+/// IEC 61966-2-1, written out.
+double light(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+double encoded(double light) {
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+Pixel fitted(const Pixel& pixel, const draw::Color& paper) {
+  image::Image one({1, 1}, 4);
+  for (std::size_t c = 0; c < 4; ++c) one.pixels[c] = static_cast<std::uint8_t>(pixel[c]);
+  fitAlpha(one, paper);
+  Pixel result;
+  for (std::size_t c = 0; c < 4; ++c) result[c] = one.pixels[c];
+  return result;
+}
+
+/// How far, of 255, a viewer's mix over the paper is from light's: the worst channel.
+double error(const Pixel& drawn, const Pixel& fit, double paper) {
+  double worst = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double a = drawn[3] / 255.0, b = fit[3] / 255.0;
+    const double wanted = encoded(a * light(drawn[c] / 255.0) + (1 - a) * light(paper));
+    worst = std::max(worst, std::abs(b * fit[c] / 255.0 + (1 - b) * paper - wanted));
+  }
+  return 255 * worst;
+}
+
+TEST(FitAlpha, HalfOfBlackOverWhiteIsALittle) {
+  // 127/255 of the light is 187 of 255 when encoded, 128/255 of it 188.
+  EXPECT_EQ(fitted({0, 0, 0, 128}, draw::Color(1)), (Pixel{0, 0, 0, 68}));
+  EXPECT_EQ(fitted({255, 255, 255, 128}, draw::Color(0)), (Pixel{255, 255, 255, 188}));
+}
+
+TEST(FitAlpha, WhatIsWholeOrNothingStays) {
+  const Pixel all[] = {{1, 2, 3, 255}, {200, 90, 10, 0}, {255, 255, 255, 77}};
+  for (const Pixel& p : all) EXPECT_EQ(fitted(p, draw::Color(1)), p);
+}
+
+// Measured, the worst of 2000: 0.970 of 255, which is rounding, twice.
+TEST(FitAlpha, GreysLookAsLightMixesThem) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const int grey = static_cast<int>(random() % 256), alpha = static_cast<int>(random() % 256);
+    for (const int paper : {255, 24}) {
+      const Pixel drawn{grey, grey, grey, alpha};
+      if (std::abs(grey - paper) < 8) continue;
+      EXPECT_LE(error(drawn, fitted(drawn, draw::Color(draw::linearFromSrgb8(static_cast<std::uint8_t>(paper)))),
+                      paper / 255.0),
+                1.1)
+          << grey << ' ' << alpha << " on " << paper;
+    }
+  }
+}
+
+// Colours keep their hue, so the three channels agree on one alpha only nearly. Measured over all alphas, of 255:
+// vermilion 18.6, blue 18.9, green 18.1; as drawn, 73.2 each.
+TEST(FitAlpha, ColoursLookNearlySo) {
+  const std::array<Pixel, 3> palette{{{0xd5, 0x5e, 0x00, 0}, {0x00, 0x72, 0xb2, 0}, {0x00, 0x9e, 0x73, 0}}};
+  for (Pixel drawn : palette) {
+    double fit = 0, asDrawn = 0;
+    for (drawn[3] = 1; drawn[3] < 255; ++drawn[3]) {
+      const Pixel kept = fitted(drawn, draw::Color(1));
+      EXPECT_TRUE(std::equal(kept.begin(), kept.begin() + 3, drawn.begin()));
+      fit = std::max(fit, error(drawn, kept, 1));
+      asDrawn = std::max(asDrawn, error(drawn, drawn, 1));
+    }
+    EXPECT_LT(fit, 20);
+    EXPECT_GT(asDrawn, 70);
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::output
