@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "output/figure.h"
 #include "output/frame_pattern.h"
 
 namespace poinsot::app {
@@ -33,6 +34,15 @@ OutputTarget parseTarget(const std::string& name) {
   if (!pattern) return {OutputKind::kPicture, path};
   static_cast<void>(output::FramePattern(name));  // throws unless it is a good one
   return {OutputKind::kSequence, path};
+}
+
+OutputTarget parseStillTarget(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (output::figureMedium(path)) return {OutputKind::kFigure, path};
+  if (path.extension() == ".png" && !output::FramePattern::isPattern(name)) return {OutputKind::kPicture, path};
+  throw core::Error(
+      core::ErrorKind::kUsage,
+      fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex", core::printable(name)));
 }
 
 }  // namespace poinsot::app

@@ -10,6 +10,7 @@ enum class OutputKind {
   kFilm,      ///< one .mp4
   kPicture,   ///< one .png of one frame
   kSequence,  ///< a .png per frame; the path is an output::FramePattern
+  kFigure,    ///< of one frame, with vectors and type: one of output::FigureMedium
 };
 
 /// Where the result goes.
@@ -18,8 +19,12 @@ struct OutputTarget {
   std::filesystem::path path;
 };
 
-/// Reads the kind off the name.
+/// Of a film: reads the kind off the name.
 /// @throws core::Error(kUsage) saying which names work.
 OutputTarget parseTarget(const std::string& name);
+
+/// Of a still: a picture or a figure.
+/// @throws core::Error(kUsage) saying which names work.
+OutputTarget parseStillTarget(const std::string& name);
 
 }  // namespace poinsot::app

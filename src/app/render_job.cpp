@@ -63,7 +63,8 @@ void RenderJob::startWorkers() {
   // With fewer segments than CPUs the rasteriser's threads use the rest; they do not change a pixel.
   const int perWorker = request_.jobs / count;
   const WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
-                      folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0};
+                      folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0,
+                      request_.form};
   for (int i = 0; i < count; ++i) {
     throwIfInterrupted();
     workers_.push_back(std::make_unique<WorkerProcess>(job));

@@ -25,6 +25,7 @@ struct RenderRequest {
   int jobs = 1;                  ///< most worker processes
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = false;
+  PictureForm form = {};
 };
 
 struct RenderSummary {

@@ -3,22 +3,36 @@
 
 #include "app/frame_clock.h"
 #include "app/statistics.h"
+#include "output/figure_alpha.h"
 
 namespace poinsot::app {
 
-SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s)
+SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
+                         const PictureForm& form, std::optional<output::FigureMedium> medium)
     : size_{scene.output.width, scene.output.height},
       fps_(scene.time.fps),
       time_s_(time_s),
+      form_(form),
+      medium_(medium),
       stage_(scene),
       renderer_(context) {}
 
 image::Image SceneFrames::frame(std::int64_t k) {
   const double before_s = processCpu_s();
   const double time_s = time_s_.value_or(filmTime_s(k, fps_));
-  const draw::Picture picture = stage_.compose(time_s, {size_.width, size_.height});
+  picture_ = composed(time_s);
   compose_s_ += processCpu_s() - before_s;
-  return renderer_.render(picture);
+  render::RenderOptions options;
+  options.transparent = form_.transparent;
+  image::Image image = renderer_.render(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, options);
+  if (form_.transparent) output::fitAlpha(image, picture_.background);
+  return image;
+}
+
+draw::Picture SceneFrames::composed(double time_s) const {
+  const glm::ivec2 size_px(size_.width, size_.height);
+  if (!form_.print) return stage_.compose(time_s, size_px);
+  return stage_.compose(time_s, size_px, stage::printSizing(form_.print->dpi));
 }
 
 FrameTimes SceneFrames::times() const {

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "app/frame_source.h"
+#include "app/picture_form.h"
 #include "core/rational.h"
 #include "gl/offscreen_context.h"
+#include "output/figure.h"
 #include "render/renderer.h"
 #include "stage/stage.h"
 
@@ -15,16 +17,25 @@ namespace poinsot::app {
 class SceneFrames : public FrameSource {
  public:
   /// @param time_s  film time of every frame, in place of its own: for a still between two frames.
+  /// @param medium  of a figure: a frame is then only what the figure holds as an image.
   /// @throws core::Error(kPhysics, kGraphics)
-  SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s);
+  SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
+              const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt);
 
   image::Image frame(std::int64_t k) override;
+  /// What the last frame was drawn from, whole.
+  const draw::Picture& picture() const { return picture_; }
   FrameTimes times() const override;
 
  private:
+  draw::Picture composed(double time_s) const;
+
   image::PixelSize size_;
   core::Rational fps_;
   std::optional<double> time_s_;
+  PictureForm form_;
+  std::optional<output::FigureMedium> medium_;
+  draw::Picture picture_;
   stage::Stage stage_;
   render::Renderer renderer_;
   double compose_s_ = 0;

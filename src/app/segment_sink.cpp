@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/picture_words.h"
+#include "output/figure.h"
 #include "output/png_sequence.h"
 #include "output/video_segment.h"
 
@@ -33,12 +35,33 @@ class FilmSegment : public output::FrameSink {
 /// The one file of a single picture.
 class SinglePicture : public output::FrameSink {
  public:
-  explicit SinglePicture(std::filesystem::path target) : target_(std::move(target)) {}
-  void write(const image::Image& picture, std::int64_t) override { output::writePng(target_, picture); }
+  SinglePicture(std::filesystem::path target, std::vector<image::PngText> texts, double dpi)
+      : target_(std::move(target)), texts_(std::move(texts)), dpi_(dpi) {}
+  void write(const image::Image& picture, std::int64_t) override {
+    output::writePng(target_, picture, texts_, dpi_);
+  }
   void finish() override {}
 
  private:
   std::filesystem::path target_;
+  std::vector<image::PngText> texts_;
+  double dpi_;
+};
+
+/// A picture that is more than its pixels.
+class SingleFigure : public output::FrameSink {
+ public:
+  SingleFigure(std::filesystem::path target, output::FigureOptions options, const SceneFrames& frames)
+      : target_(std::move(target)), options_(std::move(options)), frames_(frames) {}
+  void write(const image::Image& imagePart, std::int64_t) override {
+    output::writeFigure(target_, frames_.picture(), imagePart, options_);
+  }
+  void finish() override {}
+
+ private:
+  std::filesystem::path target_;
+  output::FigureOptions options_;
+  const SceneFrames& frames_;
 };
 
 /// Pictures, timed from outside.
@@ -66,17 +89,26 @@ class TimedPictures : public output::FrameSink {
   EncodingTimes& times_;
 };
 
-std::unique_ptr<output::FrameSink> pictureSink(const OutputTarget& target) {
-  if (target.kind == OutputKind::kPicture) return std::make_unique<SinglePicture>(target.path);
-  return std::make_unique<output::PngSequence>(output::FramePattern(target.path.string()));
+std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene::Scene& scene,
+                                               const SceneFrames& frames) {
+  const auto& path = job.target.path;
+  const auto [title, description] = pictureWords(scene);
+  const PrintSize print = job.form.print.value_or(PrintSize{});
+  if (job.target.kind == OutputKind::kFigure)
+    return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames);
+  auto texts = output::pngTexts(title, description);
+  if (job.target.kind == OutputKind::kPicture)
+    return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0);
+  return std::make_unique<output::PngSequence>(output::FramePattern(path.string()), std::move(texts));
 }
 
 }  // namespace
 
-SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, EncodingTimes& times) {
-  return [&job, &scene, &times](const FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
+SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, const SceneFrames& frames,
+                    EncodingTimes& times) {
+  return [&](const FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
     if (job.target.kind != OutputKind::kFilm)
-      return std::make_unique<TimedPictures>(pictureSink(job.target), times);
+      return std::make_unique<TimedPictures>(pictureSink(job, scene, frames), times);
     return std::make_unique<FilmSegment>(segmentFile(job.workFolder, segment), scene, segment.first, times);
   };
 }

@@ -49,9 +49,9 @@ void work(LineReader& jobs, int reports) {
   pin(job);
   const scene::Scene scene = loadRequested(job.scene);
   const auto context = gl::openContext(job.backend);
-  SceneFrames frames(scene, *context, job.time_s);
+  SceneFrames frames(scene, *context, job.time_s, job.form, output::figureMedium(job.target.path));
   EncodingTimes encoding;
-  Statistics spent = makeSegments(jobs, reports, frames, sinkMaker(job, scene, encoding));
+  Statistics spent = makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, encoding));
   spent.convert_s = encoding.convert_s;
   spent.encode_s = encoding.encode_s;
   spent.cpu_s = processCpu_s();

@@ -56,6 +56,19 @@ SceneRequest sceneOf(const Json& json) {
   return scene;
 }
 
+Json toJson(const PictureForm& form) {
+  Json json{{"transparent", form.transparent}};
+  if (form.print) json["print"] = {form.print->width_mm, form.print->dpi};
+  return json;
+}
+
+PictureForm formOf(const Json& json) {
+  PictureForm form{std::nullopt, json.at("transparent").get<bool>()};
+  if (json.contains("print"))
+    form.print = PrintSize{json.at("print").at(0).get<double>(), json.at("print").at(1).get<double>()};
+  return form;
+}
+
 // In the order of the fields, so that the two functions below stay readable side by side.
 Json toJson(const Statistics& s) {
   return Json{s.frames,          s.workers,       s.first_s,         s.making.compose_s,
@@ -86,7 +99,8 @@ std::string toLine(const WorkerJob& job) {
       {"work_folder", widened(job.workFolder.string())},
       {"backend", static_cast<int>(job.backend)},
       {"reproducible", job.reproducible},
-      {"raster_threads", job.rasterThreads}}
+      {"raster_threads", job.rasterThreads},
+      {"form", toJson(job.form)}}
       .dump();
 }
 
@@ -100,7 +114,8 @@ WorkerJob jobFromLine(std::string_view line) {
           textOf(json.at("work_folder")),
           static_cast<gl::Backend>(json.at("backend").get<int>()),
           json.at("reproducible").get<bool>(),
-          json.at("raster_threads").get<int>()};
+          json.at("raster_threads").get<int>(),
+          formOf(json.at("form"))};
 }
 
 std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }

@@ -10,6 +10,7 @@
 
 #include "app/frame_plan.h"
 #include "app/output_target.h"
+#include "app/picture_form.h"
 #include "app/scene_request.h"
 #include "app/statistics.h"
 #include "core/error.h"
@@ -29,6 +30,7 @@ struct WorkerJob {
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = false;
   int rasterThreads = 0;  ///< llvmpipe's; 0 rasterises in the worker itself
+  PictureForm form = {};
 };
 
 struct FrameDone {

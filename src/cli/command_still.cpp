@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
+#include "cli/print_size.h"
 #include "cli/rendering.h"
 #include "cli/time_word.h"
 #include "core/error.h"
@@ -15,24 +17,49 @@ namespace {
 
 struct StillOptions : RenderOptions {
   std::string time = "0";
+  std::string width;
+  std::optional<double> dpi;
+  bool transparent = false;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
-void checkIsPicture(const std::string& name) {
-  if (app::parseTarget(name).kind == app::OutputKind::kPicture) return;
-  refuse(fmt::format("output '{}': a still is one NAME.png", core::printable(name)));
+/// -o, or out/NAME.png.
+app::OutputTarget targetOf(const StillOptions& options, const std::string& sceneName) {
+  return app::parseStillTarget(options.output.empty() ? "out/" + sceneName + ".png" : options.output);
+}
+
+/// A figure has a size on paper, a picture only where one is asked for.
+app::PictureForm formOf(const StillOptions& options, app::OutputKind kind) {
+  app::PictureForm form{std::nullopt, options.transparent};
+  if (kind == app::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
+  if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
+  if (options.dpi && !form.print) refuse("--dpi needs --width: pixels to the inch of a picture that has a width");
+  if (options.dpi) form.print->dpi = *options.dpi;
+  return form;
+}
+
+/// With a size on paper the one in pixels is its proportion.
+void setPixels(const app::PictureForm& form, RequestedScene& requested) {
+  if (!form.print) return;
+  scene::Output& output = requested.scene.output;
+  const image::PixelSize pixels = printedPixels(*form.print, {output.width, output.height});
+  requested.request.size = pixels;
+  output.width = pixels.width;
+  output.height = pixels.height;
 }
 
 int still(const StillOptions& options) {
-  if (!options.output.empty()) checkIsPicture(options.output);
+  const auto form = formOf(options, targetOf(options, "SCENE").kind);  // what is typed wrong is said first
   const double time_s = parseTime_s("--time", options.time);
-  auto [request, scene] = requestedScene(options);
+  RequestedScene requested = requestedScene(options);
+  const scene::Scene& scene = requested.scene;
   if (!(time_s >= 0 && time_s <= scene.time.duration_s))
     refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(options.time),
                        scene.time.duration_s));
-  const auto target = requestedTarget(options, scene.name, ".png");
-  return renderTo(options, target, std::move(request), scene, app::FrameRange{0, 0}, time_s);
+  setPixels(form, requested);
+  return renderTo(options, targetOf(options, scene.name), std::move(requested.request), scene,
+                  app::FrameRange{0, 0}, time_s, form);
 }
 
 }  // namespace
@@ -41,14 +68,27 @@ void addStill(CLI::App& program, Action& chosen) {
   auto options = std::make_shared<StillOptions>();
   CLI::App* command = program.add_subcommand("still", "make one picture of a scene");
   addRenderOptions(*command, *options);
-  command->add_option("-o,--output", options->output, "NAME.png (default: out/SCENE.png)")
+  command
+      ->add_option("-o,--output", options->output,
+                   "NAME.png, NAME.pdf, NAME.svg or NAME.tex (default: out/SCENE.png)")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--time", options->time, "film time, such as 1.25 (seconds) or '90 ms' (default: 0)")
       ->type_name("T");
+  command
+      ->add_option("--width", options->width,
+                   "width on paper, in mm, cm, in or pt: then type and lines have a size in points, and --size is "
+                   "only the proportion (default of a PDF, SVG or TeX: 86mm)")
+      ->type_name("LENGTH")
+      ->check(notEmpty());
+  command->add_option("--dpi", options->dpi, "pixels to the inch on paper (default: 600)")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, 10000.0));
+  command->add_flag("--transparent", options->transparent, "no paper behind the picture");
   command->footer(
-      "Example:\n"
-      "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png");
+      "Examples:\n"
+      "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png\n"
+      "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm -o out/fig.pdf");
   command->callback([options, &chosen] { chosen = [options] { return still(*options); }; });
 }
 

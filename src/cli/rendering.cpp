@@ -8,10 +8,12 @@
 
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/subtitles.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "output/figure.h"
 #include "output/png_sequence.h"
 #include "output/target_check.h"
 #include "stage/stage.h"
@@ -30,7 +32,10 @@ void checkFilmSize(const scene::Output& output) {
 }
 
 void checkTargets(const RenderOptions& options, const app::OutputTarget& target, const app::FrameRange& frames) {
-  if (target.kind != OutputKind::kSequence) return output::checkTarget(target.path, options.force);
+  if (target.kind != OutputKind::kSequence) {
+    for (const auto& file : output::figureFiles(target.path)) output::checkTarget(file, options.force);
+    return;
+  }
   output::checkSequence(output::FramePattern(target.path.string()), frames.first, frames.last, options.force);
 }
 
@@ -47,8 +52,17 @@ void prepareFolder(const app::OutputTarget& target) {
   if (target.kind == OutputKind::kSequence) output::PngSequence(output::FramePattern(target.path.string()));
 }
 
+int describePrinted(const app::RenderRequest& request, const scene::Output& output) {
+  const auto [width_mm, dpi] = *request.form.print;
+  writeOut(fmt::format("{}: {:.4g} x {:.4g} mm at {:.4g} dpi, {}x{} pixels\n",
+                       core::printable(request.target.path.string()), width_mm,
+                       width_mm * output.height / output.width, dpi, output.width, output.height));
+  return kDone;
+}
+
 int describe(const app::RenderRequest& request, const scene::Scene& scene) {
   const stage::Stage stage(scene);  // what the motion lacks is found here
+  if (request.form.print) return describePrinted(request, scene.output);
   const auto segments = app::segmentsOf(request.frames).size();
   writeOut(fmt::format("{}: {} frame{} ({}-{}), {}x{}, {} frames/s, {} segment{}\n",
                        core::printable(request.target.path.string()), request.frames.count(),
@@ -86,7 +100,8 @@ app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequ
 }  // namespace
 
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
-             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s) {
+             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
+             const app::PictureForm& form) {
   if (target.kind == OutputKind::kFilm) checkFilmSize(scene.output);
   if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
   app::RenderRequest render{std::move(request),
@@ -95,11 +110,15 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             time_s,
                             options.jobs > 0 ? options.jobs : app::availableCpus(),
                             requestedBackend(options),
-                            options.reproducible};
+                            options.reproducible,
+                            form};
+  const auto subtitles = target.kind == OutputKind::kFilm ? app::subtitlesOf(scene, frames) : std::vector<app::Subtitle>();
+  if (!subtitles.empty()) app::checkSubtitleFiles(target.path, options.force);
   if (options.dryRun) return describe(render, scene);
   prepareFolder(target);
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
+  if (!subtitles.empty()) app::writeSubtitles(subtitles, target.path);
   if (!options.quiet && options.progress != "json")
     writeErr(fmt::format("poinsot: {} is ready ({} frame{}, {:.1f} s)\n", core::printable(target.path.string()),
                          frames.count(), frames.count() == 1 ? "" : "s", summary.wall_s));

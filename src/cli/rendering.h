@@ -12,7 +12,7 @@ namespace poinsot::cli {
 /// made), showing progress and what was asked for besides.
 /// @throws core::Error, app::Interrupted
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
-             const scene::Scene& scene, const app::FrameRange& frames,
-             std::optional<double> time_s = std::nullopt);
+             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s = std::nullopt,
+             const app::PictureForm& form = {});
 
 }  // namespace poinsot::cli

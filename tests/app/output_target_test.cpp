@@ -29,6 +29,23 @@ TEST(OutputTarget, RefusesOtherNames) {
   }
 }
 
+TEST(OutputTarget, AStillIsAPictureOrAFigure) {
+  EXPECT_EQ(parseStillTarget("out/a.png").kind, OutputKind::kPicture);
+  for (const char* figure : {"out/a.pdf", "a.svg", "a.b.tex"}) {
+    EXPECT_EQ(parseStillTarget(figure).kind, OutputKind::kFigure);
+    EXPECT_THROW(parseTarget(figure), core::Error);  // of a film there is none
+  }
+  for (const char* bad : {"", "a", "a.mp4", "a_{frame}.png", ".pdf", "a.PDF", "out/"}) {
+    try {
+      parseStillTarget(bad);
+      ADD_FAILURE() << "accepted: " << bad;
+    } catch (const core::Error& error) {
+      EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+      EXPECT_NE(std::string(error.what()).find("NAME.png, NAME.pdf, NAME.svg or NAME.tex"), std::string::npos);
+    }
+  }
+}
+
 TEST(OutputTarget, SaysWhatWorks) {
   try {
     parseTarget("a.avi");

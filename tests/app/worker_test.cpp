@@ -81,7 +81,8 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
                       odd,
                       gl::Backend::kEgl,
                       true,
-                      2};
+                      2,
+                      {PrintSize{86.25, 599.9}, true}};
   const std::string line = toLine(job);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const WorkerJob read = jobFromLine(line);
@@ -97,12 +98,18 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_EQ(read.backend, job.backend);
   EXPECT_EQ(read.reproducible, job.reproducible);
   EXPECT_EQ(read.rasterThreads, job.rasterThreads);
+  ASSERT_TRUE(read.form.print);
+  EXPECT_EQ(read.form.print->width_mm, 86.25);
+  EXPECT_EQ(read.form.print->dpi, 599.9);
+  EXPECT_TRUE(read.form.transparent);
 }
 
 TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
   const WorkerJob read = jobFromLine(toLine(WorkerJob{}));
   EXPECT_EQ(read.scene.size, std::nullopt);
   EXPECT_EQ(read.time_s, std::nullopt);
+  EXPECT_FALSE(read.form.print);
+  EXPECT_FALSE(read.form.transparent);
 }
 
 TEST(WorkerProtocol, CarriesReports) {

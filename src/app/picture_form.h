@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace poinsot::app {
+
+/// A picture's width on paper. Type and lines are then sized in points, and its pixels are width times dpi.
+struct PrintSize {
+  double width_mm = 86;
+  double dpi = 600;
+};
+
+/// How a single picture is made, besides its pixels.
+struct PictureForm {
+  std::optional<PrintSize> print;  ///< none: for a screen, type and lines sized by the picture
+  bool transparent = false;        ///< without paper
+};
+
+}  // namespace poinsot::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace poinsot::app {
+
+/// What the files of a scene's pictures say of themselves, UTF-8 without TeX: the same for every instant.
+struct PictureWords {
+  std::string title;        ///< the picture's, or the scene's name
+  std::string description;  ///< for those who do not see it; empty is none
+};
+
+PictureWords pictureWords(const scene::Scene& scene);
+
+}  // namespace poinsot::app

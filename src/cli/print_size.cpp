@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/print_size.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/trajectory_number.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/figure.h"
+#include "scene/limits.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct PaperUnit {
+  std::string_view name;
+  double unit_mm;
+};
+
+constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72.27}};
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// The sides, unbounded.
+struct Sides {
+  double width, height;
+};
+
+Sides sidesOf(const app::PrintSize& print, image::PixelSize proportion) {
+  const double width = std::round(print.width_mm / 25.4 * print.dpi);
+  return {width, std::round(width * proportion.height / proportion.width)};
+}
+
+bool fits(const Sides& sides) {
+  const auto within = [](double side) { return side >= scene::kLeastSide && side <= scene::kMostSide; };
+  return within(sides.width) && within(sides.height) && sides.width * sides.height <= scene::kMostPixels;
+}
+
+/// The whole number of dpi nearest to those asked that fits, in words; empty where none does.
+std::string advice(app::PrintSize print, image::PixelSize proportion) {
+  const Sides asked = sidesOf(print, proportion);
+  const auto [least, most] = std::minmax(asked.width, asked.height);
+  const double shrink = std::min(scene::kMostSide / most, std::sqrt(scene::kMostPixels / (least * most)));
+  print.dpi = shrink < 1 ? std::floor(print.dpi * shrink) : std::ceil(print.dpi * scene::kLeastSide / least);
+  return fits(sidesOf(print, proportion)) ? fmt::format("; --dpi {:.0f} would do", print.dpi) : "";
+}
+
+}  // namespace
+
+double parseWidth_mm(const std::string& word) {
+  for (const PaperUnit& unit : kUnits) {
+    if (!word.ends_with(unit.name)) continue;
+    std::string_view number = std::string_view(word).substr(0, word.size() - unit.name.size());
+    while (number.ends_with(' ')) number.remove_suffix(1);
+    const auto value = app::parseNumber(number);
+    if (value && *value > 0 && std::isfinite(*value)) return *value * unit.unit_mm;
+  }
+  refuse(fmt::format("--width '{}': a width on paper is a number and mm, cm, in or pt, such as 86mm",
+                     core::printable(word)));
+}
+
+image::PixelSize printedPixels(const app::PrintSize& print, image::PixelSize proportion) {
+  const Sides sides = sidesOf(print, proportion);
+  if (fits(sides)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
+  throw core::Error(
+      core::ErrorKind::kLimit,
+      fmt::format("{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels, {} million "
+                  "pixels in all at most{}",
+                  print.width_mm, print.dpi, sides.width, sides.height, scene::kLeastSide, scene::kMostSide,
+                  scene::kMostPixels / 1'000'000, advice(print, proportion)));
+}
+
+}  // namespace poinsot::cli
