@@ -16,7 +16,7 @@ namespace poinsot::cli {
 namespace {
 
 struct StillOptions : RenderOptions {
-  std::string time = "0";
+  std::optional<std::string> time;
   std::string width;
   std::optional<double> dpi;
   bool transparent = false;
@@ -49,17 +49,21 @@ void setPixels(const app::PictureForm& form, RequestedScene& requested) {
   output.height = pixels.height;
 }
 
+std::optional<double> askedTime_s(const StillOptions& options) {
+  return options.time ? std::optional(parseTime_s("--time", *options.time)) : std::nullopt;
+}
+
 int still(const StillOptions& options) {
   const auto form = formOf(options, targetOf(options, "SCENE").kind);  // what is typed wrong is said first
-  const double time_s = parseTime_s("--time", options.time);
+  const auto asked_s = askedTime_s(options);
   RequestedScene requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;
-  if (!(time_s >= 0 && time_s <= scene.time.duration_s))
-    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(options.time),
+  if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
+    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*options.time),
                        scene.time.duration_s));
   setPixels(form, requested);
   return renderTo(options, targetOf(options, scene.name), std::move(requested.request), scene,
-                  app::FrameRange{0, 0}, time_s, form);
+                  app::FrameRange{0, 0}, asked_s.value_or(scene.time.stillTime_s()), form);
 }
 
 }  // namespace
@@ -73,7 +77,9 @@ void addStill(CLI::App& program, Action& chosen) {
                    "NAME.png, NAME.pdf, NAME.svg or NAME.tex (default: out/SCENE.png)")
       ->type_name("FILE")
       ->check(notEmpty());
-  command->add_option("--time", options->time, "film time, such as 1.25 (seconds) or '90 ms' (default: 0)")
+  command
+      ->add_option("--time", options->time,
+                   "film time, such as 1.25 (seconds) or '90 ms' (default: the scene's time.still)")
       ->type_name("T");
   command
       ->add_option("--width", options->width,

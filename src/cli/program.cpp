@@ -37,6 +37,7 @@ void declare(CLI::App& program, Action& chosen) {
   program.require_subcommand(1);
   addRender(program, chosen);
   addStill(program, chosen);
+  addGallery(program, chosen);
   addInfo(program, chosen);
   addTrajectory(program, chosen);
   addGrade(program, chosen);

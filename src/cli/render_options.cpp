@@ -58,8 +58,7 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
 
 }  // namespace
 
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
-  addSceneOptions(command, options);
+void addPictureOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH")->check(notEmpty());
   command.add_option("-q,--quality", options.quality, "size and quality: preview, 720p, 1080p or 4k")
       ->type_name("NAME")
@@ -69,15 +68,20 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->check(CLI::Range(1, 1024));
   command.add_flag("--force", options.force, "replace a file that this program did not write");
   command.add_flag("--quiet", options.quiet, "say nothing but errors");
-  command.add_option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
-      ->type_name("STYLE")
-      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
   command.add_option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
   command.add_flag("--reproducible", options.reproducible, "the same pixels on every x86-64 CPU");
-  command.add_flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
   command.add_flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
+}
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+  addSceneOptions(command, options);
+  addPictureOptions(command, options);
+  command.add_option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
+      ->type_name("STYLE")
+      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
+  command.add_flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
 }
 
 image::PixelSize parseSize(const std::string& text) {

@@ -21,7 +21,10 @@ struct RenderOptions : SceneOptions {
   std::string progress = "auto", backend = "auto";
 };
 
-/// Declares them, except for the output and --fps.
+/// Declares those of how pictures are made: size, quality, workers, what may be replaced, back end, dry run.
+void addPictureOptions(CLI::App& command, RenderOptions& options);
+
+/// Declares them all, except for the output and --fps.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// "640x360".

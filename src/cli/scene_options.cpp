@@ -7,13 +7,17 @@
 
 namespace poinsot::cli {
 
-void addSceneOptions(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
+void addOverrides(CLI::App& command, SceneOptions& options) {
   command.add_option("-D", options.overrides, "set a key of the scene, above what the file says")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+  command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
+  addOverrides(command, options);
 }
 
 CLI::Validator notEmpty() {

@@ -19,6 +19,9 @@ struct SceneOptions {
   std::vector<std::string> overrides;
 };
 
+/// Declares -D.
+void addOverrides(CLI::App& command, SceneOptions& options);
+
 /// Declares SCENE and -D.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 

@@ -42,6 +42,15 @@ std::vector<Key> timeKeys() {
        .help = "Seconds of motion per second of film; negative runs backwards, auto chooses a pace that the eye "
                "follows.",
        .put = into([](Draft& d) { return &d.scene.time.speed; })},
+      {.path = "time.still",
+       .dimension = kTime,
+       .range = {.least = 0, .most = kLongestFilm_s},
+       .words = {"auto"},
+       .fallback = "\"auto\"",
+       .example = "\"3.2 s\"",
+       .help = "Film time of the picture that says most, which `still` and `gallery` make; auto is a third of the "
+               "way, and a time after the end is the end.",
+       .put = into([](Draft& d) { return &d.scene.time.still_s; })},
   };
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,7 +66,10 @@ struct Time {
   double start_s = 0;
   double duration_s = 10;  ///< film time
   core::Rational fps{30, 1};
-  std::optional<double> speed;  ///< motion seconds per film second; none: chosen from |omega|
+  std::optional<double> speed;    ///< motion seconds per film second; none: chosen from |omega|
+  std::optional<double> still_s;  ///< film time of the picture that says most; none: a third of the way
+
+  double stillTime_s() const { return std::min(still_s.value_or(duration_s / 3), duration_s); }
 };
 
 enum class CameraFrame {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/render_job.h"
+#include "core/error.h"
+
+namespace poinsot::app {
+
+/// Called after each picture with its place in the batch and what went wrong, if something did; one call at a
+/// time.
+using StillListener = std::function<void(std::size_t index, const std::optional<core::Error>& failure)>;
+
+/// Makes pictures of several scenes, `jobs` workers at a time. One that fails stops no other. The order in which
+/// they are done is open, the pictures are not.
+/// @pre every request is of one frame.
+/// @returns of each request what went wrong, if something did.
+/// @throws Interrupted
+std::vector<std::optional<core::Error>> makeStills(const std::vector<RenderRequest>& requests, int jobs,
+                                                   const StillListener& listener);
+
+}  // namespace poinsot::app

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <system_error>
+
+#include "app/contact_sheet.h"
+#include "app/interrupt.h"
+#include "app/still_batch.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/render_options.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "image/png_file.h"
+#include "output/atomic_file.h"
+#include "output/target_check.h"
+#include "scene/problem.h"
+#include "stage/stage.h"
+
+namespace poinsot::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSheetName = "contact_sheet";
+
+struct GalleryOptions : RenderOptions {
+  std::vector<std::string> places, only;
+  bool sheet = true;
+};
+
+/// A picture to make, and how the scene is called.
+struct Item {
+  std::string name;
+  app::RenderRequest request;
+};
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// Where scenes are looked for without being told: the launcher names those of its checkout.
+std::string defaultPlace() {
+  const char* place = std::getenv("POINSOT_SCENES");
+  return place && *place ? place : "scenes";
+}
+
+void addScenesOf(const fs::path& folder, std::vector<fs::path>& files) {
+  std::error_code failure;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
+    if (entry->path().extension() == ".toml") found.push_back(entry->path());
+  if (failure)
+    throw core::Error(core::ErrorKind::kIo,
+                      fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
+  if (found.empty()) refuse(fmt::format("{}: no scene (NAME.toml) is there", core::printable(folder.native())));
+  std::sort(found.begin(), found.end());
+  files.insert(files.end(), found.begin(), found.end());
+}
+
+std::vector<fs::path> sceneFiles(const GalleryOptions& options) {
+  std::vector<fs::path> files;
+  std::error_code ignored;  // what is no folder is read as a scene, which says what is wrong with it
+  const auto places = options.places.empty() ? std::vector{defaultPlace()} : options.places;
+  for (const fs::path place : places)
+    if (fs::is_directory(place, ignored))
+      addScenesOf(place, files);
+    else
+      files.push_back(place);
+  return files;
+}
+
+void checkOnly(const std::vector<std::string>& only, const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.stem());
+  for (const std::string& word : only) {
+    if (std::find(names.begin(), names.end(), word) != names.end()) continue;
+    const auto near = core::closest(word, names);
+    refuse(fmt::format("--only {}: no such scene{}", core::printable(word),
+                       near ? fmt::format("; did you mean '{}'?", core::printable(*near)) : ""));
+  }
+}
+
+/// Two scenes of one name would make one picture, and a scene may not be called as the sheet.
+void checkNames(const std::vector<fs::path>& files) {
+  std::set<std::string> seen{kSheetName};
+  for (const fs::path& file : files)
+    if (!seen.insert(file.stem()).second)
+      refuse(fmt::format("{}: another picture of the gallery has that name", core::printable(file.native())));
+}
+
+std::vector<fs::path> chosenFiles(const GalleryOptions& options) {
+  std::vector<fs::path> files = sceneFiles(options);
+  checkOnly(options.only, files);
+  const auto unwanted = [&](const fs::path& file) {
+    return !options.only.empty() &&
+           std::find(options.only.begin(), options.only.end(), file.stem().string()) == options.only.end();
+  };
+  std::erase_if(files, unwanted);
+  checkNames(files);
+  return files;
+}
+
+/// The folder of results, made where it is missing: by default with the one above it.
+fs::path preparedFolder(const GalleryOptions& options) {
+  const fs::path folder = options.output.empty() ? fs::path("out") / "gallery" : fs::path(options.output);
+  std::error_code ignored;  // if it cannot be made, the check of the targets says so
+  if (options.dryRun) return folder;
+  if (options.output.empty()) fs::create_directory("out", ignored);
+  fs::create_directory(folder, ignored);
+  return folder;
+}
+
+void checkTarget(const GalleryOptions& options, const fs::path& target) {
+  std::error_code ignored;
+  if (!options.dryRun || fs::exists(target.parent_path(), ignored)) output::checkTarget(target, options.force);
+}
+
+Item itemOf(const GalleryOptions& options, const fs::path& file, const fs::path& folder) {
+  RenderOptions one = options;
+  one.scene = file;
+  auto [request, scene] = requestedScene(one);
+  const stage::Stage stage(scene);  // what the motion lacks is found here
+  const fs::path target = folder / (scene.name + ".png");
+  checkTarget(options, target);
+  return {scene.name,
+          {std::move(request),
+           {app::OutputKind::kPicture, target},
+           {0, 0},
+           scene.time.stillTime_s(),
+           1,
+           requestedBackend(options),
+           options.reproducible}};
+}
+
+void say(const GalleryOptions& options, const std::string& line) {
+  if (!options.quiet) writeErr(fmt::format("poinsot: {}\n", line));
+}
+
+/// One command over all scenes: what is wrong with one is said and kept for the end.
+class Gallery {
+ public:
+  explicit Gallery(const GalleryOptions& options) : options_(options) {}
+
+  int make() {
+    const auto files = chosenFiles(options_);
+    folder_ = preparedFolder(options_);
+    if (options_.sheet) checkTarget(options_, sheet());
+    for (const fs::path& file : files) addItem(file);
+    if (options_.dryRun) return describe();
+    app::watchInterrupts();
+    makePictures();
+    if (options_.sheet) makeSheet();
+    return exitCode_;
+  }
+
+ private:
+  fs::path sheet() const { return folder_ / (std::string(kSheetName) + ".png"); }
+
+  void fail(core::ErrorKind kind) {
+    if (exitCode_ == kDone) exitCode_ = exitCodeOf(kind);
+  }
+
+  void addItem(const fs::path& file) {
+    try {
+      items_.push_back(itemOf(options_, file, folder_));
+    } catch (const scene::SceneErrors& errors) {
+      writeErr(fmt::format("{}\n", errors.what()));
+      fail(errors.kind());
+    } catch (const core::Error& error) {
+      writeError(fmt::format("{}: {}", core::printable(file.native()), error.what()));
+      fail(error.kind());
+    }
+  }
+
+  int describe() const {
+    for (const Item& item : items_)
+      writeOut(fmt::format("{}: {} at {} s of film\n", core::printable(item.request.target.path.native()),
+                           core::printable(item.request.scene.fileName), *item.request.time_s));
+    if (options_.sheet && !items_.empty()) writeOut(fmt::format("{}\n", core::printable(sheet().native())));
+    return exitCode_;
+  }
+
+  void makePictures() {
+    std::vector<app::RenderRequest> requests;
+    for (const Item& item : items_) requests.push_back(item.request);
+    const auto listener = [&](std::size_t i, const std::optional<core::Error>& failure) {
+      const std::string target = core::printable(items_[i].request.target.path.native());
+      if (failure) writeError(fmt::format("{}: {}", target, failure->what()));
+      if (!failure) say(options_, target + " is ready");
+    };
+    failures_ = app::makeStills(requests, options_.jobs > 0 ? options_.jobs : app::availableCpus(), listener);
+    for (const auto& failure : failures_)
+      if (failure) fail(failure->kind());
+  }
+
+  /// Of the pictures that this run made; without any there is no sheet.
+  void makeSheet() const {
+    std::vector<app::SheetEntry> entries;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      if (!failures_[i]) entries.push_back({items_[i].name, image::readPng(items_[i].request.target.path)});
+    if (entries.empty()) return;
+    output::writeFileAtomically(sheet(), image::encodePng(app::contactSheet(entries)));
+    say(options_, core::printable(sheet().native()) + " is ready");
+  }
+
+  const GalleryOptions& options_;
+  fs::path folder_;
+  std::vector<Item> items_;
+  std::vector<std::optional<core::Error>> failures_;
+  int exitCode_ = kDone;
+};
+
+}  // namespace
+
+void addGallery(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<GalleryOptions>();
+  CLI::App* command = program.add_subcommand("gallery", "make a picture of every scene, and a sheet of them all");
+  command->add_option("SCENE", options->places, "scene files, or folders of them (default: the scenes of poinsot)")
+      ->check(notEmpty());
+  addOverrides(*command, *options);
+  addPictureOptions(*command, *options);
+  command->add_option("-o,--output", options->output, "folder of the pictures (default: out/gallery)")
+      ->type_name("FOLDER")
+      ->check(notEmpty());
+  command->add_option("--only", options->only, "only the scenes of these names")
+      ->type_name("NAME")
+      ->check(notEmpty());
+  command->add_flag("!--no-sheet", options->sheet, "leave out the sheet of them all");
+  command->footer(
+      "Each picture is taken at the scene's time.still. A scene that fails is named; the others are made.\n"
+      "Examples:\n"
+      "  poinsot gallery\n"
+      "  poinsot gallery lectures/ -q preview -o out/lectures\n"
+      "  poinsot gallery --only football tennis_racket -D style.theme=dark");
+  command->callback([options, &chosen] { chosen = [options] { return Gallery(*options).make(); }; });
+}
+
+}  // namespace poinsot::cli
