@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "docs/pages.h"
 
 // The pages for people: what they link to is there, and the page on physics leaves no equation of the lecture out.
 
@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::IsEmpty;
-
-std::string textOf(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// Targets of [text](target) in Markdown, without #fragments; addresses of other places left out.
 std::vector<std::string> fileLinks(const std::string& markdown) {
@@ -64,17 +58,6 @@ TEST(Docs, ABrokenLinkIsSeen) {
               ::testing::ElementsAre("b.md", "d/e.png", "g.md"));
   EXPECT_THAT(broken(page, "[a](physics.md) [b](no_such_page.md)"),
               ::testing::ElementsAre("physics.md: no_such_page.md"));
-}
-
-/// The equations n or n–m that begin the rows of a table.
-std::multiset<int> equationRows(const std::string& markdown) {
-  static const std::regex kRow(R"(\n\| (\d+)(?:–(\d+))? \|)");
-  std::multiset<int> equations;
-  for (std::sregex_iterator match(markdown.begin(), markdown.end(), kRow), end; match != end; ++match) {
-    const int first = std::stoi((*match)[1]), last = (*match)[2].matched ? std::stoi((*match)[2]) : first;
-    for (int n = first; n <= last; ++n) equations.insert(n);
-  }
-  return equations;
 }
 
 TEST(Docs, EveryEquationOfTheLectureHasItsPlace) {
