@@ -48,6 +48,8 @@ ForcingPiece pieceBetween(const Forcing& forcing, const PrincipalAxes& axes, dou
 
 }  // namespace
 
+Eigen::Vector3d torqueAt(const TorqueHistory& history, double t_s) { return lineOf(history, t_s, t_s).value; }
+
 std::vector<ForcingPiece> forcingPieces(const Forcing& forcing, const PrincipalAxes& axes, double end_s) {
   std::vector<ForcingPiece> pieces;
   if (end_s == 0) return pieces;

@@ -21,6 +21,9 @@ struct LinearTorque {
   bool zero() const { return start == std::array<double, 3>{} && slope == std::array<double, 3>{}; }
 };
 
+/// The table's torque at an instant, N·m; at a jump, that of the instants after.
+Eigen::Vector3d torqueAt(const TorqueHistory& history, double t_s);
+
 /// A stretch of time in which the explicit torques are smooth: between two knots of their tables. Their formulas
 /// hold beyond its ends too, where the stages of a step may reach.
 struct ForcingPiece {

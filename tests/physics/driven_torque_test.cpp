@@ -5,6 +5,7 @@
 
 #include "physics/driven_testing.h"
 #include "physics/free_motion.h"
+#include "physics/torque.h"
 
 // Torques without and with their time dependence: closed forms, and the Taylor integrator led from knot to knot.
 
@@ -205,6 +206,31 @@ TEST(DrivenTorque, IsAFunctionOfTime) {
     // Continuous: no jump where one step ends and the next begins.
     EXPECT_LE(angleBetween(a, motion.at(t + 1e-9)), 2e-8);
   }
+}
+
+// The torque of a state is what L_W changes by: a difference of sixth order along the motion.
+TEST(DrivenTorque, IsTheRateOfChangeOfL) {
+  DrivenCase c;
+  c.forcing.gravity_B = {0.2, -0.1, 0.5};
+  c.forcing.torque_B = {0.3, 0.1, -0.2};
+  c.forcing.torque_W = {0.1, 0.2, -0.3};
+  c.forcing.torqueHistory_W = {{-20, 20}, {Vector3d(0.4, -0.2, 0.1), Vector3d(-0.3, 0.1, 0.6)}, true};
+  c.forcing.torqueHistory_B = {
+      {-20, -1, 2}, {Vector3d(0, 0.1, 0), Vector3d(0.2, 0, 0), Vector3d(0, 0, 0.3)}, false};
+  c.forcing.dragRate_P = {0.1, 0.05, 0.2};
+  c.forcing.dissipation = 0.05;
+  c.span = {-5, 5};
+  const DrivenMotion motion = c.motion();
+  const double h = 0.003;  // the formula is of the sixth order
+  double worst = 0;
+  for (const double t : {-4.5, -2.0, -0.3, 0.7, 1.9, 3.3}) {
+    const auto slope = [&](double k) {
+      return Vector3d((motion.at(t + k * h).L_W - motion.at(t - k * h).L_W) / (2 * k * h));
+    };
+    const Vector3d rate = 1.5 * slope(1) - 0.6 * slope(2) + 0.1 * slope(3);
+    worst = std::max(worst, (torque_W(c.forcing, motion.axes(), motion.at(t)) - rate).norm());
+  }
+  expectResidual("dL/dt", worst, 3e-11);  // 3.2e-12
 }
 
 }  // namespace
