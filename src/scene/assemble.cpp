@@ -9,8 +9,11 @@
 #include "scene/forcing_assembly.h"
 #include "scene/limits.h"
 #include "scene/motion_assembly.h"
+#include "scene/named_assembly.h"
 #include "scene/plot_assembly.h"
 #include "scene/show_assembly.h"
+#include "scene/style_assembly.h"
+#include "scene/timeline_assembly.h"
 #include "scene/view_assembly.h"
 
 namespace poinsot::scene {
@@ -52,6 +55,7 @@ Output assembleOutput(const Draft& draft) {
 }  // namespace
 
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
+  askForShown(draft, findings);
   Scene scene = draft.scene;
   std::optional<Rest> rest;
   if (!findings.hasBelow("body") && !findings.hasBelow("motion") && findings.count("body.part") == 0)
@@ -63,7 +67,11 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   assembleViews(draft, rest, findings, grid, scene);
   assemblePlots(draft, findings, grid, scene);
   assembleNotes(draft, findings, scene);
+  assembleNamed(draft, findings, scene);
+  scene.timeline = assembleTimeline(draft, scene.time.duration_s, findings);
+  finishStyle(scene.style);
   checkFrames(scene.time, findings);
+  if (draft.loop) scene.time.loop.emplace();
   scene.output = assembleOutput(draft);
   return scene;
 }

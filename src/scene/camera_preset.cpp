@@ -5,9 +5,12 @@ namespace poinsot::scene {
 
 std::span<const CameraPreset> cameraPresets() {
   // As drawings are laid out: from the front x is to the right and z up; from the top x is to the right and y up.
-  static constexpr CameraPreset kPresets[] = {{"front", -90, 0},   {"back", 90, 0},           {"right", 0, 0},
-                                              {"left", 180, 0},    {"top", -90, 90},          {"bottom", -90, -90},
-                                              {"raised", -90, 18}, {"three_quarter", -55, 20}};
+  // Isometric: the three axes equally foreshortened, 35.264 degrees = atan(1 / sqrt 2).
+  static constexpr CameraPreset kPresets[] = {
+      {"front", -90, 0},    {"back", 90, 0},     {"side", 0, 0},
+      {"right", 0, 0},      {"left", 180, 0},    {"top", -90, 90},
+      {"bottom", -90, -90}, {"raised", -90, 18}, {"three_quarter", -55, 20},
+      {"low", 22, 6},       {"high", 22, 50},    {"isometric", -45, 35.26438968275466, Projection::kOrthographic}};
   return kPresets;
 }
 

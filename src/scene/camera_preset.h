@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
+
+#include "scene/scene.h"
 
 namespace poinsot::scene {
 
@@ -10,6 +13,7 @@ namespace poinsot::scene {
 struct CameraPreset {
   std::string_view name;
   double azimuth_deg, elevation_deg;
+  std::optional<Projection> projection{};
 };
 
 std::span<const CameraPreset> cameraPresets();

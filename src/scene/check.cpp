@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "core/rational.h"
@@ -40,6 +41,8 @@ class Checker {
         return integer(node);
       case ValueType::kBool:
         return flag(node);
+      case ValueType::kColor:
+        return color(node);
       case ValueType::kText:
         return text(node);
       case ValueType::kWord:
@@ -62,6 +65,8 @@ class Checker {
         return cell(node);
       case ValueType::kWords:
         return someWords(node);
+      case ValueType::kNumbers:
+        return someNumbers(node);
       case ValueType::kPair:
         return wrapped(numbers(node, 2));
       case ValueType::kLines:
@@ -156,6 +161,15 @@ class Checker {
     return Checked(*value);
   }
 
+  std::optional<Checked> color(const Node& node) {
+    const auto* text = node.as<std::string>();
+    if (!text || text->size() != 7 || (*text)[0] != '#') return refuseType(node);
+    std::int64_t hex = 0;
+    const char* end = text->data() + text->size();
+    if (std::from_chars(text->data() + 1, end, hex, 16).ptr != end || hex < 0) return refuseType(node);
+    return Checked(hex);
+  }
+
   std::optional<Checked> text(const Node& node) {
     const auto* value = node.as<std::string>();
     if (!value) return refuseType(node);
@@ -224,6 +238,12 @@ class Checker {
         values.push_back(*value);
     if (values.size() != count) return std::nullopt;
     return values;
+  }
+
+  std::optional<Checked> someNumbers(const Node& node) {
+    const auto* array = node.as<Node::Array>();
+    if (!array || array->empty() || array->size() > kMostNumbers) return refuseType(node);
+    return wrapped(numbers(node, array->size()));
   }
 
   /// `count` numbers, or one for all of them.

@@ -76,6 +76,27 @@ struct FlightDraft {
   std::optional<Eigen::Vector3d> position, velocity, gravity;
 };
 
+struct VectorDraft {
+  std::string name;
+  std::optional<Eigen::Vector3d> components, position, velocity;
+  VectorFrame frame = VectorFrame::kSpace;
+  double scale = 1;
+  Meaning color = Meaning::kInk;
+};
+
+struct AngleDraft {
+  std::string name;
+  std::vector<Direction> between;
+  double scale = 1;
+};
+
+/// An entry of the timeline; thing words are indices into timelineThings().
+struct TimelineDraft {
+  std::optional<double> at, over, captionFor, speed, hold, azimuth, turn, elevation, zoom;
+  std::vector<int> shown, hidden;
+  std::optional<std::string> caption;
+};
+
 struct Draft;
 
 /// A view's keys; its camera and what it shows start as the scene's.
@@ -103,9 +124,13 @@ struct Draft {
   std::optional<std::vector<CameraFrame>> frames;
   bool noViews = false;
   std::vector<ViewDraft> views;
+  std::vector<VectorDraft> vectors;
+  std::vector<AngleDraft> angles;
   std::vector<PlotDraft> plots;
   std::vector<Readout> readouts;
   std::vector<Note> notes;
+  std::vector<TimelineDraft> timeline;
+  bool loop = false;
   int quality = 0;  ///< index into qualityPresets()
   std::optional<Eigen::Vector2i> size_px;
   std::optional<int> crf;

@@ -13,6 +13,7 @@ constexpr Range kAzimuth{
     .least = -360, .most = 360, .unit = "deg"};  // bare degrees, read as radians, fall outside
 constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
+constexpr Range kOrbit{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred times round
 constexpr Range kZoom{.least = 0.05, .most = 20};
 
 const std::vector<std::string_view> kFrames = {"space", "body", "precession"};
@@ -41,9 +42,17 @@ std::vector<Key> cameraKeys() {
        .words = presetWords(),
        .example = "\"front\"",
        .help =
-           "Sets azimuth and elevation where these are not given: front has x to the right and z up, top has y "
-           "up.",
+           "Sets azimuth and elevation where these are not given: front has x to the right and z up, side y to "
+           "the right, top y up; low is just above the plane, high far above it; isometric sets the projection "
+           "too.",
        .put = into([](Draft& d) { return &d.preset; })},
+      {.path = "camera.projection",
+       .type = kWord,
+       .words = {"perspective", "orthographic"},
+       .fallback = "\"perspective\"",
+       .example = "\"orthographic\"",
+       .help = "orthographic keeps parallels parallel and equal lengths equal, as in a technical drawing.",
+       .put = into([](Draft& d) { return &d.scene.camera.projection; })},
       {.path = "camera.azimuth",
        .dimension = kAngle,
        .range = kAzimuth,
@@ -63,7 +72,7 @@ std::vector<Key> cameraKeys() {
        .range = kFov,
        .fallback = "\"24 deg\"",
        .example = "\"40 deg\"",
-       .help = "Vertical field of view: small is flat, as from afar.",
+       .help = "Vertical field of view in perspective: small is flat, as from afar.",
        .put = into([](Draft& d) { return &d.scene.camera.fov_rad; })},
       {.path = "camera.zoom",
        .range = kZoom,
@@ -71,6 +80,13 @@ std::vector<Key> cameraKeys() {
        .example = "1.25",
        .help = "1 frames the whole motion, 2 shows it twice as large.",
        .put = into([](Draft& d) { return &d.scene.camera.zoom; })},
+      {.path = "camera.orbit",
+       .dimension = kAngle,
+       .range = kOrbit,
+       .fallback = "0",
+       .example = "\"20 deg\"",
+       .help = "By how much the camera turns about the vertical in the course of the film, steadily.",
+       .put = into([](Draft& d) { return &d.scene.camera.orbit_rad; })},
       {.path = "camera.frame",
        .type = kWord,
        .words = kFrames,

@@ -82,6 +82,50 @@ class FigureKeys {
             .put = put(place)};
   }
 
+  template <class Place>
+  Key times(std::string_view example, std::string_view help, Place place) const {
+    return {.path = path_ + ".times",
+            .type = kNumbers,
+            .dimension = kTime,
+            .range = {.least = 0, .most = kLongestFilm_s},
+            .example = example,
+            .help = help,
+            .put = put(place)};
+  }
+
+  template <class Place>
+  Key number(std::string_view name, Range range, std::string_view fallback, std::string_view example,
+             std::string_view help, Place place) const {
+    return {.path = path_ + "." + std::string(name),
+            .type = kInteger,
+            .range = range,
+            .fallback = fallback,
+            .example = example,
+            .help = help,
+            .put = put(place)};
+  }
+
+  template <class Place>
+  Key share(std::string_view name, std::string_view fallback, std::string_view help, Place place) const {
+    return {.path = path_ + "." + std::string(name),
+            .range = {.least = 0, .most = 1},
+            .fallback = fallback,
+            .example = "0.5",
+            .help = help,
+            .put = put(place)};
+  }
+
+  template <class Place>
+  Key shift(std::string_view name, std::string_view example, std::string_view help, Place place) const {
+    return {.path = path_ + "." + std::string(name),
+            .type = kVector,
+            .range = {.least = -20, .most = 20},
+            .fallback = "[0, 0, 0]",
+            .example = example,
+            .help = help,
+            .put = put(place)};
+  }
+
  private:
   const ShowTable& table_;
   std::string path_;
@@ -187,11 +231,53 @@ std::vector<Key> polhodeKeys(const ShowTable& table) {
   };
 }
 
+std::vector<Key> vectorKeys(const ShowTable& table) {
+  const FigureKeys torque(table, "torque"), plane(table, "plane_of_L");
+  return {
+      torque.visible(
+          "The torque on the body: gravity, given torques and drag together.",
+          [](ShownFigures & f) -> auto& { return f.torque.visible; }),
+      torque.scale(
+          "Factor on its length, which is set by the longest of the film.",
+          [](ShownFigures & f) -> auto& { return f.torque.scale; }),
+      plane.visible(
+          "The plane of L and omega; of a symmetric top, the axis lies in it too.",
+          [](ShownFigures & f) -> auto& { return f.planeOfL.visible; }),
+      plane.scale(
+          "Factor on its size.", [](ShownFigures & f) -> auto& { return f.planeOfL.scale; }),
+      plane.opacity(
+          "0.12", [](ShownFigures & f) -> auto& { return f.planeOfL.opacity; }),
+  };
+}
+
+std::vector<Key> ghostKeys(const ShowTable& table) {
+  const FigureKeys key(table, "ghosts");
+  return {
+      key.visible(
+          "The body as it is at other times, pale: a stroboscopic picture.",
+          [](ShownFigures & f) -> auto& { return f.ghosts.visible; }),
+      key.times(
+          "[0, 0.5, 1]", "Film times of the poses; without them, `count` of them evenly over the film.",
+          [](ShownFigures & f) -> auto& { return f.ghosts.times_s; }),
+      key.number(
+          "count", {.least = 1, .most = 60}, "5", "8", "How many poses there are, where no times are given.",
+          [](ShownFigures & f) -> auto& { return f.ghosts.count; }),
+      key.share(
+          "strength", "0.35", "How strong their colours are: 0 as the paper, 1 as the body.",
+          [](ShownFigures & f) -> auto& { return f.ghosts.strength; }),
+      key.shift(
+          "step", "[1.1, 0, 0]",
+          "Where each pose stands from the one before, to the right, up and nearer, in the "
+          "body's longest extents; the body itself stands first.",
+          [](ShownFigures & f) -> auto& { return f.ghosts.step; }),
+  };
+}
+
 }  // namespace
 
 std::vector<Key> figureKeys(const ShowTable& table) {
   return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), axesKeys(table), polhodeKeys(table),
-                 traceKeys(table)});
+                 traceKeys(table), vectorKeys(table), ghostKeys(table)});
 }
 
 }  // namespace poinsot::scene

@@ -42,6 +42,15 @@ std::vector<Key> timeKeys() {
        .help = "Seconds of motion per second of film; negative runs backwards, auto chooses a pace that the eye "
                "follows.",
        .put = into([](Draft& d) { return &d.scene.time.speed; })},
+      {.path = "time.loop",
+       .type = kBool,
+       .fallback = "false",
+       .example = "true",
+       .help = "Whether the film repeats without a jump. The start is then moved as little as can be, at the same "
+               "|L|, so that the motion comes back to where it began; the film lasts until then, and the speed "
+               "changes a little so that this is a whole number of frames (`info` says by how much). Free motion "
+               "only.",
+       .put = into([](Draft& d) { return &d.loop; })},
       {.path = "time.still",
        .dimension = kTime,
        .range = {.least = 0, .most = kLongestFilm_s},

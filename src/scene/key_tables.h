@@ -34,8 +34,11 @@ std::vector<Key> framesKeys();
 std::vector<Key> showKeys();
 std::vector<Key> shownKeys();  ///< those of [show] that each view may give for itself
 std::vector<Key> viewKeys();
+std::vector<Key> labelKeys();
+std::vector<Key> namedKeys();
 std::vector<Key> plotKeys();
 std::vector<Key> noteKeys();  ///< of [[readout]] and [[note]]
+std::vector<Key> timelineKeys();
 std::vector<Key> styleKeys();
 std::vector<Key> outputKeys();
 

@@ -40,6 +40,7 @@ std::string numbersText(const Key& key) {
 std::string rangeText(const Key& key) {
   switch (key.type) {
     case ValueType::kBool:
+    case ValueType::kColor:
       return "";
     case ValueType::kText:
       return fmt::format("at most {} characters", key.range.most);
@@ -70,6 +71,8 @@ std::string typeText(const Key& key) {
       return "a whole number";
     case ValueType::kBool:
       return "true or false";
+    case ValueType::kColor:
+      return "a colour \"#RRGGBB\" in hexadecimal digits";
     case ValueType::kText:
       return "text";
     case ValueType::kWord:
@@ -90,6 +93,8 @@ std::string typeText(const Key& key) {
       return "an array of width and height";
     case ValueType::kCell:
       return "an array of two whole numbers";
+    case ValueType::kNumbers:
+      return fmt::format("an array of {}, at most {}", several(key, "one or more"), kMostNumbers);
     case ValueType::kWords:
       if (!key.wordList.empty()) return fmt::format("an array of {}", key.wordList);
       return fmt::format("an array of words of \"{}\"", fmt::join(key.words, "\", \""));

@@ -20,6 +20,7 @@ enum class ValueType {
   kNumber,  ///< with a dimension or without; besides, one of `words` where there are any
   kInteger,
   kBool,
+  kColor,       ///< "#RRGGBB"
   kText,        ///< at most range.most characters, no control characters
   kWord,        ///< one of `words`
   kVector,      ///< three numbers
@@ -31,9 +32,12 @@ enum class ValueType {
   kPixels,      ///< width and height, even; range is of each
   kCell,        ///< two whole numbers, of columns and of rows; range is of each
   kWords,       ///< some of `words`, each once
+  kNumbers,     ///< one number or more, at most kMostNumbers
   kPair,        ///< two numbers
   kLines,       ///< lines of text, or one text with line ends; range is of each line's characters
 };
+
+constexpr std::size_t kMostNumbers = 60;  ///< of a kNumbers
 
 /// Both ends included, in `unit` (of the key's dimension; empty: SI).
 struct Range {

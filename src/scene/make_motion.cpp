@@ -2,11 +2,34 @@
 #include "scene/make_motion.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/error.h"
 #include "physics/driven_motion.h"
 #include "physics/free_motion.h"
 
 namespace poinsot::scene {
+namespace {
+
+// Above about a turn a second the eye loses the rolling, below a twelfth nothing seems to move.
+constexpr double kCalmestSpin = 0.5, kFastestSpin = 6.5, kPleasantSpin = 2.1;  // rad per film second
+
+// With the part across one axis drawn larger or smaller.
+Eigen::Vector3d exaggerated(const Eigen::Vector3d& omega_P, int axis, double factor) {
+  Eigen::Vector3d shown = factor * omega_P;
+  shown[axis] = omega_P[axis];
+  return shown;
+}
+
+// Which axis the polhode goes round: the sign of L² - 2T I2 (I2 the middle moment), in units of I2².
+bool roundLargest(const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  const Eigen::Vector3d& I = moments.values();
+  const double middle = I.sum() - I.maxCoeff() - I.minCoeff();
+  const Eigen::Vector3d m = I.cwiseProduct(omega_P) / middle;
+  return m.dot(m - omega_P) >= 0;
+}
+
+}  // namespace
 
 Eigen::Vector3d directionOfL(const Scene& scene) {
   const bool plane = std::ranges::any_of(scene.views, [](const View& view) { return view.show.plane.visible; });
@@ -18,6 +41,38 @@ Eigen::Quaterniond startOrientation(const Scene& scene) {
   if (scene.motion.orientation_WB) return *scene.motion.orientation_WB;
   return Eigen::Quaterniond::FromTwoVectors(scene.body.axes.angularMomentum(scene.motion.omega_B),
                                             directionOfL(scene));
+}
+
+double chosenSpeed(const Scene& scene) {
+  if (scene.time.speed) return *scene.time.speed;
+  const double spin = scene.motion.omega_B.norm();
+  return spin == 0 || (spin >= kCalmestSpin && spin <= kFastestSpin) ? 1.0 : kPleasantSpin / spin;
+}
+
+int spinAxis(const Eigen::Vector3d& omega_P) {
+  int axis = 0;
+  omega_P.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+// The motion of the same body with its small transverse omega drawn larger: an exact motion too. It must stay the
+// same kind of motion, or the picture would not be true in any sense.
+Eigen::Vector3d drawnOmega_P(const Scene& scene) {
+  const Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  if (scene.show.exaggerateAngles == 1) return omega_P;
+  const physics::PrincipalMoments& moments = scene.body.axes.moments();
+  const Eigen::Vector3d drawn_P = exaggerated(omega_P, spinAxis(omega_P), scene.show.exaggerateAngles);
+  const bool sameAxis = spinAxis(drawn_P) == spinAxis(omega_P);
+  if (sameAxis && roundLargest(moments, drawn_P) == roundLargest(moments, omega_P)) return drawn_P;
+  throw core::Error(
+      core::ErrorKind::kScene,
+      "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
+}
+
+Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P) {
+  if (scene.show.exaggerateAngles == 1) return drawn_P;
+  const int axis = spinAxis(scene.body.axes.toP(scene.motion.omega_B));
+  return exaggerated(drawn_P, axis, 1 / scene.show.exaggerateAngles);
 }
 
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s) {

@@ -15,6 +15,19 @@ Eigen::Vector3d directionOfL(const Scene& scene);
 /// Attitude at motion time 0: the scene's, or the one that turns L onto directionOfL(). Unit.
 Eigen::Quaterniond startOrientation(const Scene& scene);
 
+/// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.
+double chosenSpeed(const Scene& scene);
+
+/// The principal axis that omega is about most.
+int spinAxis(const Eigen::Vector3d& omega_P);
+
+/// omega at motion time 0 as it is drawn, rad/s in principal axes: the scene's, or with larger angles where it
+/// says so.
+/// @throws core::Error(kScene) where larger angles would be another kind of motion.
+Eigen::Vector3d drawnOmega_P(const Scene& scene);
+/// The start that is drawn so: its inverse.
+Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P);
+
 /// The motion that a scene describes, known between two motion times (in either order) and between them and 0.
 /// Free where nothing acts on the body, else integrated to Motion::tolerance_rad.
 /// @throws core::Error(kPhysics) for a body or a start that has no solution.

@@ -21,6 +21,9 @@ inline void assign(int& to, const Checked& value) {
   const auto* word = std::get_if<Word>(&value);
   to = word ? word->index : static_cast<int>(std::get<std::int64_t>(value));
 }
+inline void assign(std::uint32_t& to, const Checked& value) {
+  to = static_cast<std::uint32_t>(std::get<std::int64_t>(value));
+}
 inline void assign(std::string& to, const Checked& value) { to = std::get<std::string>(value); }
 inline void assign(core::Rational& to, const Checked& value) { to = std::get<core::Rational>(value); }
 inline void assign(Eigen::Vector3d& to, const Checked& value) {

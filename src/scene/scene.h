@@ -17,9 +17,13 @@
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
 #include "scene/grid_place.h"
+#include "scene/label_text.h"
+#include "scene/named_figures.h"
 #include "scene/note.h"
 #include "scene/plot.h"
 #include "scene/shown_figures.h"
+#include "scene/style_colors.h"
+#include "scene/timeline.h"
 
 /// The whole request as values. Made by scene_file.h, never changed afterwards. SI units, radians.
 namespace poinsot::scene {
@@ -62,11 +66,24 @@ struct Motion {
   std::optional<Flight> flight;
 };
 
+/// What was changed of a film so that it repeats without a jump (film_loop.h).
+struct Loop {
+  double period_s = 0;         ///< motion time after which everything comes back: the film's
+  int polhodePeriods = 0;      ///< in that time; 0: a steady spin
+  int turns = 0;               ///< about L in that time
+  double change = 0;           ///< of omega0 as it is drawn, as a part of its length
+  double turned_rad = 0;       ///< its direction in the body
+  double speedAsked = 0;       ///< motion seconds per film second before, as asked for or chosen
+  double durationAsked_s = 0;  ///< film time before
+  double mismatch_rad = 0;     ///< of the attitudes at the two ends: rounding
+};
+
 struct Time {
   double start_s = 0;
   double duration_s = 10;  ///< film time
   core::Rational fps{30, 1};
-  std::optional<double> speed;    ///< motion seconds per film second; none: chosen from |omega|
+  std::optional<Loop> loop;     ///< the film repeats without a jump; the rest of the scene has been changed for it
+  std::optional<double> speed;  ///< motion seconds per film second; none: chosen from |omega|
   std::optional<double> still_s;  ///< film time of the picture that says most; none: a third of the way
 
   double stillTime_s() const { return std::min(still_s.value_or(duration_s / 3), duration_s); }
@@ -78,11 +95,15 @@ enum class CameraFrame {
   kPrecession,  ///< turns about L with the axis of a free symmetric top: L, omega and the axis stand still
 };
 
+enum class Projection { kPerspective, kOrthographic };
+
 struct Camera {
+  Projection projection = Projection::kPerspective;
   double azimuth_rad = 0;                   ///< about the world's vertical (z), from its x axis
   double elevation_rad = 0;                 ///< above the horizontal
-  double fov_rad = 0;                       ///< vertical field of view
+  double fov_rad = 0;                       ///< vertical field of view, in perspective
   double zoom = 1;                          ///< 1 frames the whole motion; 2 shows it twice as large
+  double orbit_rad = 0;                     ///< added to the azimuth over the film, steadily
   CameraFrame frame = CameraFrame::kSpace;  ///< which axes stand still in the picture
 };
 
@@ -118,14 +139,15 @@ struct View {
   GridPlace place;
 };
 
-enum class Theme { kLight, kDark };
+enum class Theme { kLight, kDark, kPrint };
 
 enum class DecimalSign { kPoint, kComma };
 
 struct Style {
   Theme theme = Theme::kLight;
-  double lineWidth = 1;  ///< factor on all lines
-  double textSize = 1;   ///< factor on all type
+  GivenColors colors;
+  double lineWidth = 1;                           ///< factor on all lines
+  double textSize = 1;                            ///< factor on all type
   DecimalSign decimalSign = DecimalSign::kPoint;  ///< in numbers that are drawn
 };
 
@@ -145,7 +167,11 @@ struct Scene {
   std::vector<View> views;  ///< with the plots at least one panel, no two in one cell
   std::vector<Plot> plots;
   std::vector<Readout> readouts;
+  LabelTexts labels;                 ///< of every view
+  std::vector<NamedVector> vectors;  ///< in every view
+  std::vector<NamedAngle> angles;    ///< in every view
   std::vector<Note> notes;
+  Timeline timeline;
   Style style;
   Output output;
 };

@@ -12,6 +12,8 @@
 #include "scene/assemble.h"
 #include "scene/check.h"
 #include "scene/document.h"
+#include "scene/film_loop.h"
+#include "scene/style_file.h"
 #include "scene/text_lines.h"
 
 namespace poinsot::scene {
@@ -109,6 +111,15 @@ void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems
   }
 }
 
+void closeIfAsked(Scene& scene, Findings& findings) {
+  if (!scene.time.loop) return;
+  try {
+    closeLoop(scene);
+  } catch (const core::Error& error) {
+    findings.refuse("time.loop", error.message());
+  }
+}
+
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides,
@@ -119,13 +130,17 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   Problems problems;
   addLeaves(parseDocument(file), leaves, problems);
   for (const std::string& word : overrides) addOverride(word, sources, leaves, problems);
+  const std::filesystem::path path(fileName);
+  const SceneFolder folder(path.parent_path());
+  addStyleFile(folder, sources, leaves, problems);
   static const Draft defaults = defaultDraft();
   Paths refused;
   Draft draft = checkedDraft(leaves, defaults, refused, problems);
   Findings findings(leaves, refused, {&file, 0, 0, 1}, problems);
-  const std::filesystem::path path(fileName);
-  Scene scene = assemble(std::move(draft), findings, SceneFolder(path.parent_path()));
+  Scene scene = assemble(std::move(draft), findings, folder);
   checkTexts(leaves, textCheck, problems);
+  problems.throwIfAny();
+  closeIfAsked(scene, findings);  // of a scene without other problems
   problems.throwIfAny();
   scene.name = path.stem().string();
   return scene;

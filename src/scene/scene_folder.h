@@ -16,6 +16,9 @@ class SceneFolder {
   /// @throws core::Error(kScene) with the reason: where it may not lie, that it is missing, or too large.
   std::string read(const std::string& relativePath) const;
 
+  /// The file's name for messages, as the scene's own.
+  std::filesystem::path pathOf(const std::string& relativePath) const { return folder_ / relativePath; }
+
  private:
   std::filesystem::path folder_;
 };

@@ -141,6 +141,8 @@ Json typeSchema(const Key& key) {
       return bareNumber(key, "integer");
     case ValueType::kBool:
       return {{"type", "boolean"}};
+    case ValueType::kColor:
+      return {{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}};
     case ValueType::kText:
       return line(key);
     case ValueType::kWord:
@@ -163,6 +165,8 @@ Json typeSchema(const Key& key) {
       return arrayOf(bareNumber(key, "integer"), 2);
     case ValueType::kWords:
       return someWords(key);
+    case ValueType::kNumbers:
+      return arrayOf(number(key), 1, static_cast<int>(kMostNumbers));
     case ValueType::kPair:
       return arrayOf(number(key), 2);
     case ValueType::kLines:
@@ -192,6 +196,13 @@ void addRequired(Json& json, const std::string& table) {
                      required({"shape"}),
                      required({"catalogue"}),
                      {{"anyOf", Json::array({required({"part"}), required({"point_mass"})})}}};
+  if (table == "vector[]")
+    json["oneOf"] = {required({"components"}), required({"position_of"}), required({"velocity_of"})};
+  if (table == "angle[]") json["required"] = {"between"};
+  if (table == "timeline[]") json["required"] = {"at"};
+  if (table == "plot[]") json["required"] = {"quantities"};
+  if (table == "readout[]") json["required"] = {"quantity"};
+  if (table == "note[]") json["required"] = {"text"};
   if (table == "motion")
     json["oneOf"] = {required({"omega_body"}), required({"omega_space"}),       required({"L_body"}),
                      required({"L_space"}),    required({"spin", "spin_axis"}), required({"energy", "L"})};

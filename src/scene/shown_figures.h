@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace poinsot::scene {
 
@@ -27,6 +28,16 @@ struct ShownFigures {
   Extra decomposition;  ///< the parallelogram omega = omega_p - Omega_p k
   Extra components;     ///< of omega along the principal axes
   Extra spaceAxes;
+  Extra torque;
+  struct : Extra {
+    double opacity = 0;
+  } planeOfL;  ///< through L and omega, and the axis of a symmetric body
+  struct : Extra {
+    std::vector<double> times_s;  ///< of film; empty: `count` of them over the film
+    int count = 0;
+    double strength = 0;                             ///< of their colours against the paper, 0 to 1
+    Eigen::Vector3d step = Eigen::Vector3d::Zero();  ///< from one to the next, in the body's longest extents
+  } ghosts;                                          ///< poses at other times
   struct : Extra {
     int count = 0;  ///< curves between the separatrix and each extreme axis
   } polhodes;       ///< a family on the energy ellipsoid

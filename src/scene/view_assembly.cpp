@@ -21,6 +21,7 @@ void usePreset(const std::optional<int>& preset, const std::string& prefix, cons
   const CameraPreset& chosen = cameraPresets()[static_cast<std::size_t>(*preset)];
   if (!findings.has(prefix + "camera.azimuth")) camera.azimuth_rad = chosen.azimuth_deg * kDegree;
   if (!findings.has(prefix + "camera.elevation")) camera.elevation_rad = chosen.elevation_deg * kDegree;
+  if (chosen.projection && !findings.has(prefix + "camera.projection")) camera.projection = *chosen.projection;
 }
 
 // ---- frames ----

@@ -102,7 +102,17 @@ std::string sceneFor(const Key& key) {
   if (key.path.starts_with("readout[]")) return kMoments + kOmega + "[[readout]]\nquantity = \"t\"\n";
   if (key.path == "note[].text") return kMoments + kOmega + "[[note]]\n";
   if (key.path.starts_with("note[]")) return kMoments + kOmega + "[[note]]\ntext = \"a\"\n";
+  // The other ways to say a vector exclude components, and only these have a frame.
+  if (key.path == "vector[].components" || key.path == "vector[].position_of" ||
+      key.path == "vector[].velocity_of")
+    return kMoments + kOmega + "[[vector]]\n";
+  if (key.path.starts_with("vector[]")) return kMoments + kOmega + "[[vector]]\ncomponents = [0, 0, 1]\n";
+  if (key.path == "angle[].between") return kMoments + kOmega + "[[angle]]\n";
+  if (key.path.starts_with("angle[]")) return kMoments + kOmega + "[[angle]]\nbetween = [\"L\", \"omega\"]\n";
   if (key.path == "show.views") return kMoments + kOmega + "[[plot]]\nquantities = [\"omega_1\"]\n";
+  if (key.path.starts_with("timeline[]"))
+    return kMoments + kOmega + "[[timeline]]\n" + (name == "at" ? "" : "at = 1\n") +
+           (name == "caption_for" ? "caption = \"A\"\n" : "");
   if (key.path.starts_with("view[]")) return kMoments + kOmega + "[[view]]\n";
   return kMoments + (key.path == "motion.omega_body" ? "" : kOmega);
 }

@@ -75,6 +75,8 @@ std::string shaped(const Key& key, const std::string& value) {
     case ValueType::kCell:
     case ValueType::kPair:
       return "[" + value + ", 1]";
+    case ValueType::kNumbers:
+      return "[" + value + "]";
     default:
       return value;
   }
@@ -82,7 +84,7 @@ std::string shaped(const Key& key, const std::string& value) {
 
 bool numeric(const Key& key) {
   return key.type != ValueType::kBool && key.type != ValueType::kText && key.type != ValueType::kWord &&
-         key.type != ValueType::kWords && key.type != ValueType::kLines;
+         key.type != ValueType::kWords && key.type != ValueType::kLines && key.type != ValueType::kColor;
 }
 
 bool isWhole(const Key& key) {
@@ -161,9 +163,7 @@ std::string headingOf(std::string_view table) {
 }
 
 /// The keys of [camera] and [show] that a view takes too are written once.
-bool isRepeatedInViews(const Key& key) {
-  return key.path.starts_with("view[].") && tableOf(key.path) != "view[]";
-}
+bool isRepeatedInViews(const Key& key) { return key.path.starts_with("view[].") && tableOf(key.path) != "view[]"; }
 
 TEST(EveryKey, IsInTheReference) {
   for (const Key& key : keys()) {
@@ -192,8 +192,8 @@ TEST(Keys, AreFound) {
   EXPECT_FALSE(isTable("show.pla") || isTable("camera.fov"));
   EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
   EXPECT_THAT(namesBelow(""),
-              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "view", "plot",
-                                   "readout", "note", "style", "output"));
+              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "view", "label", "vector",
+                                   "angle", "plot", "readout", "note", "timeline", "style", "output"));
   EXPECT_EQ(findKey("body.part[12].mass")->path, "body.part[].mass");
   EXPECT_EQ(findKey("body.part.mass"), nullptr);
   EXPECT_EQ(findKey("body.part[x].mass"), nullptr);

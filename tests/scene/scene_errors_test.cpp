@@ -124,7 +124,7 @@ TEST_F(BadScene, WithBadUnits) {
 
 TEST_F(BadScene, WithABadWord) {
   expectOnly("bad_word.toml", {6, 9, 6},
-             "style.theme: expected one of \"light\", \"dark\", got \"drak\"; did you mean \"dark\"?");
+             "style.theme: expected one of \"light\", \"dark\", \"print\", got \"drak\"; did you mean \"dark\"?");
 }
 
 TEST_F(BadScene, WithTwoProblemsReportsBoth) {
@@ -234,8 +234,7 @@ TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
             "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.q=3"}),
             "qqqqqqqqqqqq.q: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
-            "show, view, "
-            "plot, readout, note, style, output\n");
+            "show, view, label, vector, angle, plot, readout, note, timeline, style, output\n");
   EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
             "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "
             "no keys below it\n");

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace poinsot::scene {
+
+/// The things that have a label of their own, in the order of labelKeys.
+enum class LabelName {
+  kL,
+  kOmega,
+  kTorque,
+  kE1,
+  kE2,
+  kE3,
+  kX,
+  kY,
+  kZ,
+  kAxis,
+  kTheta,
+  kHeight,
+  kPlane,
+  kOmegaP,
+  kSpin,
+  kOmega1,
+  kOmega2,
+  kOmega3,
+  kCount
+};
+
+struct LabelDefault {
+  std::string_view key;       ///< after "label."
+  std::string_view fallback;  ///< TOML
+  std::string_view example;   ///< TOML
+  std::string_view help;
+};
+
+constexpr std::size_t kLabelCount = static_cast<std::size_t>(LabelName::kCount);
+
+const std::array<LabelDefault, kLabelCount>& labelDefaults();
+
+/// What is written at each thing: the TeX subset of text/; empty: nothing.
+class LabelTexts {
+ public:
+  const std::string& operator[](LabelName name) const { return texts_[static_cast<std::size_t>(name)]; }
+  std::string& operator[](LabelName name) { return texts_[static_cast<std::size_t>(name)]; }
+
+ private:
+  std::array<std::string, kLabelCount> texts_;
+};
+
+}  // namespace poinsot::scene

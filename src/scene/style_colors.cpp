@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/style_colors.h"
+
+namespace poinsot::scene {
+
+const std::array<ColorKey, kColorMeanings>& colorKeys() {
+  static constexpr std::array<ColorKey, kColorMeanings> kKeys = {{
+      {"paper", "\"#FFFDF5\"", "The ground of the picture."},
+      {"ink", "\"#202020\"", "Titles, angles and whatever is no one's own colour."},
+      {"quiet_ink", "\"#606060\"", "Subtitles, notes and the frames of plots; without it, ink made paler."},
+      {"L", "\"#004C8C\"", "Angular momentum, its arrow and labels."},
+      {"plane", "\"#8FB8DE\"", "The invariable plane; without it, a tint of L."},
+      {"omega", "\"#B03A2E\"", "Angular velocity, its arrow and labels."},
+      {"polhode", "\"#B03A2E\"", "The path of omega in the body; without it, as omega."},
+      {"herpolhode", "\"#7B241C\"", "The path of omega in space; without it, as omega."},
+      {"ellipsoid", "\"#F0B27A\"", "Poinsot's ellipsoid and the energy ellipsoid."},
+      {"graticule", "\"#A04000\"", "The lines drawn on the ellipsoid; without it, a shade of the ellipsoid."},
+      {"omega_parts", "\"#6E2C00\"", "Components of omega, along the principal axes or as precession and spin."},
+      {"separatrix", "\"#7D3C98\"", "The polhode that parts the two kinds of motion."},
+      {"body", "\"#76B7A0\"", "The body itself; its edges are a shade of it."},
+      {"axis", "\"#145A32\"", "Principal axes and paths of points of the body."},
+      {"space_cone", "\"#004C8C\"", "The cone that stands still in space; without it, as L."},
+      {"body_cone", "\"#145A32\"", "The cone fixed in the body; without it, as axis."},
+      {"torque", "\"#512E5F\"", "Torque on the body."},
+      {"vector", "\"#707070\"", "Vectors with a name of their own."},
+      {"support", "\"#B0B0B0\"", "Space axes, stands, and rods that have no mass."},
+  }};
+  return kKeys;
+}
+
+}  // namespace poinsot::scene

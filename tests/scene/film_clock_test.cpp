@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Film time to motion time: against numerical quadrature of the pace, which is checked by its own definition.
+#include "scene/film_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace poinsot::scene {
+namespace {
+
+TimelineEntry pace(double at_s, double over_s, double speed, double hold_s = 0) {
+  TimelineEntry entry;
+  entry.at_s = at_s;
+  entry.over_s = over_s;
+  entry.speed = speed;
+  entry.hold_s = hold_s;
+  return entry;
+}
+
+/// Slow motion, a hold out of it, a change within a change, a jump.
+FilmClock variedClock() {
+  return {5, -3, {{pace(2, 1, 0.2), pace(6, 0.5, 1, 2), pace(12, 2, 3), pace(13, 1, 0.5), pace(16, 0, 2)}, {}}};
+}
+
+/// ∫ pace by Simpson's rule, from 0, in pieces that end where the pace's third derivative jumps.
+double simpson(const FilmClock& clock, double to_s) {
+  std::vector<double> ends = {0, 2, 3, 6, 6.5, 8.5, 9, 12, 13, 14, 16, to_s};
+  std::sort(ends.begin(), ends.end());
+  constexpr int kSteps = 4000;
+  double sum = 0;
+  for (std::size_t i = 1; i < ends.size() && ends[i] <= to_s; ++i) {
+    const double h = (ends[i] - ends[i - 1]) / kSteps;
+    for (int k = 0; k < kSteps; ++k) {
+      const double a = ends[i - 1] + k * h;
+      // At a jump the value from the left counts.
+      sum += h / 6 * (clock.pace(a) + 4 * clock.pace(a + h / 2) + clock.pace(std::nextafter(a + h, 0)));
+    }
+  }
+  return sum;
+}
+
+TEST(FilmClock, WithoutChangesIsTheStraightLineToTheBit) {
+  const FilmClock clock(0.25, 1.7, {});
+  for (const double t : {0.0, 0.1, 1.0 / 3, 7.77, 3599.9}) {
+    EXPECT_EQ(clock.played_s(t), t);
+    EXPECT_EQ(clock.motionTime_s(t), 0.25 + 1.7 * t);
+  }
+}
+
+TEST(FilmClock, IsTheIntegralOfThePace) {
+  const FilmClock clock = variedClock();
+  for (const double t : {0.5, 2.0, 2.3, 3.0, 5.0, 6.2, 7.5, 8.7, 11.0, 12.5, 13.2, 15.0, 18.0}) {
+    EXPECT_NEAR(clock.played_s(t), simpson(clock, t), 1e-11) << t;  // measured: at most MEASURED_QUADRATURE
+    EXPECT_EQ(clock.motionTime_s(t), 5 - 3 * clock.played_s(t));
+  }
+}
+
+// Worked out by hand: a soft change takes as long as a straight one, half of the time at each end.
+TEST(FilmClock, HasTheValuesOfTheHand) {
+  const FilmClock slow(0, 1, {{pace(2, 1, 0.2)}, {}});
+  EXPECT_NEAR(slow.played_s(3), 2 + 0.6, 1e-15);
+  EXPECT_NEAR(slow.played_s(13), 2.6 + 10 * 0.2, 1e-14);
+  EXPECT_DOUBLE_EQ(slow.pace(2.5), 0.6);
+  EXPECT_DOUBLE_EQ(slow.pace(2.25), 1 - 0.8 * (0.15625 - 15 * 0.00390625 + 6 * 0.0009765625));  // x³(10-15x+6x²)
+}
+
+TEST(FilmClock, StandsStillInAHold) {
+  const FilmClock clock = variedClock();
+  for (double t = 6.5; t <= 8.5; t += 0.1) EXPECT_EQ(clock.played_s(t), clock.played_s(6.5)) << t;
+  EXPECT_GT(clock.played_s(8.6), clock.played_s(8.5));
+  EXPECT_EQ(clock.pace(10), 1);
+}
+
+TEST(FilmClock, NeverRunsBackwardsOrJumps) {
+  const FilmClock clock = variedClock();
+  const double h = 1e-3, fastest = clock.fastestPace();
+  EXPECT_EQ(fastest, 3);
+  for (double t = 0; t < 20; t += h) {
+    const double step = clock.played_s(t + h) - clock.played_s(t);
+    EXPECT_GE(step, 0) << t;
+    EXPECT_LE(step, fastest * h * (1 + 1e-9)) << t;
+    if (std::abs(t - 16) < 2 * h) continue;  // the jump
+    EXPECT_NEAR(step, h * 0.5 * (clock.pace(t) + clock.pace(t + h)), 1e-8)
+        << t;  // measured: at most MEASURED_STEP
+  }
+}
+
+TEST(FilmClock, HasAPaceWithoutCorners) {
+  const FilmClock clock(0, 1, {{pace(2, 1, 0.2), pace(5, 1, 1, 2)}, {}});
+  constexpr double h = 1e-4;
+  double last = 0, sharpest = 0;
+  for (double t = h; t < 12; t += h) {
+    const double slope = (clock.pace(t + h) - clock.pace(t)) / h;
+    sharpest = std::max(sharpest, std::abs(slope - last));
+    last = slope;
+  }
+  // The second derivative of x³ (10 - 15 x + 6 x²) is at most 10/√3; measured: MEASURED_CORNER.
+  EXPECT_LE(sharpest, 1.01 * h * 10 / std::sqrt(3));
+}
+
+TEST(EasedTrack, StartsANewTurnWhereTheLastHasComeTo) {
+  EasedTrack track(1);
+  track.turnTo(1, 2, 5);
+  track.turnTo(2, 1, 0);
+  EXPECT_DOUBLE_EQ(track.at(2), 3);
+  EXPECT_DOUBLE_EQ(track.at(2.5), 1.5);
+  EXPECT_EQ(track.at(3), 0);
+  EXPECT_EQ(track.at(100), 0);
+  EXPECT_EQ(track.greatest(), 5);
+  EXPECT_EQ(track.target(), 0);
+}
+
+TEST(EasedTrack, RefusesTurnsOutOfOrder) {
+  EasedTrack track(0);
+  track.turnTo(2, 1, 1);
+  EXPECT_THROW(track.turnTo(1, 1, 0), std::logic_error);
+  EXPECT_THROW(track.turnTo(3, -1, 0), std::logic_error);
+}
+
+}  // namespace
+}  // namespace poinsot::scene
