@@ -25,6 +25,7 @@ void TextPainter::paint(const draw::Text& item, image::Image& picture) {
     eraseCoverage(coverage(item, item.halo_px), item.opacity, picture);
   else if (item.halo && item.halo_px > 0)
     blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);
+  if (item.halo && item.halo_px > 0 && item.color == *item.halo) return;  // the halo covers the glyphs
   blendCoverage(coverage(item, 0), item.color, item.opacity, picture);
 }
 

@@ -39,7 +39,12 @@ void Canvas::dashes(const Vector3d& from_V, const Vector3d& to_V, const draw::Co
 }
 
 void Canvas::arrow(const Vector3d& tip_V, double radius, const draw::Color& color) const {
-  addArrow(list, Vector3d::Zero(), tip_V, radius * thickness, color);
+  arrowFrom(Vector3d::Zero(), tip_V, radius, color);
+}
+
+void Canvas::arrowFrom(const Vector3d& from_V, const Vector3d& tip_V, double radius,
+                       const draw::Color& color) const {
+  addArrow(list, from_V, tip_V, radius * thickness, color);
 }
 
 void Canvas::dot(const Vector3d& at_V, double radius, const draw::Color& color) const {
@@ -80,7 +85,7 @@ void Canvas::label(const std::string& tex, const Vector3d& at_V, const Vector3d&
 
 void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
                      double size, double gap) const {
-  if (type_px == 0) return;
+  if (type_px == 0 || tex.empty()) return;
   const auto size_px = static_cast<float>(std::max(size * type_px, least_px));
   labels.push_back({tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color});
 }

@@ -25,6 +25,7 @@ struct Canvas {
   draw::DrawList& list;
   std::vector<Label>& labels;
   const Palette& colors;
+  const scene::LabelTexts& names;
   double line_px = 2;    ///< width of an ordinary line
   double thickness = 1;  ///< factor on arrows
   double type_px = 32;   ///< size of an ordinary label; 0: labels are not wanted
@@ -48,12 +49,24 @@ struct Canvas {
   /// How opaque glass is: `share` times as thick as a sheet of that opacity, and thinner on dark paper. 1 is
   /// opaque everywhere.
   float glass(double opacity, double share = 1) const;
+  /// An arrow that does not begin at the origin.
+  void arrowFrom(const Eigen::Vector3d& from_V, const Eigen::Vector3d& tip_V, double radius,
+                 const draw::Color& color) const;
   /// Beside a point, on the side that leads away from the picture of `inside_V`.
   void label(const std::string& tex, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
              const draw::Color& color, double size = 1) const;
   /// Beside a place of the picture, in a direction; `size` in ordinary labels, `gap` in the label's own size.
   void labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
                double size = 1, double gap = 0.35) const;
+  /// The same of a thing whose name the scene may choose.
+  void label(scene::LabelName name, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
+             const draw::Color& color, double size = 1) const {
+    label(names[name], at_V, inside_V, color, size);
+  }
+  void labelAt(scene::LabelName name, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
+               double size = 1, double gap = 0.35) const {
+    labelAt(names[name], at_px, direction, color, size, gap);
+  }
   /// Where the camera sees a point.
   glm::vec2 at_px(const Eigen::Vector3d& at_V) const;
 };
@@ -88,6 +101,8 @@ class Actor {
   virtual std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const = 0;
   /// Of a ball about the origin that the frame must hold besides; 0: none.
   virtual double ballRadius() const { return 0; }
+  /// The point that its solids grow out of when they come (presence.h), in V.
+  virtual Eigen::Vector3d growsFrom(const PictureState& /*state*/) const { return Eigen::Vector3d::Zero(); }
 };
 
 }  // namespace poinsot::stage

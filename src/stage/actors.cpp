@@ -8,10 +8,13 @@
 #include "stage/cones_figure.h"
 #include "stage/construction_figures.h"
 #include "stage/decomposition_figure.h"
+#include "stage/ghosts_figure.h"
+#include "stage/main_axis_figure.h"
+#include "stage/named_figures.h"
 #include "stage/omega_paths_figure.h"
+#include "stage/plane_of_L_figure.h"
 #include "stage/polhodes_figure.h"
 #include "stage/principal_axes_figure.h"
-#include "stage/theta_figure.h"
 #include "stage/trace_figure.h"
 #include "stage/vector_figures.h"
 
@@ -58,6 +61,13 @@ std::vector<ShownActor> makeActors(const Setting& setting) {
   addIf(figures.spaceAxes.visible, "space_axes", kA<SpaceAxesFigure>);
   addIf(figures.polhodes.visible, "polhodes", kA<PolhodesFigure>);
   addIf(figures.binet.visible, "binet", kA<BinetFigure>);
+  addIf(figures.torque.visible, "torque", kA<TorqueFigure>);
+  addIf(figures.planeOfL.visible, "plane_of_L", kA<PlaneOfLFigure>);
+  addIf(figures.ghosts.visible, "ghosts", kA<GhostsFigure>);
+  for (const scene::NamedVector& vector : setting.scene.vectors)
+    actors.push_back({"vectors", std::make_unique<NamedVectorFigure>(setting, vector)});
+  for (const scene::NamedAngle& angle : setting.scene.angles)
+    actors.push_back({"angles", std::make_unique<AngleFigure>(setting, angle)});
   return actors;
 }
 

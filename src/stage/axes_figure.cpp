@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/axes_figure.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 namespace poinsot::stage {
@@ -22,7 +20,7 @@ SpaceAxesFigure::SpaceAxesFigure(const Setting& setting)
     : length_(kBeyond * setting.scene.show.figures.spaceAxes.scale * setting.scales.reach) {}
 
 void SpaceAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  constexpr std::array kNames{"$x$", "$y$", "$z$"};
+  constexpr std::array kNames{scene::LabelName::kX, scene::LabelName::kY, scene::LabelName::kZ};
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d tip = length_ * state.R_VW.col(axis);
     canvas.arrow(tip, kSpaceAxisRadius, canvas.colors.rod);
@@ -43,8 +41,9 @@ Matrix3d ComponentsFigure::components_V(const PictureState& state) const {
 }
 
 void ComponentsFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  constexpr std::array kNames{scene::LabelName::kOmega1, scene::LabelName::kOmega2, scene::LabelName::kOmega3};
   const Matrix3d parts = components_V(state);
-  const draw::Color& color = canvas.colors.graticule;
+  const draw::Color& color = canvas.colors.omegaParts;
   for (int i = 0; i < 3; ++i) {
     const Vector3d part = parts.col(i), second = parts.col((i + 1) % 3), third = parts.col((i + 2) % 3);
     canvas.arrow(part, kComponentRadius, color);
@@ -52,7 +51,7 @@ void ComponentsFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pi
     for (const Vector3d& from : {second, third, Vector3d(second + third)})
       canvas.line({from, from + part}, false, color, 0.7);
     if (part.norm() > kLeastNamed)
-      canvas.label(fmt::format("$\\omega_{}$", i + 1), 0.75 * part, 0.75 * part + second + third, color, 0.85);
+      canvas.label(kNames[static_cast<std::size_t>(i)], 0.75 * part, 0.75 * part + second + third, color, 0.85);
   }
 }
 

@@ -8,7 +8,7 @@ BodyActor::BodyActor(const Setting& setting) : body_(setting.body), scale_(setti
 }
 
 void BodyActor::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  body_.add(canvas.list, state.R_VB, scale_, canvas.colors, canvas.line_px);
+  body_.add(canvas.list, {state.R_VB, scale_}, canvas.colors, canvas.line_px);
   if (stand_) stand_->add(canvas.list, state, canvas.colors);
 }
 

@@ -32,10 +32,9 @@ class BodyFigure {
   /// How far out a point in metres lies: 1 on the body's surface, less inside, infinite where it hides nothing.
   double gauge(const Eigen::Vector3d& p_B) const;
 
-  /// Adds the body at the origin of V; `scale` is picture lengths per metre.
-  void add(draw::DrawList& list, const Eigen::Matrix3d& R_VB, double scale, const Palette& colors,
-           double lineWidth_px) const {
-    addFigure(list, figure_, {R_VB, scale}, colors, lineWidth_px);
+  /// Adds the body; its place's scale is picture lengths per metre.
+  void add(draw::DrawList& list, const Placement& place, const Palette& colors, double lineWidth_px) const {
+    addFigure(list, figure_, place, colors, lineWidth_px);
   }
 
  private:

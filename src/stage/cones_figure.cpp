@@ -72,8 +72,8 @@ draw::GlassCone ConesFigure::glass(const Canvas& canvas, const Cone& cone, const
 }
 
 void ConesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  addCone(canvas, spaceCone(state), state.R_VW.col(0), canvas.colors.L);
-  addCone(canvas, bodyCone(state), state.R_VP.col((cones_.axis + 1) % 3), canvas.colors.axis);
+  addCone(canvas, spaceCone(state), state.R_VW.col(0), canvas.colors.spaceCone);
+  addCone(canvas, bodyCone(state), state.R_VP.col((cones_.axis + 1) % 3), canvas.colors.bodyCone);
 }
 
 std::vector<Vector3d> ConesFigure::outermostPoints(const PictureState& state) const {

@@ -99,7 +99,7 @@ void PlaneFigure::addName(const Canvas& canvas, const PictureState& state) const
       static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
   const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
   const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
-  canvas.labelAt("invariable plane", middle, {-0.6, above ? -1 : 1}, canvas.colors.L, kNameSize, kNameGap);
+  canvas.labelAt(scene::LabelName::kPlane, middle, {-0.6, above ? -1 : 1}, canvas.colors.L, kNameSize, kNameGap);
 }
 
 std::vector<Vector3d> PlaneFigure::outermostPoints(const PictureState& state) const {
@@ -139,7 +139,7 @@ void HeightFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pictur
   const glm::vec2 a = canvas.at_px(foot), b = canvas.at_px(head), middle = 0.5f * (a + b);
   glm::vec2 aside(a.y - b.y, b.x - a.x);
   if (glm::dot(aside, middle - canvas.at_px(Vector3d::Zero())) < 0) aside = -aside;
-  canvas.labelAt("$2T/L$", middle, aside, canvas.colors.L, 0.72, 0.4);
+  canvas.labelAt(scene::LabelName::kHeight, middle, aside, canvas.colors.L, 0.72, 0.4);
 }
 
 std::vector<Vector3d> HeightFigure::outermostPoints(const PictureState& /*state*/) const { return {}; }

@@ -45,6 +45,7 @@ class ContactFigure final : public Actor {
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+  Eigen::Vector3d growsFrom(const PictureState& state) const override { return scale_ * state.omega_V; }
 
  private:
   double scale_, radius_;

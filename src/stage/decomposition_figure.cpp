@@ -23,13 +23,13 @@ physics::AngularVelocityParts DecompositionFigure::parts_V(const PictureState& s
 void DecompositionFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const auto [precession, spin] = parts_V(state);
   const Vector3d whole = scale_ * state.omega_V;
-  const draw::Color& color = canvas.colors.graticule;
+  const draw::Color& color = canvas.colors.omegaParts;
   canvas.arrow(precession, kRadius, color);
   canvas.arrow(spin, kRadius, color);
   canvas.dashes(precession, whole, color, 1.2);
   canvas.dashes(spin, whole, color, 1.2);
-  canvas.label("$\\boldsymbol{\\omega}_p$", 0.8 * precession, 0.8 * whole, color);
-  canvas.label("$-\\Omega_p\\hat{\\mathbf{k}}$", spin, precession, color);
+  canvas.label(scene::LabelName::kOmegaP, 0.8 * precession, 0.8 * whole, color);
+  canvas.label(scene::LabelName::kSpin, spin, precession, color);
 }
 
 std::vector<Vector3d> DecompositionFigure::outermostPoints(const PictureState& state) const {

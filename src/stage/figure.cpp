@@ -99,7 +99,9 @@ struct Draw {
   const Palette& colors;
   double lineWidth_px;
 
-  glm::vec3 point(const Vector3d& p_B) const { return toPicture(Vector3d(place.scale * (place.R_VB * p_B))); }
+  glm::vec3 point(const Vector3d& p_B) const {
+    return toPicture(Vector3d(place.origin_V + place.scale * (place.R_VB * p_B)));
+  }
   glm::mat3 axes(const Matrix3d& A_B) const { return toPicture(Matrix3d(place.scale * place.R_VB * A_B)); }
   float length(double metres) const { return static_cast<float>(place.scale * metres); }
   const draw::Color& color(Paint paint) const { return paint == Paint::kRod ? colors.rod : colors.body; }

@@ -77,10 +77,11 @@ Eigen::Vector3d supportPoint(const Piece& piece, const Eigen::Vector3d& directio
 /// anything. Of a mesh, what lies between its tangent planes counts.
 double gauge(const Piece& piece, const Eigen::Vector3d& p_B);
 
-/// B's place in the picture V: turned, scaled by picture lengths per metre, about the origin.
+/// B's place in the picture V: turned, scaled by picture lengths per metre, its origin at a place of the picture.
 struct Placement {
   Eigen::Matrix3d R_VB;
   double scale;
+  Eigen::Vector3d origin_V = Eigen::Vector3d::Zero();
 };
 
 void addFigure(draw::DrawList& list, const Figure& figure, const Placement& place, const Palette& colors,

@@ -3,16 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "stage/label_obstacle.h"
 #include "text/math_setter.h"
 
 namespace poinsot::stage {
 namespace {
 
-constexpr int kRounds = 24;        // of pushing overlapping labels apart; four labels settle in five
-constexpr float kBorder = 0.012f;  // kept free, as a share of the picture's shorter side
-constexpr float kHalo = 0.085f;    // of the type size
+constexpr int kRounds = 24;             // of pushing overlapping labels apart; four labels settle in five
+constexpr float kSpaceToShaft = 0.08f;  // of the type size
+constexpr float kBorder = 0.012f;       // kept free, as a share of the picture's shorter side
+constexpr float kHalo = 0.085f;         // of the type size
 
 struct Placed {
   glm::vec2 centre_px;
@@ -38,15 +41,33 @@ Placed place(const Label& label) {
   return placed;
 }
 
-// Pushes two overlapping boxes apart along the axis where they overlap least.
-void separate(Placed& a, Placed& b, float space_px) {
+// Pushes two overlapping boxes apart along the axis where they overlap least; by `share` of the way.
+void separate(Placed& a, Placed& b, float space_px, float share) {
   const glm::vec2 between = b.centre_px - a.centre_px;
   const glm::vec2 overlap = a.half_px + b.half_px + glm::vec2(space_px) - glm::abs(between);
   if (overlap.x <= 0 || overlap.y <= 0) return;
   const int axis = overlap.x < overlap.y ? 0 : 1;
-  const float push = 0.5f * overlap[axis] * (between[axis] < 0 ? -1.0f : 1.0f);
+  const float push = 0.5f * share * overlap[axis] * (between[axis] < 0 ? -1.0f : 1.0f);
   a.centre_px[axis] -= push;
   b.centre_px[axis] += push;
+}
+
+// Once, from the wished place: a push that is repeated grows to a jump where a shaft passes.
+void moveOff(const std::vector<LabelObstacle>& obstacles, float space_px, Placed& p) {
+  glm::vec2 push(0);
+  for (const LabelObstacle& obstacle : obstacles) push += pushOff(obstacle, p.centre_px, p.half_px, space_px);
+  p.centre_px += push;
+}
+
+// Out of a box, across the side that is nearest of those that face the picture's middle.
+void giveWay(Placed& p, const PixelBox& box, glm::vec2 size_px, float space_px) {
+  const glm::vec2 low(box.left, box.top), high(box.right, box.bottom), middle = 0.5f * (low + high);
+  const glm::vec2 reach = 0.5f * (high - low) + p.half_px + glm::vec2(space_px);
+  const glm::vec2 towards = glm::sign(0.5f * size_px - middle), away = p.centre_px - middle;
+  if (std::abs(away.x) >= reach.x || std::abs(away.y) >= reach.y) return;
+  const glm::vec2 push = reach - towards * away;
+  const int axis = towards.y == 0 || (towards.x != 0 && push.x < push.y) ? 0 : 1;
+  p.centre_px[axis] += (towards[axis] == 0 ? 1.0f : towards[axis]) * push[axis];
 }
 
 void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
@@ -57,14 +78,21 @@ void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
 
 }  // namespace
 
-void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px) {
+void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px,
+               std::span<const PixelBox> taken) {
   std::vector<Placed> placed;
   for (const Label& label : labels) placed.push_back(place(label));
   const glm::vec2 size_px = list.camera.size_px;
+  const std::vector<LabelObstacle> obstacles = obstaclesOf(list);
+  for (std::size_t i = 0; i < placed.size(); ++i) moveOff(obstacles, kSpaceToShaft * labels[i].size_px, placed[i]);
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < placed.size(); ++i)
-      for (std::size_t j = i + 1; j < placed.size(); ++j) separate(placed[i], placed[j], 0.3f * labels[i].size_px);
-    for (Placed& p : placed) keepInside(p, size_px, top_px);
+      for (std::size_t j = i + 1; j < placed.size(); ++j)
+        separate(placed[i], placed[j], 0.3f * labels[i].size_px, std::min(labels[i].presence, labels[j].presence));
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      for (const PixelBox& box : taken) giveWay(placed[i], box, size_px, 0.3f * labels[i].size_px);
+      keepInside(placed[i], size_px, top_px);
+    }
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];

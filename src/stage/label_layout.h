@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "stage/pixel_box.h"
 
 namespace poinsot::stage {
 
@@ -17,10 +19,14 @@ struct Label {
   float size_px = 32;
   draw::Color color{0};
   float opacity = 1;
+  float presence = 1;  ///< of one that comes or goes: so much it pushes others aside
 };
 
-/// Places labels beside their anchors, apart from one another and inside the picture. A continuous function of the
-/// anchors, so that labels do not jump in a film. The picture's uppermost `top_px` stay free.
-void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px = 0);
+/// Places labels beside their anchors, apart from one another, inside the picture, and off the shafts of arrows
+/// where there is room. A continuous function of the anchors, so that labels do not jump in a film, but where one
+/// passes the middle of a box. The picture's uppermost `top_px` stay free, and so do the boxes in `taken`: a label
+/// in one gives way towards the picture's middle.
+void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px = 0,
+               std::span<const PixelBox> taken = {});
 
 }  // namespace poinsot::stage

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "draw/draw_list.h"
-#include "draw/picture.h"
-#include "scene/scene.h"
-#include "stage/palette.h"
-#include "stage/picture_layout.h"
+#include <glm/vec2.hpp>
 
-/// Type that stands still in a picture: title, notes. (label_layout.h: type that follows its
+/// How large type and lines are. (note_rows.h: type that stands still. label_layout.h: type that follows its
 /// thing.)
 namespace poinsot::stage {
 
 /// An ordinary label, of what type is sized by.
 inline constexpr double kLabelSize = 0.044;
 
-/// How large type and lines are, in pixels.
+/// In pixels.
 struct Sizing {
   double type_px = 1;   ///< what type is sized by: labels are kLabelSize of it
   double line_px = 2;   ///< width of an ordinary line
@@ -30,13 +26,5 @@ Sizing typeScaled(const Sizing& sizing, double factor);
 
 /// The height of the largest 16:9 picture inside one of this size, in pixels.
 double referenceHeight(glm::vec2 size_px);
-
-/// Title and subtitle at the top left, set smaller where they would not fit; at the bottom, what is not to scale.
-/// Returns how far down the title reaches, in pixels; 0 without one.
-double addTitle(draw::Picture& picture, const scene::Scene& scene, const Sizing& sizing, const Palette& colors);
-
-/// A panel's title and subtitle, centred over it. Returns how far down they reach from the panel's top.
-double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, const Sizing& sizing,
-                  const Palette& colors);
 
 }  // namespace poinsot::stage

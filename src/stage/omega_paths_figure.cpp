@@ -40,18 +40,19 @@ PolhodeFigure::PolhodeFigure(const Setting& setting)
 void PolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   if (state.atRest()) return;
   addWhole(canvas, state);
-  const double span = std::min({filmTime_s, period_s_, motion_.longestPath_s()});
+  const double played = motion_.played_s(filmTime_s),
+               span = std::min({played, period_s_, motion_.longestPath_s()});
   std::vector<Vector3d> points;
-  for (const PathPoint& p : motion_.path(filmTime_s - span, filmTime_s)) points.push_back(p.omega_P);
-  addTube(canvas, state, points, false, kTravelledRadius, canvas.colors.trail);
+  for (const PathPoint& p : motion_.path(played - span, played)) points.push_back(p.omega_P);
+  addTube(canvas, state, points, false, kTravelledRadius, canvas.colors.polhode);
 }
 
 void PolhodeFigure::addWhole(const Canvas& canvas, const PictureState& state) const {
   if (motion_.isFree())
-    return addTube(canvas, state, free_P_, std::isfinite(period_s_), kWholeRadius, canvas.colors.futureTrail);
+    return addTube(canvas, state, free_P_, std::isfinite(period_s_), kWholeRadius, canvas.colors.futurePolhode);
   const physics::Polhode polhode(motion_.moments(), state.omega_P);
   addTube(canvas, state, pointsOf(polhode), std::isfinite(polhode.period()), kWholeRadius,
-          canvas.colors.futureTrail);
+          canvas.colors.futurePolhode);
 }
 
 void PolhodeFigure::addTube(const Canvas& canvas, const PictureState& state, const std::vector<Vector3d>& omega_P,
@@ -73,13 +74,13 @@ HerpolhodeFigure::HerpolhodeFigure(const Setting& setting)
       future_(setting.scene.show.herpolhode.future) {}
 
 void HerpolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
-  const double longest = motion_.longestPath_s();
-  const double end = std::min(motion_.duration_s(), filmTime_s + longest);
-  const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));
+  const double longest = motion_.longestPath_s(), played = motion_.played_s(filmTime_s);
+  const double end = std::min(motion_.length_s(), played + longest);
+  const double recent = std::max(motion_.played_s(std::max(0.0, filmTime_s - kRecent_s)), played - longest);
   const Palette& colors = canvas.colors;
-  if (future_ && end > filmTime_s) addPath(canvas, state, filmTime_s, end, colors.futureTrail, 1.2, 0.004);
-  if (recent > 0) addPath(canvas, state, std::max(0.0, recent - longest), recent, colors.trail, 1.7, 0.008);
-  if (filmTime_s > 0) addPath(canvas, state, recent, filmTime_s, colors.trail, 2.9, 0.012);
+  if (future_ && end > played) addPath(canvas, state, played, end, colors.futureHerpolhode, 1.2, 0.004);
+  if (recent > 0) addPath(canvas, state, std::max(0.0, recent - longest), recent, colors.herpolhode, 1.7, 0.008);
+  if (played > recent) addPath(canvas, state, recent, played, colors.herpolhode, 2.9, 0.012);
 }
 
 void HerpolhodeFigure::addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,

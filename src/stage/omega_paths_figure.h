@@ -26,7 +26,7 @@ class PolhodeFigure final : public Actor {
   const PictureMotion& motion_;
   double scale_;
   std::vector<Eigen::Vector3d> free_P_;  // of free motion: the closed curve, rad/s
-  double period_s_;                      // of film time; infinite where the curve does not close
+  double period_s_;                      // of played time; infinite where the curve does not close
 };
 
 /// On the plane: what was travelled, its last second strong; what is to come, faint. In a film of very many turns,

@@ -1,52 +1,138 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/palette.h"
 
+#include <cmath>
+
 namespace poinsot::stage {
 namespace {
 
-using draw::fromSrgb;
+using scene::ColorMeaning;
 
-// Okabe & Ito: blue 0072B2, vermilion D55E00, orange E69F00, bluish green 009E73.
-Palette light() {
-  return {.paper = fromSrgb(0xFFFFFF),
-          .ink = fromSrgb(0x2B2F36),
-          .quietInk = fromSrgb(0x565C66),
-          .L = fromSrgb(0x0072B2),
-          .plane = fromSrgb(0x4E9BCB),
-          .planeLine = fromSrgb(0x2F86BE),
-          .omega = fromSrgb(0xD55E00),
-          .trail = fromSrgb(0xD55E00),
-          .futureTrail = fromSrgb(0xF3BF93),
-          .ellipsoid = fromSrgb(0xE69F00),
-          .graticule = fromSrgb(0xC8780A),
-          .body = fromSrgb(0x2FB58C),
-          .bodyEdge = fromSrgb(0x00543D),
-          .axis = fromSrgb(0x009E73),
-          .rod = fromSrgb(0x9AA1AC),
-          .sheetOpacity = 1};
+/// 0xRRGGBB, sRGB.
+using Srgb = std::uint32_t;
+
+/// What cannot be made from another colour.
+struct Theme {
+  Srgb paper, ink, L, omega, ellipsoid, omegaParts, separatrix, body, axis, torque, vector, support;
+  double sheetOpacity = 1;  ///< on paper that is not dark
+};
+
+// After Okabe & Ito (blue 0072B2, orange E69F00, vermilion D55E00, bluish green 009E73), the last two darker: as
+// labels on white they need a contrast of 4.5.
+constexpr Theme kLight{.paper = 0xFFFFFF,
+                       .ink = 0x2B2F36,
+                       .L = 0x0072B2,
+                       .omega = 0xC75000,
+                       .ellipsoid = 0xE69F00,
+                       .omegaParts = 0x6B4400,
+                       .separatrix = 0x8F1F66,
+                       .body = 0x2FB58C,
+                       .axis = 0x00805D,
+                       .torque = 0x4B2A8C,
+                       .vector = 0x6B7280,
+                       .support = 0xA7AEB8};
+
+constexpr Theme kDark{.paper = 0x14171C,
+                      .ink = 0xE8EAED,
+                      .L = 0x3FA9E8,
+                      .omega = 0xFF7A2E,
+                      .ellipsoid = 0xF7C948,
+                      .omegaParts = 0xF3DDBB,
+                      .separatrix = 0xF58FCB,
+                      .body = 0x259B78,
+                      .axis = 0x45CDA0,
+                      .torque = 0xD3C0FF,
+                      .vector = 0x8A92A0,
+                      .support = 0x5A616D};
+
+// Black, greys and one colour, which all of omega's is a tint of: a book's second ink. Without it the greys are
+// apart by lightness.
+constexpr Theme kPrint{.paper = 0xFFFFFF,
+                       .ink = 0x000000,
+                       .L = 0x1E1E1E,
+                       .omega = 0xBF3A20,
+                       .ellipsoid = 0xFF9F80,
+                       .omegaParts = 0x7A2E1C,
+                       .separatrix = 0x4F1408,
+                       .body = 0xB4B4B4,
+                       .axis = 0x4D4D4D,
+                       .torque = 0x363636,
+                       .vector = 0x747474,
+                       .support = 0xD0D0D0,
+                       .sheetOpacity = 1.4};
+
+const Theme& themeOf(scene::Theme theme) {
+  switch (theme) {
+    case scene::Theme::kDark:
+      return kDark;
+    case scene::Theme::kPrint:
+      return kPrint;
+    case scene::Theme::kLight:
+      break;
+  }
+  return kLight;
 }
 
-Palette dark() {
-  return {.paper = fromSrgb(0x14171C),
-          .ink = fromSrgb(0xE8EAED),
-          .quietInk = fromSrgb(0x9AA1AC),
-          .L = fromSrgb(0x3FA9E8),
-          .plane = fromSrgb(0x2F86BE),
-          .planeLine = fromSrgb(0x4E9BCB),
-          .omega = fromSrgb(0xFF8126),
-          .trail = fromSrgb(0xFF8126),
-          .futureTrail = fromSrgb(0x7A431B),
-          .ellipsoid = fromSrgb(0xF2B632),
-          .graticule = fromSrgb(0xF0A830),
-          .body = fromSrgb(0x2FB58C),
-          .bodyEdge = fromSrgb(0x00382A),
-          .axis = fromSrgb(0x2FCB9B),
-          .rod = fromSrgb(0x6B7280),
-          .sheetOpacity = 0.3};
+/// A share of one colour over another by sRGB values, which are even steps to the eye.
+Srgb blend(Srgb color, Srgb over, double share) {
+  Srgb result = 0;
+  for (const int shift : {16, 8, 0}) {
+    const auto channel = [shift](Srgb c) { return static_cast<double>(c >> shift & 0xff); };
+    result |= static_cast<Srgb>(std::lround(share * channel(color) + (1 - share) * channel(over))) << shift;
+  }
+  return result;
+}
+
+bool isDark(Srgb paper) {
+  const draw::Color linear = draw::fromSrgb(paper);
+  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b < 0.18f;  // the middle grey
 }
 
 }  // namespace
 
-Palette palette(scene::Theme theme) { return theme == scene::Theme::kDark ? dark() : light(); }
+Palette palette(const scene::Style& style) {
+  const Theme& theme = themeOf(style.theme);
+  const auto given = [&](ColorMeaning meaning, Srgb otherwise) {
+    return style.colors[static_cast<std::size_t>(meaning)].value_or(otherwise);
+  };
+  const Srgb paper = given(ColorMeaning::kPaper, theme.paper), ink = given(ColorMeaning::kInk, theme.ink);
+  const auto tint = [&](Srgb color, double share) { return blend(color, paper, share); };
+  const Srgb L = given(ColorMeaning::kL, theme.L), plane = given(ColorMeaning::kPlane, tint(L, 0.7));
+  const Srgb omega = given(ColorMeaning::kOmega, theme.omega);
+  const Srgb polhode = given(ColorMeaning::kPolhode, omega), herpolhode = given(ColorMeaning::kHerpolhode, omega);
+  const Srgb ellipsoid = given(ColorMeaning::kEllipsoid, theme.ellipsoid);
+  const Srgb body = given(ColorMeaning::kBody, theme.body), axis = given(ColorMeaning::kAxis, theme.axis);
+  using draw::fromSrgb;
+  return {.paper = fromSrgb(paper),
+          .ink = fromSrgb(ink),
+          .quietInk = fromSrgb(given(ColorMeaning::kQuietInk, tint(ink, 0.76))),
+          .L = fromSrgb(L),
+          .plane = fromSrgb(plane),
+          .planeLine = fromSrgb(blend(plane, L, 0.6)),
+          .omega = fromSrgb(omega),
+          .polhode = fromSrgb(polhode),
+          .futurePolhode = fromSrgb(tint(polhode, 0.45)),
+          .herpolhode = fromSrgb(herpolhode),
+          .futureHerpolhode = fromSrgb(tint(herpolhode, 0.45)),
+          .ellipsoid = fromSrgb(ellipsoid),
+          .graticule = fromSrgb(given(ColorMeaning::kGraticule, blend(ellipsoid, omega, 0.5))),
+          .omegaParts = fromSrgb(given(ColorMeaning::kOmegaParts, theme.omegaParts)),
+          .separatrix = fromSrgb(given(ColorMeaning::kSeparatrix, theme.separatrix)),
+          .body = fromSrgb(body),
+          .bodyEdge = fromSrgb(blend(body, 0x000000, 0.45)),
+          .axis = fromSrgb(axis),
+          .spaceCone = fromSrgb(given(ColorMeaning::kSpaceCone, L)),
+          .bodyCone = fromSrgb(given(ColorMeaning::kBodyCone, axis)),
+          .torque = fromSrgb(given(ColorMeaning::kTorque, theme.torque)),
+          .vector = fromSrgb(given(ColorMeaning::kVector, theme.vector)),
+          .rod = fromSrgb(given(ColorMeaning::kSupport, theme.support)),
+          .sheetOpacity = isDark(paper) ? 0.24 : theme.sheetOpacity};
+}
+
+Palette palette(scene::Theme theme) {
+  scene::Style style;
+  style.theme = theme;
+  return palette(style);
+}
 
 }  // namespace poinsot::stage

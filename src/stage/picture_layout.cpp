@@ -9,7 +9,7 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kMostTitle = 0.4;  // of the picture's height: panels keep the rest however small it is
+constexpr double kMostTaken = 0.4;  // of the picture from each side: panels keep the rest however small it is
 constexpr double kRule = 0.75, kRuleInset = 16;  // width, and free at either end, in ordinary lines
 constexpr float kRuleOpacity = 0.35f;
 
@@ -20,23 +20,23 @@ int lineAt(int i, int n, int from, int to) {
 
 }  // namespace
 
-PictureLayout::PictureLayout(const std::vector<scene::View>& views) {
-  POINSOT_EXPECT(!views.empty());
-  for (const scene::View& view : views) {
-    const scene::GridPlace& place = places_.emplace_back(view.place);
+PictureLayout::PictureLayout(std::vector<scene::GridPlace> places) : places_(std::move(places)) {
+  POINSOT_EXPECT(!places_.empty());
+  for (const scene::GridPlace& place : places_) {
     columns_ = std::max(columns_, place.column + place.columns);
     rows_ = std::max(rows_, place.row + place.rows);
   }
 }
 
-std::vector<Cell> PictureLayout::cells(glm::ivec2 size_px, double top_px) const {
-  const bool shared = places_.size() > 1;
-  const auto top = static_cast<int>(shared ? std::min(top_px, kMostTitle * size_px.y) : 0);
+std::vector<Cell> PictureLayout::cells(glm::ivec2 size_px, const NoteReach& taken) const {
+  const glm::dvec2 size(size_px), most = kMostTaken * size;
+  const glm::ivec2 from(std::min(taken.left, most.x), std::min(taken.top, most.y));
+  const glm::ivec2 to(size - glm::dvec2(std::min(taken.right, most.x), std::min(taken.bottom, most.y)));
   std::vector<Cell> cells;
   for (const scene::GridPlace& place : places_) {
-    const glm::ivec2 low(lineAt(place.column, columns_, 0, size_px.x), lineAt(place.row, rows_, top, size_px.y));
-    const glm::ivec2 high(lineAt(place.column + place.columns, columns_, 0, size_px.x),
-                          lineAt(place.row + place.rows, rows_, top, size_px.y));
+    const glm::ivec2 low(lineAt(place.column, columns_, from.x, to.x), lineAt(place.row, rows_, from.y, to.y));
+    const glm::ivec2 high(lineAt(place.column + place.columns, columns_, from.x, to.x),
+                          lineAt(place.row + place.rows, rows_, from.y, to.y));
     cells.push_back({low, glm::max(high - low, glm::ivec2(1))});
   }
   return cells;

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "draw/picture.h"
-#include "scene/scene.h"
+#include "scene/grid_place.h"
+#include "stage/note_layout.h"
 #include "stage/palette.h"
 
 namespace poinsot::stage {
@@ -14,15 +15,14 @@ struct Cell {
   glm::ivec2 origin_px{0}, size_px{1, 1};
 };
 
-/// The panels of a picture: cells of a grid that fill it, below its title.
+/// The panels of a picture: cells of a grid that fills it, but for what its type takes.
 class PictureLayout {
  public:
-  /// @pre there are views, no two in one cell.
-  explicit PictureLayout(const std::vector<scene::View>& views);
+  /// @pre there are places, no two over one cell.
+  explicit PictureLayout(std::vector<scene::GridPlace> places);
 
-  /// The panels in the order of the views. `top_px` at the picture's top are the title's; of one view they are the
-  /// panel's too.
-  std::vector<Cell> cells(glm::ivec2 size_px, double top_px) const;
+  /// The panels in the order of the places.
+  std::vector<Cell> cells(glm::ivec2 size_px, const NoteReach& taken) const;
 
   /// Hairlines between panels.
   void addRules(draw::Picture& picture, const std::vector<Cell>& cells, double line_px,

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "physics/motion.h"
+#include "scene/film_clock.h"
+#include "scene/make_motion.h"
 #include "scene/scene.h"
 
 namespace poinsot::stage {
@@ -21,21 +23,24 @@ struct PictureState {
   Eigen::Vector3d omega_P;
   Eigen::Vector3d L_V;
   Eigen::Vector3d L_W;
+  Eigen::Vector3d torque_V;  ///< N·m
 
   bool atRest() const { return omega_P.isZero(0); }
 };
 
-/// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.
-double chosenSpeed(const scene::Scene& scene);
+using scene::chosenSpeed;
 
 /// The motion that the scene's film shows, over the film: with larger angles where it says so.
 /// @throws core::Error(kScene) where larger angles would be another kind of motion, kPhysics where it has no
 /// solution.
 std::shared_ptr<const physics::Motion> drawnMotion(const scene::Scene& scene);
 
+/// From film time to the time of drawnMotion(), through the scene's changes of speed.
+scene::FilmClock filmClock(const scene::Scene& scene);
+
 /// One sample of the path of the tip of omega.
 struct PathPoint {
-  double filmTime_s;
+  double played_s;
   Eigen::Vector3d omega_P;  ///< in principal axes
   Eigen::Vector3d omega_W;
   Eigen::Vector3d L_W;
@@ -48,20 +53,22 @@ struct Precession {
   double rate = 0;                                     ///< rad per motion second
 };
 
+/// Paths are functions of the played time (scene/film_clock.h), on which changes of speed do not tell: it runs
+/// slower where the motion does, and stands still with it.
 class PictureMotion {
  public:
   /// `motion`: drawnMotion() of the scene; its views share it.
   PictureMotion(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion);
 
-  PictureState at(double filmTime_s) const;
-  /// From inertial axes to the picture's.
-  Eigen::Matrix3d R_VW(double filmTime_s) const;
+  PictureState at(double filmTime_s) const { return atPlayed(played_s(filmTime_s)); }
+  PictureState atPlayed(double played_s) const;
+  double played_s(double filmTime_s) const { return clock_.played_s(filmTime_s); }
 
-  PathPoint pathPoint(double filmTime_s) const;
-  /// The tip of omega from one film time to another, dense enough to look smooth. The inner points lie on a grid
+  PathPoint pathPoint(double played_s) const;
+  /// The tip of omega from one played time to another, dense enough to look smooth. The inner points lie on a grid
   /// of times that is the same for every frame, so that a curve does not crawl; at most `kMostPathPoints`.
   std::vector<PathPoint> path(double from_s, double to_s) const;
-  /// The longest stretch of film that path() can show.
+  /// The longest stretch of played time that path() can show.
   double longestPath_s() const { return pathStep_s_ * static_cast<double>(kMostPathPoints - 2); }
   /// A few hundred points of the path over the whole film: enough to know how far it reaches.
   const std::vector<PathPoint>& outline() const { return outline_; }
@@ -71,27 +78,28 @@ class PictureMotion {
   const physics::PrincipalAxes& axes() const { return motion_->axes(); }
   const physics::PrincipalMoments& moments() const { return axes().moments(); }
   /// Nothing acts on the body: L and the energy are constant.
-  bool isFree() const { return isFree_; }
-  double speed() const { return speed_; }
-  double duration_s() const { return duration_s_; }
+  bool isFree() const { return forcing_.none(); }
+  /// Seconds of motion per second of played time.
+  double speed() const { return clock_.speed(); }
+  /// Played time of the whole film.
+  double length_s() const { return length_s_; }
 
  private:
   static constexpr std::size_t kMostPathPoints = 6000;
 
-  Eigen::Matrix3d R_VW(double filmTime_s, const physics::RigidBodyState& state) const;
-  physics::RigidBodyState stateAt(double filmTime_s) const { return motion_->at(start_s_ + speed_ * filmTime_s); }
+  Eigen::Matrix3d R_VW(double played_s, const physics::RigidBodyState& state) const;
+  physics::RigidBodyState stateAt(double played_s) const { return motion_->at(clock_.motionTimeOf(played_s)); }
 
   std::shared_ptr<const physics::Motion> motion_;
-  double start_s_;
-  double speed_;
-  double duration_s_;
-  bool isFree_;
+  scene::FilmClock clock_;
+  double length_s_;  // of played time
+  physics::Forcing forcing_;
   scene::CameraFrame frame_;
   Eigen::Matrix3d R_VB_;   // where the body stands, when it does
   Precession precession_;  // of the picture's axes, when they precess
   std::vector<PathPoint> outline_;
   std::size_t liveliest_;
-  double pathStep_s_;  // of film time
+  double pathStep_s_;  // of played time
 };
 
 }  // namespace poinsot::stage

@@ -7,10 +7,8 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kRounding = 1e-11;  // of a quantity's size: what integration to 1e-12 may leave
-constexpr double kFlat = 1e-5;       // of the value: smaller changes would need more than six digits at the ticks
-constexpr double kRoom = 0.03;       // of the range, beyond its ends
-constexpr double kFromZero = 0.3;    // of the high end: a low end nearer to zero is taken down to it
+constexpr double kRoom = 0.03;     // of the range, beyond its ends
+constexpr double kFromZero = 0.3;  // of the high end: a low end nearer to zero is taken down to it
 constexpr int kMostTicks = 7;
 
 struct Span {
@@ -18,14 +16,13 @@ struct Span {
 };
 
 Span constantSpan(double value, double size) {
-  if (std::abs(value) <= kRounding * size || value == 0) return {-std::max(size, 1e-300), std::max(size, 1e-300)};
+  if (std::abs(value) < 0.5 * size) return {-size, size};  // zero but for rounding
   return value > 0 ? Span{0, 1.25 * value} : Span{1.25 * value, 0};
 }
 
 Span shownSpan(const QuantityRange& range) {
-  const double length = range.high - range.low, largest = std::max(std::abs(range.low), std::abs(range.high));
-  if (length <= kRounding * range.size || length <= kFlat * largest)
-    return constantSpan(0.5 * (range.low + range.high), range.size);
+  const double length = range.high - range.low;
+  if (!varies(range)) return constantSpan(0.5 * (range.low + range.high), sizeOf(range));
   Span span{range.low - kRoom * length, range.high + kRoom * length};
   if (range.low >= 0 && range.low < kFromZero * range.high) span.low = 0;
   if (range.high <= 0 && range.high > kFromZero * range.low) span.high = 0;

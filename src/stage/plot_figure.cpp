@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "core/expect.h"
-#include "stage/lettering.h"
 #include "stage/plot_curve.h"
 #include "stage/plot_frame.h"
 #include "stage/plot_tones.h"
@@ -17,10 +16,10 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kType = 0.027, kLine = 2.0 / 1080;  // shares of the reference height
-constexpr double kCurve = 1.25, kCursor = 0.6;       // in ordinary lines
-constexpr double kDot = 0.2;                         // radius, in em
-constexpr float kFaint = 0.62f;                      // towards the paper: what is still to come
+constexpr double kType = 0.027;                 // of what type is sized by
+constexpr double kCurve = 1.25, kCursor = 0.6;  // in ordinary lines
+constexpr double kDot = 0.2;                    // radius, in em
+constexpr float kFaint = 0.62f;                 // towards the paper: what is still to come
 // Of the axes' lengths: a twentieth of a pixel in a plot of 2000.
 constexpr double kTolerance = 2.5e-5, kWidestTolerance = 5e-4;
 constexpr int kColumns = 4096;               // a picture has at most twice as many
@@ -71,7 +70,7 @@ struct PlotFigure::Plan {
   Plan(const scene::Scene& scene, const scene::Plot& p, std::shared_ptr<const physics::Motion> motion)
       : plot(p),
         style(scene.style),
-        colors(palette(style.theme)),
+        colors(palette(style)),
         tones(quantityColors(colors, plot.quantities)),
         track(scene, std::move(motion), tracked(plot)) {
     POINSOT_EXPECT(!plot.quantities.empty() && (!plot.x || plot.quantities.size() == 1));
@@ -128,13 +127,13 @@ struct PlotFigure::Plan {
   }
 
   std::vector<PlotValue> values(double filmTime_s) const;
-  PlotPen pen(glm::vec2 picture_px, glm::vec2 panel_px) const;
+  PlotPen pen(const Sizing& sizing, glm::vec2 panel_px) const;
   double rightRoom(const PlotPen& pen) const;
-  void addPath(draw::Picture& picture, const std::vector<PlotPoint>& points, const PlotBox& area,
+  void addPath(draw::Picture& picture, const std::vector<PlotPoint>& points, const PixelBox& area,
                const draw::Color& color, const PlotPen& pen) const;
-  void addCurves(draw::Picture& picture, const PlotBox& area, double filmTime_s, const PlotPen& pen) const;
-  void addCursor(draw::Picture& picture, const PlotBox& area, double filmTime_s, const PlotPen& pen) const;
-  void addPair(draw::Picture& picture, const PlotBox& panel, const PlotBox& area, double filmTime_s,
+  void addCurves(draw::Picture& picture, const PixelBox& area, double filmTime_s, const PlotPen& pen) const;
+  void addCursor(draw::Picture& picture, const PixelBox& area, double filmTime_s, const PlotPen& pen) const;
+  void addPair(draw::Picture& picture, const PixelBox& panel, const PixelBox& area, double filmTime_s,
                const PlotPen& pen) const;
 };
 
@@ -152,21 +151,21 @@ double PlotFigure::Plan::rightRoom(const PlotPen& pen) const {
   return isPortrait() ? 0 : valuesWidth(values(0), valueFormat(frame.y, pen.decimalSign), pen);
 }
 
-PlotPen PlotFigure::Plan::pen(glm::vec2 picture_px, glm::vec2 panel_px) const {
-  const double H = referenceHeight(picture_px);
-  PlotPen pen{colors, kType * H * style.textSize, kLine * H * style.lineWidth, style.decimalSign};
-  const PlotBox panel{0, 0, static_cast<double>(panel_px.x), static_cast<double>(panel_px.y)};
+PlotPen PlotFigure::Plan::pen(const Sizing& sizing, glm::vec2 panel_px) const {
+  const double type_px = style.textSize * std::max(kType * sizing.type_px, sizing.least_px);
+  PlotPen pen{colors, type_px, sizing.line_px * style.lineWidth, style.decimalSign};
+  const PixelBox panel{0, 0, static_cast<double>(panel_px.x), static_cast<double>(panel_px.y)};
   const auto small = [&] {
     PlotFrame any = frame;
     any.equalScales = false;
-    const PlotBox area = curveArea(panel, any, rightRoom(pen), pen);
+    const PixelBox area = curveArea(panel, any, rightRoom(pen), pen);
     return area.width() < kLeastArea * panel.width() || area.height() < kLeastArea * panel.height();
   };
   while (small()) pen.em_px *= 0.9;
   return pen;
 }
 
-void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoint>& points, const PlotBox& area,
+void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoint>& points, const PixelBox& area,
                                const draw::Color& color, const PlotPen& pen) const {
   const auto most = kPointsPerPixel * static_cast<std::size_t>(std::max(area.width(), 1.0));
   const bool dense = !isPortrait() && points.size() > most;
@@ -180,7 +179,7 @@ void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoi
   }
 }
 
-void PlotFigure::Plan::addCurves(draw::Picture& picture, const PlotBox& area, double filmTime_s,
+void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
   std::vector<PlotPoint> at;
   for (std::size_t i = 0; i < curves.size(); ++i) at.push_back(cursor(i, filmTime_s));
@@ -191,7 +190,7 @@ void PlotFigure::Plan::addCurves(draw::Picture& picture, const PlotBox& area, do
     for (const auto& stretch : curves[i]) addPath(picture, before(stretch, at[i]), area, tones[i], pen);
 }
 
-void PlotFigure::Plan::addCursor(draw::Picture& picture, const PlotBox& area, double filmTime_s,
+void PlotFigure::Plan::addCursor(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
   // A ring whose width closes it: strokes alone lie over strokes.
   constexpr int kCorners = 24;
@@ -213,10 +212,10 @@ void PlotFigure::Plan::addCursor(draw::Picture& picture, const PlotBox& area, do
 }
 
 // Of a phase portrait: both values, at the right over the curves.
-void PlotFigure::Plan::addPair(draw::Picture& picture, const PlotBox& panel, const PlotBox& area,
+void PlotFigure::Plan::addPair(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
                                double filmTime_s, const PlotPen& pen) const {
   const double em = pen.em_px, baseline = labelRow(area, pen);
-  double right = panel.right - 0.5 * em;
+  double right = panel.right - kPlotEdge * em;
   const double least = labelLeft(area, frame, pen) + widthOf(frame.y.label, em) + em;
   const PlotAxis* axes[] = {&frame.y, &frame.x};
   for (const std::size_t which : {0u, 1u}) {
@@ -238,12 +237,25 @@ PlotFigure::PlotFigure(const scene::Scene& scene, const scene::Plot& plot,
 PlotFigure::~PlotFigure() = default;
 PlotFigure::PlotFigure(PlotFigure&&) noexcept = default;
 
-void PlotFigure::add(draw::Picture& picture, glm::ivec2 origin_px, glm::ivec2 size_px, double filmTime_s) const {
+PlotSides PlotFigure::sides(const Cell& cell, const Sizing& sizing) const {
+  if (plan_->isPortrait()) return {};
+  const PlotPen pen = plan_->pen(sizing, cell.size_px);
+  const PixelBox panel{0, 0, static_cast<double>(cell.size_px.x), static_cast<double>(cell.size_px.y)};
+  const PixelBox area = curveArea(panel, plan_->frame, plan_->rightRoom(pen), pen);
+  return {area.left, panel.right - area.right};
+}
+
+void PlotFigure::add(draw::Picture& picture, const Cell& cell, const Sizing& sizing, double filmTime_s,
+                     const PlotSides& least) const {
   const Plan& plan = *plan_;
-  const PlotPen pen = plan.pen(picture.size_px, size_px);
-  const glm::dvec2 corner(origin_px), far = corner + glm::dvec2(size_px);
-  const PlotBox panel{corner.x, corner.y, far.x, far.y};
-  const PlotBox area = curveArea(panel, plan.frame, plan.rightRoom(pen), pen);
+  const PlotPen pen = plan.pen(sizing, cell.size_px);
+  const glm::dvec2 corner(cell.origin_px), far = corner + glm::dvec2(cell.size_px);
+  const PixelBox panel{corner.x, corner.y, far.x, far.y};
+  PixelBox area = curveArea(panel, plan.frame, plan.rightRoom(pen), pen);
+  if (!plan.isPortrait()) {
+    area.left = std::max(area.left, panel.left + least.left);
+    area.right = std::min(area.right, panel.right - least.right);
+  }
   addFrame(picture, panel, area, fitted(plan.frame, area, pen), pen);
   if (!plan.isPortrait()) {
     draw::Stroke line;

@@ -6,8 +6,15 @@
 #include "draw/picture.h"
 #include "physics/motion.h"
 #include "scene/scene.h"
+#include "stage/lettering.h"
+#include "stage/picture_layout.h"
 
 namespace poinsot::stage {
+
+/// Between a panel's sides and the ends of its horizontal axis, px.
+struct PlotSides {
+  double left = 0, right = 0;
+};
 
 /// A panel with curves of a scene's quantities over its film, a cursor at the film's time and the values there.
 /// All that does not depend on time or size is worked out once, here.
@@ -18,9 +25,13 @@ class PlotFigure {
   ~PlotFigure();
   PlotFigure(PlotFigure&&) noexcept;
 
-  /// Adds the panel at film time `filmTime_s` to a picture whose size is set; its type is sized by the picture.
-  /// All of it lies inside the panel. A pure function.
-  void add(draw::Picture& picture, glm::ivec2 origin_px, glm::ivec2 size_px, double filmTime_s) const;
+  /// What it needs beside its axis of time; of a phase portrait nothing, which has no such axis.
+  PlotSides sides(const Cell& cell, const Sizing& sizing) const;
+
+  /// Adds the panel at film time `filmTime_s` to a picture. All of it lies inside the panel. A pure function.
+  /// `least` stays free beside an axis of time, so that those of plots under one another are in line.
+  void add(draw::Picture& picture, const Cell& cell, const Sizing& sizing, double filmTime_s,
+           const PlotSides& least = {}) const;
 
  private:
   struct Plan;

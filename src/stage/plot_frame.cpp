@@ -10,7 +10,6 @@ namespace poinsot::stage {
 namespace {
 
 // In em of the plot's type.
-constexpr double kEdge = 0.5;                            // between the panel's edge and what is in it
 constexpr double kDigit = 0.67;                          // height of a digit
 constexpr double kTick = 0.28, kTickGap = 0.35;          // length of a mark; between axis and label
 constexpr double kLabelRise = 0.95, kLabelAscent = 0.8;  // of the y axis's label over the axis's end
@@ -40,7 +39,7 @@ void addStroke(draw::Picture& picture, glm::dvec2 from, glm::dvec2 to, double wi
 }
 
 /// Shrinks the longer side so that both axes have one scale; what is left of the width lies on both sides.
-PlotBox withEqualScales(PlotBox area, const PlotFrame& frame) {
+PixelBox withEqualScales(PixelBox area, const PlotFrame& frame) {
   const double x = frame.x.high - frame.x.low, y = frame.y.high - frame.y.low;
   const double scale = std::min(area.width() / x, area.height() / y);
   const double spare = area.width() - scale * x;
@@ -50,7 +49,7 @@ PlotBox withEqualScales(PlotBox area, const PlotFrame& frame) {
   return area;
 }
 
-void addTicksX(draw::Picture& picture, const PlotBox& panel, const PlotBox& area, const PlotAxis& axis,
+void addTicksX(draw::Picture& picture, const PixelBox& panel, const PixelBox& area, const PlotAxis& axis,
                const PlotPen& pen) {
   const double em = pen.em_px, line = kAxisLine * pen.line_px;
   for (auto i = axis.ticks.first; i <= axis.ticks.last; ++i) {
@@ -63,7 +62,7 @@ void addTicksX(draw::Picture& picture, const PlotBox& panel, const PlotBox& area
   }
 }
 
-void addTicksY(draw::Picture& picture, const PlotBox& area, const PlotAxis& axis, const PlotPen& pen) {
+void addTicksY(draw::Picture& picture, const PixelBox& area, const PlotAxis& axis, const PlotPen& pen) {
   const double em = pen.em_px, line = kAxisLine * pen.line_px;
   for (auto i = axis.ticks.first; i <= axis.ticks.last; ++i) {
     const double y = area.y(axis.shareOfWritten(axis.ticks.at(i)));
@@ -73,7 +72,7 @@ void addTicksY(draw::Picture& picture, const PlotBox& area, const PlotAxis& axis
   }
 }
 
-void addZeroLines(draw::Picture& picture, const PlotBox& area, const PlotFrame& frame, const PlotPen& pen) {
+void addZeroLines(draw::Picture& picture, const PixelBox& area, const PlotFrame& frame, const PlotPen& pen) {
   const double width = kZeroLine * pen.line_px;
   const draw::Color color = glm::mix(pen.colors.paper, pen.colors.quietInk, 0.35f);
   if (frame.y.low < 0 && frame.y.high > 0) {
@@ -110,23 +109,23 @@ double addLine(draw::Picture& picture, const std::string& tex, double x, double 
   return width;
 }
 
-double labelLeft(const PlotBox& area, const PlotFrame& frame, const PlotPen& pen) {
+double labelLeft(const PixelBox& area, const PlotFrame& frame, const PlotPen& pen) {
   return area.left - kTickGap * pen.em_px - widestLabel(frame.y.ticks, pen);
 }
 
-double labelRow(const PlotBox& area, const PlotPen& pen) { return area.top - kLabelRise * pen.em_px; }
+double labelRow(const PixelBox& area, const PlotPen& pen) { return area.top - kLabelRise * pen.em_px; }
 
-PlotBox curveArea(const PlotBox& panel, const PlotFrame& frame, double rightRoom_px, const PlotPen& pen) {
+PixelBox curveArea(const PixelBox& panel, const PlotFrame& frame, double rightRoom_px, const PlotPen& pen) {
   const double em = pen.em_px;
-  PlotBox area = panel;
-  area.left += kEdge * em + widestLabel(frame.y.ticks, pen) + kTickGap * em;
-  area.top += (kEdge + kLabelAscent + kLabelRise + (frame.title.empty() ? 0 : kTitleRow)) * em;
-  area.right -= std::max(rightRoom_px, 0.5 * widestLabel(frame.x.ticks, pen)) + kEdge * em;
-  area.bottom -= (kLabelRow + kDescent + kEdge) * em;
+  PixelBox area = panel;
+  area.left += kPlotEdge * em + widestLabel(frame.y.ticks, pen) + kTickGap * em;
+  area.top += (kPlotEdge + kLabelAscent + kLabelRise + (frame.title.empty() ? 0 : kTitleRow)) * em;
+  area.right -= std::max(rightRoom_px, 0.5 * widestLabel(frame.x.ticks, pen)) + kPlotEdge * em;
+  area.bottom -= (kLabelRow + kDescent + kPlotEdge) * em;
   return frame.equalScales ? withEqualScales(area, frame) : area;
 }
 
-PlotFrame fitted(const PlotFrame& frame, const PlotBox& area, const PlotPen& pen) {
+PlotFrame fitted(const PlotFrame& frame, const PixelBox& area, const PlotPen& pen) {
   PlotFrame fit = frame;
   fit.y = withFewerTicks(frame.y, static_cast<int>(area.height() / (kRowApart * pen.em_px)) + 1);
   for (int most = frame.x.ticks.count(); most > 3; --most) {
@@ -137,7 +136,7 @@ PlotFrame fitted(const PlotFrame& frame, const PlotBox& area, const PlotPen& pen
   return fit;
 }
 
-void addFrame(draw::Picture& picture, const PlotBox& panel, const PlotBox& area, const PlotFrame& frame,
+void addFrame(draw::Picture& picture, const PixelBox& panel, const PixelBox& area, const PlotFrame& frame,
               const PlotPen& pen) {
   const double em = pen.em_px, line = kAxisLine * pen.line_px;
   addZeroLines(picture, area, frame, pen);
@@ -145,14 +144,15 @@ void addFrame(draw::Picture& picture, const PlotBox& panel, const PlotBox& area,
   addStroke(picture, {area.left, area.bottom}, {area.right, area.bottom}, line, pen.colors.quietInk);
   addTicksX(picture, panel, area, frame.x, pen);
   addTicksY(picture, area, frame.y, pen);
-  const double left = panel.left + kEdge * em, room = panel.width() - 2 * kEdge * em;
+  const double left = panel.left + kPlotEdge * em, room = panel.width() - 2 * kPlotEdge * em;
   addLabel(picture, frame.y.label, labelLeft(area, frame, pen), labelRow(area, pen), Align::kLeft,
            panel.right - labelLeft(area, frame, pen), em, pen.colors.ink);
   addLabel(picture, frame.x.label, area.right, area.bottom + kLabelRow * em, Align::kRight, area.right - left, em,
            pen.colors.ink);
   if (!frame.title.empty())
-    addLabel(picture, "\\textbf{" + frame.title + "}", left, panel.top + (kEdge + kLabelAscent * kTitleSize) * em,
-             Align::kLeft, room, kTitleSize * em, pen.colors.ink);
+    addLabel(picture, "\\textbf{" + frame.title + "}", left,
+             panel.top + (kPlotEdge + kLabelAscent * kTitleSize) * em, Align::kLeft, room, kTitleSize * em,
+             pen.colors.ink);
 }
 
 }  // namespace poinsot::stage

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,8 @@ namespace poinsot::stage {
 namespace {
 
 using scene::QuantityUnit;
+
+constexpr double kResolution = 250;  // least number of values that are told apart
 
 struct TimeUnit {
   double seconds;
@@ -90,6 +93,10 @@ std::string numberTex(std::string_view digits, scene::DecimalSign sign) {
     else
       tex += c;
   return "$" + tex + "$";
+}
+
+int decimalsThatResolve(double length) {
+  return std::max(0, static_cast<int>(std::ceil(-std::log10(length / kResolution))));
 }
 
 std::string fixedDigits(double x, int decimals) {

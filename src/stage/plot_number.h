@@ -33,6 +33,9 @@ std::string unitSuffix(const WrittenUnit& unit);
 /// A formula of decimal digits ("-0.15"), in which all digits are of one width.
 std::string numberTex(std::string_view digits, scene::DecimalSign sign);
 
+/// So many decimals as tell a few hundred values apart over a range of that length, a pixel or two of a plot.
+int decimalsThatResolve(double length);
+
 /// The digits of x with so many decimals; never "-0.00". "--" for what is no number.
 std::string fixedDigits(double x, int decimals);
 

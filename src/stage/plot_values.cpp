@@ -9,11 +9,10 @@ namespace poinsot::stage {
 namespace {
 
 // In em of the plot's type.
-constexpr double kGap = 0.7;         // between curve and name
-constexpr double kEquals = 0.3;      // between "=" and value
-constexpr double kRow = 1.3;         // between baselines
-constexpr double kResolution = 250;  // least number of values that an axis tells apart: a pixel or two
-constexpr double kMiddle = 0.3;      // of a letter, over its baseline
+constexpr double kGap = 0.7;     // between curve and name
+constexpr double kEquals = 0.3;  // between "=" and value
+constexpr double kRow = 1.3;     // between baselines
+constexpr double kMiddle = 0.3;  // of a letter, over its baseline
 
 std::string nameTex(const PlotValue& value) { return "$" + value.tex + "\\,=$"; }
 
@@ -27,7 +26,7 @@ double namesWidth(const std::vector<PlotValue>& values, double em_px) {
 
 ValueFormat valueFormat(const PlotAxis& axis, scene::DecimalSign sign) {
   ValueFormat format;
-  format.decimals = std::max(0, static_cast<int>(std::ceil(-std::log10((axis.high - axis.low) / kResolution))));
+  format.decimals = decimalsThatResolve(axis.high - axis.low);
   for (const double end : {axis.low, axis.high})
     format.width_em = std::max(format.width_em, widthOf(numberTex(fixedDigits(end, format.decimals), sign), 1));
   return format;
@@ -55,7 +54,7 @@ std::vector<double> spread(const std::vector<double>& wanted, double apart, doub
   return place;
 }
 
-void addValues(draw::Picture& picture, const PlotBox& panel, const PlotBox& area,
+void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
                const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen) {
   const double em = pen.em_px, names = area.right + kGap * em;
   const double right = names + namesWidth(values, em) + (kEquals + format.width_em) * em;

@@ -29,7 +29,7 @@ ValueFormat valueFormat(const PlotAxis& axis, scene::DecimalSign sign);
 double valuesWidth(const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen);
 
 /// Each beside its curve's end, apart from one another, digits under digits.
-void addValues(draw::Picture& picture, const PlotBox& panel, const PlotBox& area,
+void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
                const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen);
 
 /// Places at least `apart` from each other and, where there is room, between `low` and `high`, near the wanted

@@ -56,7 +56,7 @@ void addFamily(const Canvas& canvas, const PictureState& state, const std::vecto
                const draw::Color& color) {
   for (const BodyCurve& curve : curves)
     canvas.line(turned(state.R_VP, curve.points_P), true,
-                curve.separatrix ? color : mixed(color, canvas.colors.paper, kPaleShare),
+                curve.separatrix ? canvas.colors.separatrix : mixed(color, canvas.colors.paper, kPaleShare),
                 curve.separatrix ? 1.8 : 1, 0.012);
 }
 
@@ -73,7 +73,7 @@ PolhodesFigure::PolhodesFigure(const Setting& setting) {
 }
 
 void PolhodesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  addFamily(canvas, state, curves_, canvas.colors.omega);
+  addFamily(canvas, state, curves_, canvas.colors.polhode);
 }
 
 std::vector<Vector3d> PolhodesFigure::outermostPoints(const PictureState& state) const {
@@ -105,7 +105,7 @@ void BinetFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Picture
   canvas.glassEllipsoid(radius_ * state.R_VP, canvas.colors.plane, opacity_, kShares);
   canvas.glassEllipsoid(state.R_VP * semiAxes_P_.asDiagonal(), canvas.colors.ellipsoid, opacity_, kShares);
   addFamily(canvas, state, curves_, canvas.colors.L);
-  canvas.tube(turned(state.R_VP, polhode_P_), closes_, kTube, canvas.colors.omega);
+  canvas.tube(turned(state.R_VP, polhode_P_), closes_, kTube, canvas.colors.polhode);
   canvas.dot(scale_ * state.L_V, 0.034, canvas.colors.ink);
 }
 

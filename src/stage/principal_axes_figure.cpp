@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/principal_axes_figure.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 
 #include "stage/stand_figure.h"
@@ -21,6 +20,7 @@ constexpr double kLeast = 0.3;  // of half the body's longest extent: for an axi
 // Of an axis this much is framed: labels keep themselves inside, and few axes point outwards.
 constexpr double kFramed = 0.8;
 constexpr double kNameSize = 0.85;  // in ordinary labels
+constexpr std::array kNames{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
 
 }  // namespace
 
@@ -46,20 +46,23 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d tip_V = lengths_[axis] * state.R_VP.col(axis);
     canvas.arrow(tip_V, kRadius, canvas.colors.axis);
-    if (canvas.type_px == 0) continue;
+    const scene::LabelName name = kNames[static_cast<std::size_t>(axis)];
+    if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
     // An axis that points at the eye has no direction in the picture: its label leans upwards.
     const auto lean = static_cast<float>(1.2 * canvas.type_px);
-    canvas.labelAt(fmt::format("$\\hat{{\\mathbf{{e}}}}_{}$", axis + 1), canvas.at_px(tip_V),
-                   canvas.at_px(tip_V) - centre + glm::vec2(0, -lean), canvas.colors.axis, kNameSize);
-    if (body_) canvas.labels.back().opacity = seenPast(state, tip_V, fromPicture(canvas.list.camera.eye_W));
+    canvas.labelAt(name, canvas.at_px(tip_V), canvas.at_px(tip_V) - centre + glm::vec2(0, -lean),
+                   canvas.colors.axis, kNameSize);
+    if (body_) canvas.labels.back().opacity = seenPast(state, tip_V, canvas.list.camera);
   }
 }
 
 // The sight line is followed from the point towards the eye.
 float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& point_V,
-                                    const Vector3d& eye_V) const {
+                                    const draw::Camera& camera) const {
   constexpr int kSteps = 32;
-  const Vector3d towardEye = (eye_V - point_V).normalized() * 2 * bodyScale_ * body_->radius();
+  const Vector3d sight =
+      camera.orthographic ? fromPicture(camera.R_WC[2]) : Vector3d(fromPicture(camera.eye_W) - point_V);
+  const Vector3d towardEye = sight.normalized() * 2 * bodyScale_ * body_->radius();
   double nearest = 2;
   for (int i = 0; i <= kSteps; ++i)
     nearest =

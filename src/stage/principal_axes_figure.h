@@ -16,7 +16,7 @@ class PrincipalAxesFigure final : public Actor {
 
  private:
   /// How much of a point is seen past the body: 0 behind it or inside, 1 clear of it, smooth between.
-  float seenPast(const PictureState& state, const Eigen::Vector3d& point_V, const Eigen::Vector3d& eye_V) const;
+  float seenPast(const PictureState& state, const Eigen::Vector3d& point_V, const draw::Camera& camera) const;
 
   Eigen::Vector3d lengths_;
   const BodyFigure* body_;  // null where it is not shown

@@ -43,16 +43,31 @@ void widen(QuantityRange& range, double value, double size) {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr double kRounding = 1e-11;  // of a quantity's size: what integration to 1e-12 may leave
+constexpr double kFlat = 1e-5;       // of the value: smaller changes would need more than six digits
+
+double largestOf(const QuantityRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
+
 }  // namespace
+
+bool varies(const QuantityRange& range) {
+  return range.high - range.low > std::max(kRounding * range.size, kFlat * largestOf(range));
+}
+
+double sizeOf(const QuantityRange& range) {
+  const double largest = largestOf(range);
+  if (largest > kRounding * range.size) return largest;
+  return range.size > 0 ? range.size : 1;
+}
 
 QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion,
                              std::vector<int> quantities)
     : motion_(std::move(motion)),
       quantities_(std::move(quantities)),
-      start_s_(scene.time.start_s),
-      speed_(chosenSpeed(scene)),
+      clock_(filmClock(scene)),
       duration_s_(scene.time.duration_s),
-      basis_(motion_->axes(), scene.motion.forcing, motion_->axes().toP(motion_->at(start_s_).omega_B)) {
+      basis_(motion_->axes(), scene.motion.forcing,
+             motion_->axes().toP(motion_->at(clock_.motionTime_s(0)).omega_B)) {
   chooseTimes(scene);
   sampleAll();
 }
@@ -60,8 +75,9 @@ QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const ph
 void QuantityTrack::chooseTimes(const scene::Scene& scene) {
   double fastest = 0;  // rad per second of film
   for (int i = 0; i <= kSpeedPoints; ++i) {
-    const double t_s = motionTime_s(duration_s_ * (static_cast<double>(i) / kSpeedPoints));
-    fastest = std::max(fastest, std::abs(speed_) * motion_->at(t_s).omega_W.norm());
+    const double film_s = duration_s_ * (static_cast<double>(i) / kSpeedPoints);
+    const double rate = std::abs(clock_.speed()) * clock_.pace(film_s);
+    fastest = std::max(fastest, rate * motion_->at(motionTime_s(film_s)).omega_W.norm());
   }
   const double wanted = std::min(kSamplesPerRadian * fastest * duration_s_, static_cast<double>(kMostSamples));
   const std::size_t forWidth = kSamplesPerPixel * static_cast<std::size_t>(scene.output.width);
@@ -75,7 +91,7 @@ void QuantityTrack::sampleAll() {
   values_.assign(quantities_.size(), {});
   ranges_.assign(quantities_.size(), {kInfinity, -kInfinity, 0});
   std::vector<double> last(quantities_.size(), std::numeric_limits<double>::quiet_NaN());
-  Eigen::Quaterniond before = motion_->at(start_s_).q_WB;
+  Eigen::Quaterniond before = motion_->at(clock_.motionTime_s(0)).q_WB;
   for (const double film_s : filmTimes_s_) {
     physics::RigidBodyState state = motion_->at(motionTime_s(film_s));
     takeSign(state.q_WB, before);

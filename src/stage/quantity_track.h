@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/motion.h"
+#include "scene/film_clock.h"
 #include "scene/scene.h"
 #include "scene/state_quantity.h"
 
@@ -14,6 +15,11 @@ namespace poinsot::stage {
 struct QuantityRange {
   double low = 0, high = 0, size = 0;
 };
+
+/// Whether the values differ by more than rounding, and by more than six digits show.
+bool varies(const QuantityRange& range);
+/// The largest absolute value; of what is zero but for rounding, what its size could be.
+double sizeOf(const QuantityRange& range);
 
 /// Quantities of a scene's motion over its film: sampled once, evenly and densely enough that angles can be
 /// followed through their jumps, and exact at any time.
@@ -34,7 +40,7 @@ class QuantityTrack {
   QuantityRange range() const;
   QuantityRange range(std::size_t which) const { return ranges_[which]; }
 
-  double motionTime_s(double filmTime_s) const { return start_s_ + speed_ * filmTime_s; }
+  double motionTime_s(double filmTime_s) const { return clock_.motionTime_s(filmTime_s); }
   double duration_s() const { return duration_s_; }
   const scene::StateQuantity& quantity(std::size_t which) const {
     return scene::stateQuantity(quantities_[which]);
@@ -50,7 +56,8 @@ class QuantityTrack {
 
   std::shared_ptr<const physics::Motion> motion_;
   std::vector<int> quantities_;
-  double start_s_, speed_, duration_s_;
+  scene::FilmClock clock_;
+  double duration_s_;
   scene::QuantityBasis basis_;
   std::vector<double> filmTimes_s_;
   std::vector<std::vector<double>> values_;

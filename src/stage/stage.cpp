@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stage/lettering.h"
+#include "stage/note_rows.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::stage {
 namespace {
+
+using scene::Spot;
 
 // Type in a small panel shrinks less than the panel, so that it stays legible from afar: this power of its share
 // of the picture. In half a picture to 87 %, in a quarter to 76 %.
@@ -17,10 +19,30 @@ constexpr double kTypeShrinks = 0.2;
 constexpr double kMostUnlike = 1.6;
 // Of the picture's height: a title that reaches farther down, as on a small print, would run into what is shown.
 constexpr double kTallTitle = 0.16;
+constexpr double kMostStrip = 0.4;     // of the picture's height, for captions
+constexpr double kCornerMargin = 0.1;  // type in a corner stands over the picture, not in it
+constexpr double kAir = 0.02;          // between type and what is shown
 
 double typeShare(glm::ivec2 panel_px, glm::ivec2 picture_px) {
   const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); };
   return std::pow(area(panel_px) / area(picture_px), kTypeShrinks);
+}
+
+PixelBox boxOf(const Cell& cell) {
+  const glm::dvec2 low(cell.origin_px), high = low + glm::dvec2(cell.size_px);
+  return {low.x, low.y, high.x, high.y};
+}
+
+/// A panel's heading. Returns how far down it reaches from the panel's top; 0 without one.
+double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, const Sizing& type,
+                  const Palette& colors) {
+  const double edge_px = 0.5 * noteEdge_px(type);
+  const double room_px = std::max(static_cast<double>(cell.size_px.x) - 2 * edge_px, 1.0);
+  const NoteBlock block = headingBlock(view, type, room_px, colors);
+  PixelBox box = boxOf(cell);
+  box.top += edge_px;
+  addBlocks(picture, {block}, {box});
+  return block.rows.empty() ? 0 : edge_px + block.size_px().y;
 }
 
 scene::Scene viewOf(const scene::Scene& scene, const scene::View& view) {
@@ -30,10 +52,53 @@ scene::Scene viewOf(const scene::Scene& scene, const scene::View& view) {
   return seen;
 }
 
-/// Room above the panel's picture for what stands over it: its heading, or the title of the whole picture.
-double topMargin(const PanelFrame& frame, bool titled) {
-  if (frame.heading_px > 0) return std::min(frame.heading_px / frame.size_px.y + 0.02, 0.4);
-  return titled ? 0.1 : Margins().top;  // the title's lines stand over the picture, not in it
+std::vector<scene::GridPlace> placesOf(const scene::Scene& scene) {
+  std::vector<scene::GridPlace> places;
+  for (const scene::View& view : scene.views) places.push_back(view.place);
+  for (const scene::Plot& plot : scene.plots) places.push_back(plot.place);
+  return places;
+}
+
+/// What of the view stays free for type at an edge's middle, or at its corners.
+double besideEdge(double reach_px, double length_px) { return reach_px / length_px + kAir; }
+double besideCorner(double reach_px, double length_px) {
+  return reach_px > kCornerMargin * length_px ? kCornerMargin : Margins().top;
+}
+
+/// A view's margins under type that stands over it.
+Margins marginsBeside(const std::vector<NoteBlock>& blocks, const std::vector<PixelBox>& boxes,
+                      glm::dvec2 size_px) {
+  Margins margins;
+  const auto widen = [](double& margin, double to) { margin = std::max(margin, to); };
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const PixelBox& box = boxes[i];
+    const double top = box.bottom, bottom = size_px.y - box.top;
+    switch (blocks[i].at) {
+      case Spot::kTop:
+        widen(margins.top, besideEdge(top, size_px.y));
+        break;
+      case Spot::kBottom:
+        widen(margins.bottom, besideEdge(bottom, size_px.y));
+        break;
+      case Spot::kLeft:
+        widen(margins.left, besideEdge(box.right, size_px.x));
+        break;
+      case Spot::kRight:
+        widen(margins.right, besideEdge(size_px.x - box.left, size_px.x));
+        break;
+      case Spot::kTopLeft:
+      case Spot::kTopRight:
+        widen(margins.top, besideCorner(top, size_px.y));
+        break;
+      case Spot::kBottomLeft:
+      case Spot::kBottomRight:
+        widen(margins.bottom, besideCorner(bottom, size_px.y));
+        break;
+      case Spot::kCentre:
+        break;
+    }
+  }
+  return margins;
 }
 
 /// The body is as large in all panels where it can be.
@@ -47,10 +112,17 @@ void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& fr
 
 }  // namespace
 
-Stage::Stage(scene::Scene scene)
-    : scene_(std::move(scene)), colors_(palette(scene_.style.theme)), layout_(scene_.views) {
-  const auto motion = drawnMotion(scene_);
+Stage::Stage(scene::Scene scene) : Stage(scene, drawnMotion(scene)) {}
+
+Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion)
+    : scene_(std::move(scene)),
+      colors_(palette(scene_.style)),
+      layout_(placesOf(scene_)),
+      readouts_(scene_, motion, colors_),
+      presence_(scene_.timeline),
+      captions_(scene_.timeline.captions, scene_.time.duration_s) {
   for (const scene::View& view : scene_.views) views_.emplace_back(viewOf(scene_, view), motion);
+  for (const scene::Plot& plot : scene_.plots) plots_.emplace_back(scene_, plot, motion);
 }
 
 draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
@@ -61,34 +133,89 @@ draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing
   draw::Picture picture;
   picture.size_px = size_px;
   picture.background = colors_.paper;
-  const double title_px = addTitle(picture, scene_, sizing, colors_);
-  const std::vector<Cell> cells = layout_.cells(size_px, title_px);
-  const std::vector<PanelFrame> frames = framesOf(picture, cells, sizing, title_px);
+  const glm::ivec2 stage_px = size_px - glm::ivec2(0, strip_px(size_px, sizing));
+  const Writing writing = this->writing(filmTime_s, stage_px, sizing);
+  const std::vector<Cell> cells = layout_.cells(stage_px, writesOverView() ? NoteReach() : writing.reach);
+  const std::vector<PanelFrame> frames = framesOf(picture, cells, sizing, writing);
   for (std::size_t i = 0; i < views_.size(); ++i)
     picture.panels.push_back({cells[i].origin_px, views_[i].compose(filmTime_s, frames[i])});
+  addPlots(picture, std::span(cells).subspan(views_.size()), sizing, filmTime_s);
   layout_.addRules(picture, cells, sizing.line_px, colors_);
+  addBlocks(picture, writing.blocks, writing.boxes);
+  captions_.add(picture, filmTime_s, typeScaled(sizing, scene_.style.textSize), colors_);
   return picture;
 }
 
+int Stage::strip_px(glm::ivec2 size_px, const Sizing& sizing) const {
+  const double wanted_px = captions_.height_px(size_px, typeScaled(sizing, scene_.style.textSize));
+  return static_cast<int>(std::min(wanted_px, kMostStrip * size_px.y));
+}
+
+// Type that is too much for the picture is set smaller, all of it alike. What decides are widths and places, which
+// do not depend on the time: so a film's type does not breathe.
+Stage::Writing Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {
+  constexpr int kRounds = 40;
+  constexpr double kSmaller = 0.9;
+  const WrittenThings things{readouts_.at(filmTime_s), presence_.at("title", filmTime_s),
+                             presence_.at("notes", filmTime_s), presence_.at("readouts", filmTime_s)};
+  const glm::dvec2 size(size_px);
+  Sizing type = typeScaled(sizing, scene_.style.textSize);
+  for (int round = 0;; ++round, type = typeScaled(type, kSmaller)) {
+    const double edge_px = noteEdge_px(type);
+    Writing writing{pictureBlocks(scene_, things, type, size.x - 2 * edge_px, colors_), {}, {}};
+    writing.boxes = placedBlocks(writing.blocks, size, edge_px);
+    writing.reach = reachOf(writing.blocks, writing.boxes, size);
+    if (round == kRounds || leavesRoom(writing.boxes, writing.reach, size)) return writing;
+  }
+}
+
+// Plots that stand right under one another have one axis of time.
+void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& sizing,
+                     double filmTime_s) const {
+  const auto inLine = [](const Cell& a, const Cell& b) {
+    return a.origin_px.x == b.origin_px.x && a.size_px.x == b.size_px.x;
+  };
+  for (std::size_t i = 0; i < plots_.size(); ++i) {
+    PlotSides least;
+    for (std::size_t k = 0; k < plots_.size(); ++k) {
+      if (!inLine(cells[i], cells[k])) continue;
+      const PlotSides sides = plots_[k].sides(cells[k], sizing);
+      least = {std::max(least.left, sides.left), std::max(least.right, sides.right)};
+    }
+    plots_[i].add(picture, cells[i], sizing, filmTime_s, least);
+  }
+}
+
 std::vector<PanelFrame> Stage::framesOf(draw::Picture& picture, const std::vector<Cell>& cells,
-                                        const Sizing& sizing, double title_px) const {
-  const bool titled = views_.size() == 1 && !scene_.show.title.empty();
+                                        const Sizing& sizing, const Writing& writing) const {
   std::vector<PanelFrame> frames;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
     PanelFrame& frame = frames.emplace_back();
     frame.size_px = cells[i].size_px;
     const double share = typeShare(cells[i].size_px, picture.size_px);
     frame.type_px = share * sizing.type_px;
     frame.line_px = share * sizing.line_px;
     frame.least_px = sizing.least_px;
-    const Sizing panel{frame.type_px, frame.line_px, frame.least_px};
-    frame.heading_px =
-        addHeading(picture, cells[i], scene_.views[i], typeScaled(panel, scene_.style.textSize), colors_);
-    if (titled && title_px > kTallTitle * frame.size_px.y) frame.heading_px = title_px;
-    frame.margins.top = topMargin(frame, titled);
+    if (writesOverView()) makeRoomFor(writing, frame);
+    const Sizing type = typeScaled({frame.type_px, frame.line_px, frame.least_px}, scene_.style.textSize);
+    const double heading_px = addHeading(picture, cells[i], scene_.views[i], type, colors_);
+    if (heading_px == 0) continue;
+    frame.heading_px = heading_px;
+    frame.margins.top = std::min(heading_px / frame.size_px.y + kAir, 0.4);
   }
   if (frames.size() > 1) shareScale(views_, frames);
   return frames;
+}
+
+void Stage::makeRoomFor(const Writing& writing, PanelFrame& frame) const {
+  frame.taken = writing.boxes;
+  frame.margins = marginsBeside(writing.blocks, writing.boxes, frame.size_px);
+  if (scene_.show.title.empty()) return;
+  frame.margins.top = std::max(frame.margins.top, kCornerMargin);
+  const double title_px = writing.boxes.front().bottom;  // the top left comes first
+  if (title_px <= kTallTitle * frame.size_px.y) return;
+  frame.heading_px = title_px;
+  frame.margins.top = std::max(frame.margins.top, std::min(besideEdge(title_px, frame.size_px.y), 0.4));
 }
 
 }  // namespace poinsot::stage

@@ -12,20 +12,33 @@ namespace {
 
 using Eigen::Vector3d;
 
-// In picture lengths, a table's radius in the body's.
-constexpr double kTableRadius = 0.42, kTableThickness = 0.045, kJoint = 0.032, kRod = 0.012;
-constexpr int kRimPoints = 12;    // of the table, to be framed
-constexpr double kMayDip = 0.01;  // under the table's top, of the body's radius: an apex is a point only on paper
+constexpr double kHeight = 0.34, kFoot = 0.18;                // of the pedestal, of the body's radius
+constexpr double kTip = 0.022, kJoint = 0.032, kRod = 0.012;  // in picture lengths
+constexpr int kRimPoints = 12;                                // of the pedestal's foot, to be framed
+constexpr double kMayDip = 0.01;  // under the tip, of the body's radius: an apex is a point only on paper
 
 /// Inertial height of the body's lowest point over the whole film.
 double lowestPoint_W(const PictureMotion& motion, const BodyFigure& body, double scale) {
   double lowest = 0;
   for (const PathPoint& p : motion.outline()) {
-    const PictureState state = motion.at(p.filmTime_s);
+    const PictureState state = motion.atPlayed(p.played_s);
     const Vector3d down_B = -state.R_VB.transpose() * state.R_VW.col(2);
     lowest = std::min(lowest, -scale * down_B.dot(body.supportPoint(down_B)));
   }
   return lowest;
+}
+
+// The pedestal is a cone below its tip. A plane through the tip and across the line from there to the centre of
+// mass has the cone on one side up to some tilt of that line; then a body that is all on the other side does not
+// touch it.
+bool leavesRoomBelow(const PictureMotion& motion, const BodyFigure& body, const Vector3d& toCentre_B) {
+  const Vector3d away_B = toCentre_B.normalized();
+  if (-away_B.dot(body.supportPoint(-away_B)) > kMayDip * body.radius()) return false;
+  const double leastCosine = kFoot / std::hypot(kFoot, kHeight);
+  return std::ranges::all_of(motion.outline(), [&](const PathPoint& p) {
+    const PictureState state = motion.atPlayed(p.played_s);
+    return (state.R_VB * away_B).dot(state.R_VW.col(2)) >= leastCosine;
+  });
 }
 
 }  // namespace
@@ -36,10 +49,11 @@ bool standsOnPivot(const scene::Scene& scene) {
 
 StandFigure::StandFigure(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body,
                          double scale)
-    : tableRadius_(kTableRadius * scale * body.radius()), toCentre_B_(Vector3d::Zero()) {
+    : bodyRadius_(scale * body.radius()), toCentre_B_(Vector3d::Zero()) {
   for (const Vector3d& direction : cubeDirections()) outer_B_.push_back(scale * body.supportPoint(direction));
-  const bool gravity = !scene.motion.forcing.gravity_B.isZero(0);
-  hasTable_ = gravity && lowestPoint_W(motion, body, scale) > -kMayDip * scale * body.radius();
+  const Vector3d& gravity_B = scene.motion.forcing.gravity_B;
+  hasPedestal_ = !gravity_B.isZero(0) && (lowestPoint_W(motion, body, scale) > -kMayDip * bodyRadius_ ||
+                                          leavesRoomBelow(motion, body, gravity_B));
   const bool apart = body.gauge(Vector3d::Zero()) > 1.02;
   if (scene.body.mass && apart) toCentre_B_ = scale * (scene.body.mass->centre_B() - scene.body.fixedPoint_B());
 }
@@ -47,9 +61,9 @@ StandFigure::StandFigure(const scene::Scene& scene, const PictureMotion& motion,
 std::vector<Vector3d> StandFigure::outermostPoints(const PictureState& state) const {
   std::vector<Vector3d> points;
   for (const Vector3d& p_B : outer_B_) points.emplace_back(state.R_VB * p_B);
-  if (!hasTable_) return points;
+  if (!hasPedestal_) return points;
   const Vector3d up_V = state.R_VW.col(2);
-  for (const Vector3d& p : circleAbout(-kTableThickness * up_V, up_V, tableRadius_, kRimPoints))
+  for (const Vector3d& p : circleAbout(-kHeight * bodyRadius_ * up_V, up_V, kFoot * bodyRadius_, kRimPoints))
     points.push_back(p);
   return points;
 }
@@ -66,11 +80,11 @@ void StandFigure::addRod(draw::DrawList& list, const PictureState& state, const 
 void StandFigure::add(draw::DrawList& list, const PictureState& state, const Palette& colors) const {
   addRod(list, state, colors);
   const Vector3d up_V = state.R_VW.col(2);
-  if (hasTable_)
-    list.frustums.push_back({toPicture(Vector3d(-kTableThickness * up_V)),
+  if (hasPedestal_)
+    list.frustums.push_back({toPicture(Vector3d(-kHeight * bodyRadius_ * up_V)),
                              glm::vec3(0),
-                             static_cast<float>(tableRadius_),
-                             static_cast<float>(tableRadius_),
+                             static_cast<float>(kFoot * bodyRadius_),
+                             static_cast<float>(kTip),
                              {colors.rod, 0.1f}});
   else
     list.ellipsoids.push_back({glm::vec3(0), glm::mat3(static_cast<float>(kJoint)), {colors.ink, 0.4f}});

@@ -10,7 +10,7 @@
 
 namespace poinsot::stage {
 
-/// What holds a body that turns about a point other than its centre of mass: a round table under the pivot where
+/// What holds a body that turns about a point other than its centre of mass: a pedestal under the pivot where
 /// the body stays above it all the time, else a joint, and a thin rod where the body does not reach the pivot.
 class StandFigure {
  public:
@@ -19,16 +19,16 @@ class StandFigure {
 
   void add(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
 
-  /// Points that the frame must hold at that instant, in V: the body and the table.
+  /// Points that the frame must hold at that instant, in V: the body and the pedestal.
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const;
-  bool hasTable() const { return hasTable_; }
+  bool hasPedestal() const { return hasPedestal_; }
 
  private:
   void addRod(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
 
   std::vector<Eigen::Vector3d> outer_B_;  // the body's, in the picture's lengths
-  bool hasTable_ = false;
-  double tableRadius_;
+  bool hasPedestal_ = false;
+  double bodyRadius_;           // in the picture
   Eigen::Vector3d toCentre_B_;  // from the pivot to the centre of mass, in the picture's lengths; zero: no rod
 };
 

@@ -18,6 +18,7 @@ constexpr double kStep_rad = 0.05;   // of the point on its sphere, from one sam
 constexpr int kMostPoints = 4000;
 constexpr double kRecent_s = 0.9;  // film time of the bright end
 constexpr double kPaleShare = 0.4;
+constexpr double kLift = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
 
 Vector3d tracedPoint_B(const Setting& setting) {
   const auto& trace = setting.scene.show.figures.trace;
@@ -25,12 +26,12 @@ Vector3d tracedPoint_B(const Setting& setting) {
   return trace.scale * kBeyondBody * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
 }
 
-// Film time in which the point goes by a small angle, where it is fastest.
+// Played time in which the point goes by a small angle, where it is fastest.
 double stepOf(const PictureMotion& motion, const Vector3d& point_B) {
   const Vector3d direction_P = motion.axes().toP(point_B.normalized());
   double fastest = 0;
   for (const PathPoint& p : motion.outline()) fastest = std::max(fastest, p.omega_P.cross(direction_P).norm());
-  const double coarsest = motion.duration_s() / 64, rate = fastest * std::abs(motion.speed());
+  const double coarsest = motion.length_s() / 64, rate = fastest * std::abs(motion.speed());
   return rate > 0 ? std::min(kStep_rad / rate, coarsest) : coarsest;
 }
 
@@ -43,8 +44,8 @@ TraceFigure::TraceFigure(const Setting& setting)
       future_(setting.scene.show.figures.trace.future),
       step_s_(stepOf(setting.motion, point_B_)) {}
 
-Vector3d TraceFigure::at_W(double filmTime_s) const {
-  const PictureState state = motion_.at(filmTime_s);
+Vector3d TraceFigure::at_W(double played_s) const {
+  const PictureState state = motion_.atPlayed(played_s);
   return state.R_VW.transpose() * (state.R_VB * point_B_);
 }
 
@@ -58,23 +59,23 @@ std::vector<Vector3d> TraceFigure::path_W(double from_s, double to_s) const {
 }
 
 void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
-                          const draw::Color& color, double width) const {
+                          const draw::Color& color, double width, double lift) const {
   if (!(to_s > from_s)) return;
   std::vector<Vector3d> points;
   for (const Vector3d& p_W : path_W(from_s, to_s)) points.emplace_back(state.R_VW * p_W);
-  canvas.line(points, false, color, width);
+  canvas.line(points, false, color, width, lift);
 }
 
 void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   if (opacity_ > 0)
     canvas.glassEllipsoid(radius() * state.R_VW, canvas.colors.body, opacity_, {.near = 0.5, .far = 1, .rim = 5});
-  const double longest = kMostPoints * step_s_;
-  const double end = std::min(motion_.duration_s(), filmTime_s + longest);
-  const double recent = std::max(0.0, filmTime_s - std::min(kRecent_s, longest));
+  const double longest = kMostPoints * step_s_, played = motion_.played_s(filmTime_s);
+  const double end = std::min(motion_.length_s(), played + longest);
+  const double recent = std::max(motion_.played_s(std::max(0.0, filmTime_s - kRecent_s)), played - longest);
   const draw::Color& color = canvas.colors.axis;
-  if (future_) addPath(canvas, state, filmTime_s, end, mixed(color, canvas.colors.paper, kPaleShare), 1.2);
-  addPath(canvas, state, std::max(0.0, recent - longest), recent, color, 1.8);
-  addPath(canvas, state, recent, filmTime_s, color, 2.9);
+  if (future_) addPath(canvas, state, played, end, mixed(color, canvas.colors.paper, kPaleShare), 1.2, 0);
+  addPath(canvas, state, std::max(0.0, recent - longest), recent, color, 1.8, kLift);
+  addPath(canvas, state, recent, played, color, 2.9, kLift);
   canvas.dot(point_V(state), 0.028, canvas.colors.axis);
 }
 

@@ -13,6 +13,7 @@ class TraceFigure final : public Actor {
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+  Eigen::Vector3d growsFrom(const PictureState& state) const override { return point_V(state); }
 
   /// The point's place at an instant, in V.
   Eigen::Vector3d point_V(const PictureState& state) const { return state.R_VB * point_B_; }
@@ -21,15 +22,15 @@ class TraceFigure final : public Actor {
 
  private:
   std::vector<Eigen::Vector3d> path_W(double from_s, double to_s) const;
-  Eigen::Vector3d at_W(double filmTime_s) const;
+  Eigen::Vector3d at_W(double played_s) const;
   void addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
-               const draw::Color& color, double width) const;
+               const draw::Color& color, double width, double lift) const;
 
   const PictureMotion& motion_;
   Eigen::Vector3d point_B_;  // from the fixed point, in the picture's lengths
   double opacity_;
   bool future_;
-  double step_s_;  // of film time
+  double step_s_;  // of played time
 };
 
 }  // namespace poinsot::stage

@@ -9,7 +9,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRadius = 0.019;
-constexpr double kNameSize = 1.15;    // in ordinary labels
+constexpr double kNameSize = 1.15;  // in ordinary labels
+constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
 
 }  // namespace
@@ -22,7 +23,7 @@ void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   const Vector3d tip_V = scale_ * state.L_V;
   if (tip_V.isZero(0)) return;
   canvas.arrow(tip_V, kRadius, canvas.colors.L);
-  canvas.labelAt("$\\mathbf{L}$", canvas.at_px(tip_V), {1, 0}, canvas.colors.L, kNameSize, 0.35 / kNameSize);
+  canvas.labelAt(scene::LabelName::kL, canvas.at_px(tip_V), {1, 0}, canvas.colors.L, kNameSize, 0.35 / kNameSize);
 }
 
 std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {
@@ -44,21 +45,41 @@ void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
 // In the construction always on the left, of the shaft or of L where that is farther left: it never changes sides.
 // Else over the tip, leaning outwards: it glides from side to side as the tip goes round.
 void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
-  const std::string name = "$\\boldsymbol{\\omega}$";
+  using enum scene::LabelName;
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
   const double gap = 0.35 / kNameSize;
   if (inConstruction_) {
     const glm::vec2 beside = canvas.at_px(kAlongShaft * tip_V);
-    canvas.labelAt(name, {std::min(beside.x, centre.x), beside.y}, {-1, 0}, canvas.colors.omega, kNameSize, gap);
+    canvas.labelAt(kOmega, {std::min(beside.x, centre.x), beside.y}, {-1, 0}, canvas.colors.omega, kNameSize, gap);
     return;
   }
   const glm::vec2 tip = canvas.at_px(tip_V);
   const double lean = std::clamp((tip.x - centre.x) / (2 * canvas.type_px), -1.0, 1.0);
-  canvas.labelAt(name, tip, {lean, -1.1}, canvas.colors.omega, kNameSize, gap);
+  canvas.labelAt(kOmega, tip, {lean, -1.1}, canvas.colors.omega, kNameSize, gap);
 }
 
 std::vector<Vector3d> AngularVelocityFigure::outermostPoints(const PictureState& state) const {
   return {scale_ * state.omega_V};
+}
+
+// ---- torque
+
+TorqueFigure::TorqueFigure(const Setting& setting) : scale_(0) {
+  double longest = 0;
+  for (const PathPoint& p : setting.motion.outline())
+    longest = std::max(longest, setting.motion.atPlayed(p.played_s).torque_V.norm());
+  if (longest > 0) scale_ = kLongestTorque * setting.scene.show.figures.torque.scale / longest;
+}
+
+void TorqueFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const Vector3d tip_V = scale_ * state.torque_V;
+  if (tip_V.isZero(0)) return;
+  canvas.arrow(tip_V, kRadius, canvas.colors.torque);
+  canvas.label(scene::LabelName::kTorque, tip_V, Vector3d::Zero(), canvas.colors.torque, kNameSize);
+}
+
+std::vector<Vector3d> TorqueFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.torque_V};
 }
 
 }  // namespace poinsot::stage

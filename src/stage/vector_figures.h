@@ -32,4 +32,17 @@ class AngularVelocityFigure final : public Actor {
   bool inConstruction_;  // the tip is a place of ellipsoid and plane
 };
 
+/// The torque on the body, an arrow with its name, as long as it is strong against the film's longest. Where it is
+/// zero there is none.
+class TorqueFigure final : public Actor {
+ public:
+  explicit TorqueFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  double scale_;  // picture lengths per N·m
+};
+
 }  // namespace poinsot::stage

@@ -6,12 +6,14 @@
 
 #include "stage/actors.h"
 #include "stage/body_figure.h"
+#include "stage/camera_path.h"
 #include "stage/construction.h"
 #include "stage/framing.h"
 #include "stage/label_layout.h"
 #include "stage/lettering.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
+#include "stage/presence.h"
 #include "stage/principal_axes_figure.h"
 #include "stage/scales.h"
 
@@ -23,7 +25,7 @@ Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& m
   Extent whole;
   for (const ShownActor& shown : actors) whole.ballRadius = std::max(whole.ballRadius, shown.actor->ballRadius());
   for (const PathPoint& p : motion.outline()) {
-    const PictureState state = motion.at(p.filmTime_s);
+    const PictureState state = motion.atPlayed(p.played_s);
     for (const ShownActor& shown : actors)
       for (const Eigen::Vector3d& point_V : shown.actor->outermostPoints(state)) whole.points_V.push_back(point_V);
   }
@@ -42,20 +44,50 @@ struct ViewStage::Plan {
   std::optional<Construction> construction;
   std::vector<ShownActor> actors;
   Extent extent;
+  CameraPath path;
+  PathFraming framing;
+  PresencePlan presence;
 
   Plan(scene::Scene s, std::shared_ptr<const physics::Motion> shared)
       : scene(std::move(s)),
-        colors(palette(scene.style.theme)),
+        colors(palette(scene.style)),
         motion(scene, std::move(shared)),
         body(scene),
-        scales(makeScales(scene, motion, body)) {
+        scales(makeScales(scene, motion, body)),
+        path(scene.camera, scene.timeline, scene.time.duration_s),
+        framing(path),
+        presence(scene.timeline) {
     if (showsConstruction(scene.show, motion)) construction.emplace(motion, scales);
     const Construction* made = construction ? &*construction : nullptr;
     const Eigen::Vector3d axisLengths = principalAxisLengths(scene, body, scales, made);
     actors = makeActors({scene, motion, body, scales, made, axisLengths});
     extent = wholeExtent(actors, motion, scales);
   }
+
+  draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame) const;
+  void addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const;
 };
+
+// One that moves sees all of the motion, from wherever it is, at one scale.
+draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame) const {
+  const double least_px = path.still()
+                              ? frame.mostUnit_px
+                              : std::min(frame.mostUnit_px, framing.unit_px(extent, frame.margins, frame.size_px));
+  return frameAll(path.at(filmTime_s), extent, frame.margins, frame.size_px, least_px);
+}
+
+void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
+  for (const ShownActor& shown : actors) {
+    const double there = presence.at(shown.name, filmTime_s);
+    if (there == 0) continue;
+    const DrawMark mark(canvas.list, canvas.labels);
+    shown.actor->add(canvas, filmTime_s, state);
+    if (there < 1) mark.fade(canvas.list, canvas.labels, shown.actor->growsFrom(state), there);
+  }
+  const auto names = static_cast<float>(presence.at("labels", filmTime_s));
+  for (Label& label : canvas.labels) label.opacity *= names;
+  if (names == 0) canvas.labels.clear();
+}
 
 ViewStage::ViewStage(scene::Scene scene, std::shared_ptr<const physics::Motion> motion)
     : plan_(std::make_unique<Plan>(std::move(scene), std::move(motion))) {}
@@ -66,21 +98,20 @@ draw::DrawList ViewStage::compose(double filmTime_s, const PanelFrame& frame) co
   const Plan& plan = *plan_;
   const scene::Style& style = plan.scene.style;
   draw::DrawList list;
-  list.camera = frameAll(plan.scene.camera, plan.extent, frame.margins, frame.size_px, frame.mostUnit_px);
+  list.camera = plan.cameraAt(filmTime_s, frame);
   list.background = plan.colors.paper;
   const double line_px = frame.line_px * style.lineWidth;
   const double label_px = plan.scene.show.labels ? kLabelSize * frame.type_px * style.textSize : 0;
   std::vector<Label> labels;
-  const Canvas canvas{
-      list, labels, plan.colors, line_px, style.lineWidth, label_px, frame.least_px * style.textSize};
-  const PictureState state = plan.motion.at(filmTime_s);
-  for (const ShownActor& shown : plan.actors) shown.actor->add(canvas, filmTime_s, state);
-  addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px));
+  const Canvas canvas{list,    labels,          plan.colors, plan.scene.labels,
+                      line_px, style.lineWidth, label_px,    frame.least_px * style.textSize};
+  plan.addActors(canvas, filmTime_s, plan.motion.at(filmTime_s));
+  addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px), frame.taken);
   return list;
 }
 
 double ViewStage::metre_px(const PanelFrame& frame) const {
-  return plan_->scales.body * fittingUnit_px(plan_->scene.camera, plan_->extent, frame.margins, frame.size_px);
+  return plan_->scales.body * plan_->framing.unit_px(plan_->extent, frame.margins, frame.size_px);
 }
 
 double ViewStage::bodyScale() const { return plan_->scales.body; }

@@ -3,11 +3,13 @@
 
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "draw/draw_list.h"
 #include "physics/motion.h"
 #include "scene/scene.h"
 #include "stage/framing.h"
+#include "stage/pixel_box.h"
 
 namespace poinsot::stage {
 
@@ -18,7 +20,8 @@ struct PanelFrame {
   double line_px = 2;        ///< width of an ordinary line
   double least_px = 0;       ///< no label is smaller
   Margins margins;
-  double heading_px = 0;                                         ///< at the top, where no label goes
+  double heading_px = 0;        ///< at the top, where no label goes
+  std::vector<PixelBox> taken;  ///< from the panel's corner: where no label goes either
   double mostUnit_px = std::numeric_limits<double>::infinity();  ///< as in frameAll()
 };
 

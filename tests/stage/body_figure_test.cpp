@@ -60,7 +60,7 @@ TEST(BodyFigure, OfABareTensorIsTheBoxTurnedToItsAxes) {
   scene::Scene scene = sample();
   scene.body.axes = physics::PrincipalAxes(Eigen::Matrix3d(0.5 * (inertia_B + inertia_B.transpose())));
   draw::DrawList list;
-  BodyFigure(scene).add(list, Eigen::Matrix3d::Identity(), 1, palette(scene::Theme::kLight), 2);
+  BodyFigure(scene).add(list, {Eigen::Matrix3d::Identity(), 1}, palette(scene::Theme::kLight), 2);
   ASSERT_EQ(list.boxes.size(), 1u);
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -100,7 +100,7 @@ TEST(BodyFigure, OfPointMassesIsBallsOnRods) {
   }
   scene.body.mass = physics::combined(points);
   draw::DrawList list;
-  BodyFigure(scene).add(list, Eigen::Matrix3d::Identity(), 1, palette(scene::Theme::kLight), 2);
+  BodyFigure(scene).add(list, {Eigen::Matrix3d::Identity(), 1}, palette(scene::Theme::kLight), 2);
   ASSERT_EQ(list.ellipsoids.size(), 6u);  // and the joint in the middle
   ASSERT_EQ(list.frustums.size(), 5u);
   const Vector3d centre(0.34375, 0.09375, 0.0234375);
@@ -129,7 +129,7 @@ TEST(BodyFigure, DrawsTheShapeAskedFor) {
   const auto shapes = [](const std::string& shape) {
     draw::DrawList list;
     BodyFigure(sample("[show.body]\nshape = \"" + shape + "\"\n"))
-        .add(list, Eigen::Matrix3d::Identity(), 1, palette(scene::Theme::kLight), 2);
+        .add(list, {Eigen::Matrix3d::Identity(), 1}, palette(scene::Theme::kLight), 2);
     return list;
   };
   EXPECT_EQ(shapes("box").boxes.size(), 1u);

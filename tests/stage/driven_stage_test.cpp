@@ -33,7 +33,7 @@ scene::Scene top(const std::string& extra = kBare) {
       "top.toml");
 }
 
-const draw::Color kBlue = draw::fromSrgb(0x0072B2);
+const draw::Color kBlue = palette(scene::Theme::kLight).L;
 
 vec3 tipOfL(const DrawList& list) {
   const auto head =
@@ -73,26 +73,45 @@ TEST(DrivenStage, EverythingIsInsideTheFrameAllTheTime) {
 }
 
 // Its rim turns to every side; the frame must still be filled: the top is more than a third of it high.
-TEST(DrivenStage, ATopStandsOnATableAndFillsThePicture) {
+TEST(DrivenStage, ATopStandsOnAPedestalAndFillsThePicture) {
   const Stage stage(top());
   float highest = 1e9f, lowest = -1e9f;
   for (const double t : kTimes) {
     const DrawList list = onlyList(stage, t, kSize);
     ASSERT_GE(list.frustums.size(), 2u);
-    const draw::Frustum &cone = list.frustums[0], &table = list.frustums[1];
+    const draw::Frustum &cone = list.frustums[0], &pedestal = list.frustums[1];
     EXPECT_EQ(cone.from_W, vec3(0));  // on its apex
     EXPECT_EQ(cone.fromRadius, 0);
     EXPECT_GT(glm::normalize(cone.to_W).z, 0.7f);  // nutates between 30 and 38.84 degrees: cos >= 0.779
-    EXPECT_EQ(table.to_W, vec3(0));
-    EXPECT_LT(table.from_W.z, 0);
+    EXPECT_EQ(pedestal.to_W, vec3(0));
+    EXPECT_LT(pedestal.from_W.z, 0);
     highest = std::min(highest, project(list.camera, tipOfL(list)).y);
-    lowest = std::max(lowest, project(list.camera, table.from_W).y);
+    lowest = std::max(lowest, project(list.camera, pedestal.from_W).y);
   }
   EXPECT_GT(lowest - highest, 0.5f * kSize.y);
 }
 
-// A rod hung by its end swings below the pivot: no table, a joint.
-TEST(DrivenStage, WhatHangsHasAJointAndNoTable) {
+// Its rim is below the point it stands on, but to the side: the pedestal, a cone of atan(0.18/0.34) = 27.9
+// degrees, has room under a wheel whose axis leans by up to 62.1.
+TEST(DrivenStage, ALeaningTopHasItsPedestalWhereThatHasRoom) {
+  for (const double tilt_deg : {55.0, 70.0}) {
+    const double half = tilt_deg * std::acos(-1.0) / 360;
+    const std::string turn = std::to_string(std::cos(half)) + ", " + std::to_string(std::sin(half)) + ", 0, 0]\n";
+    const scene::Scene wheel = scene::parseScene(
+        "[body]\npivot = [0, 0, 0]\n[[body.part]]\nshape = \"cylinder\"\nradius = 0.4\nheight = 0.02\n"
+        "mass = 1\noffset = [0, 0, 0.5]\n[motion]\nomega_body = [0, 0, 60]\norientation = [" +
+            turn + "[motion.gravity]\ng = 1\n[time]\nspeed = 0.05\n" + kBare,
+        "leaning.toml");
+    const DrawList list = onlyList(Stage(wheel), 3, kSize);
+    const bool pedestal = std::ranges::any_of(list.frustums, [](const draw::Frustum& f) {
+      return f.to_W == vec3(0) && f.toRadius > 0 && f.from_W.z < 0;
+    });
+    EXPECT_EQ(pedestal, tilt_deg < 62.1) << tilt_deg;
+  }
+}
+
+// A rod hung by its end swings below the pivot: no pedestal, a joint.
+TEST(DrivenStage, WhatHangsHasAJointAndNoPedestal) {
   const DrawList list = onlyList(Stage(scene::parseScene("[body]\nprincipal_moments = [1, 1, 0.2]\n[motion]\n"
                                                          "omega_body = [0.5, 0, 0.1]\norientation = [0, 1, 0, 0]\n"
                                                          "[motion.gravity]\nmgr_body = [0, 0, 3]\n" +

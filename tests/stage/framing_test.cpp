@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "stage/to_picture.h"
 
@@ -37,6 +38,17 @@ Box pictureOf(const draw::Camera& camera, const std::vector<Vector3d>& points) {
   return box;
 }
 
+/// Points all over a ball about the centre.
+std::vector<Vector3d> ball(double radius) {
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 200; ++i)
+    for (int k = 0; k < 400; ++k) {
+      const double a = M_PI * (i + 0.5) / 200, b = 2 * M_PI * k / 400;
+      points.emplace_back(radius * Vector3d(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)));
+    }
+  return points;
+}
+
 const std::vector<Vector3d> kWide{{1, 3, 0}, {-1, -3, 0.2}, {0.5, 2, -0.4}}, kTall{{0, 0, 3}, {0.1, 0, -2}};
 
 TEST(Framing, FillsTheWidthOrTheHeightUpToTheMargins) {
@@ -53,13 +65,7 @@ TEST(Framing, FillsTheWidthOrTheHeightUpToTheMargins) {
 
 // The outline of a ball is farther out than its poles: points all over it must be inside, and reach the margin.
 TEST(Framing, HoldsABall) {
-  std::vector<Vector3d> ball;
-  for (int i = 0; i < 200; ++i)
-    for (int k = 0; k < 400; ++k) {
-      const double a = M_PI * (i + 0.5) / 200, b = 2 * M_PI * k / 400;
-      ball.emplace_back(0.8 * std::sin(a) * std::cos(b), 0.8 * std::sin(a) * std::sin(b), 0.8 * std::cos(a));
-    }
-  const Box box = pictureOf(frameAll(view(), {{}, 0.8}, {0.06, 0.06, 0.06, 0.06}, {1000, 500}), ball);
+  const Box box = pictureOf(frameAll(view(), {{}, 0.8}, {0.06, 0.06, 0.06, 0.06}, {1000, 500}), ball(0.8));
   EXPECT_NEAR(box.top, 30, 0.1);
   EXPECT_NEAR(box.bottom, 470, 0.1);
 }
@@ -73,6 +79,86 @@ TEST(Framing, ZoomEnlarges) {
     return box.right - box.left;
   };
   EXPECT_NEAR(width(near) / width(view()), 2, 0.02);
+}
+
+// ---- parallel rays ----
+
+scene::Camera parallelView() {
+  scene::Camera camera = view();
+  camera.projection = scene::Projection::kOrthographic;
+  return camera;
+}
+
+TEST(ParallelFraming, FillsTheWidthOrTheHeightUpToTheMargins) {
+  const Margins margins{0.1, 0.05, 0.2, 0.1};
+  const Box wide = pictureOf(frameAll(parallelView(), {kWide, 0}, margins, {1000, 500}), kWide);
+  EXPECT_NEAR(wide.left, 100, 1e-3);
+  EXPECT_NEAR(wide.right, 950, 1e-3);
+  EXPECT_GE(wide.top, 100);
+  EXPECT_LE(wide.bottom, 450);
+  const Box tall = pictureOf(frameAll(parallelView(), {kTall, 0}, margins, {1000, 500}), kTall);
+  EXPECT_NEAR(tall.top, 100, 1e-3);
+  EXPECT_NEAR(tall.bottom, 450, 1e-3);
+}
+
+// The outline of a ball is its great circle: at 0.06 of 500 px from the border, whatever the direction.
+TEST(ParallelFraming, HoldsABall) {
+  const Box box = pictureOf(frameAll(parallelView(), {{}, 0.8}, {}, {1000, 500}), ball(0.8));
+  EXPECT_NEAR(box.top, 30, 0.1);  // 200 x 400 points miss the outline by up to 0.03 px
+  EXPECT_NEAR(box.bottom, 470, 0.1);
+  EXPECT_NEAR(box.left, 500 - 220, 0.1);
+  EXPECT_NEAR(box.right, 500 + 220, 0.1);
+}
+
+// A length has the same pixels wherever it is: near the eye, far from it, at the border. With a wide angle too,
+// which parallel rays do not have.
+TEST(ParallelFraming, KeepsEqualLengthsEqual) {
+  scene::Camera camera = parallelView();
+  const std::vector<Vector3d> corners{{-2, -2, -2}, {2, 2, 2}, {-2, 2, -2}, {2, -2, 2}, {-30, 0, 0}, {30, 0, 0}};
+  for (const double fov : {0.05, 0.42, 2.0}) {
+    camera.fov_rad = fov;
+    const draw::Camera framed = frameAll(camera, {corners, 0}, {}, {1000, 500});
+    const glm::vec2 step = project(framed, toPicture(Vector3d(0.3, 0.5, -0.2))) - project(framed, glm::vec3(0));
+    for (const Vector3d& corner : corners) {
+      const glm::vec2 there = project(framed, toPicture(Vector3d(corner + Vector3d(0.3, 0.5, -0.2)))) -
+                              project(framed, toPicture(corner));
+      EXPECT_LT(glm::distance(there, step), 1e-3f) << fov;
+    }
+    const Box box = pictureOf(framed, corners);
+    EXPECT_NEAR(std::max((box.right - box.left) / 880, (box.bottom - box.top) / 440), 1, 1e-5) << fov;
+  }
+}
+
+// What is long along the view stands before the eye, and between near and far, however small it is across.
+TEST(ParallelFraming, DrawsAllOfIt) {
+  scene::Camera camera = parallelView();
+  const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
+  const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
+  const Vector3d along(ca * ce, sa * ce, se);
+  const std::vector<Vector3d> deep{50 * along, -50 * along, {0.1, 0.2, 0}};
+  for (const double zoom : {0.05, 1.0, 20.0}) {
+    camera.zoom = zoom;
+    const draw::Camera framed = frameAll(camera, {deep, 0.3}, {}, {1000, 500});
+    for (const Vector3d& p : deep) {
+      EXPECT_GT(depthOf(framed, toPicture(p)), framed.near) << zoom;
+      EXPECT_LT(depthOf(framed, toPicture(p)), framed.far) << zoom;
+    }
+    EXPECT_GT(framed.near, 0);
+  }
+}
+
+TEST(ParallelFraming, ZoomEnlarges) {
+  scene::Camera near = parallelView();
+  near.zoom = 2;
+  const auto unit = [](const scene::Camera& c) { return frameAll(c, {kWide, 1}, {}, {1000, 500}).focal_px(); };
+  EXPECT_FLOAT_EQ(unit(near) / unit(parallelView()), 2);
+}
+
+TEST(ParallelFraming, KnowsTheUnitsPixels) {
+  const Extent extent{kWide, 1};
+  const double unit = fittingUnit_px(parallelView(), extent, {}, {1000, 500});
+  EXPECT_NEAR(frameAll(parallelView(), extent, {}, {1000, 500}).focal_px(), unit, 1e-3);
+  EXPECT_NEAR(frameAll(parallelView(), extent, {}, {1000, 500}, unit / 3).focal_px(), unit / 3, 1e-3);
 }
 
 TEST(Framing, DrawsAllOfItBetweenNearAndFar) {

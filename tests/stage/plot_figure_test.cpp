@@ -8,28 +8,17 @@
 #include <array>
 #include <cmath>
 
+#include "ink.h"
 #include "scene/state_quantity.h"
 #include "scene_samples.h"
 #include "stage/picture_motion.h"
 #include "stage/plot_tones.h"
 #include "stage/plot_values.h"
-#include "text/math_setter.h"
 
 namespace poinsot::stage {
 namespace {
 
 constexpr glm::ivec2 kOrigin{960, 40}, kSize{900, 500};
-
-struct Box {
-  float left, top, right, bottom;
-};
-
-Box inkOf(const draw::Text& text) {
-  const auto run = text::setTex(text.tex);
-  const auto em = [&](double x) { return static_cast<float>(x) * text.size_px; };
-  return {text.baseline_px.x + em(run.inkLeft_em), text.baseline_px.y - em(run.inkTop_em),
-          text.baseline_px.x + em(run.inkRight_em), text.baseline_px.y - em(run.inkBottom_em)};
-}
 
 int indexOf(std::string_view name) {
   const auto all = scene::stateQuantities();
@@ -46,7 +35,8 @@ draw::Picture drawn(const scene::Scene& scene, const scene::Plot& plot, double f
                     glm::ivec2 size = kSize) {
   draw::Picture picture;
   picture.size_px = {1920, 1080};
-  PlotFigure(scene, plot, drawnMotion(scene)).add(picture, kOrigin, size, filmTime_s);
+  PlotFigure(scene, plot, drawnMotion(scene))
+      .add(picture, {kOrigin, size}, screenSizing(picture.size_px), filmTime_s);
   return picture;
 }
 
@@ -86,9 +76,11 @@ void expectInside(const draw::Picture& picture, glm::ivec2 size = kSize) {
       ASSERT_TRUE(p.x - half >= low.x && p.y - half >= low.y && p.x + half <= high.x && p.y + half <= high.y)
           << p.x << ", " << p.y;
     }
+  const PixelBox panel{low.x, low.y, high.x, high.y};
   for (const draw::Text& text : picture.texts) {
-    const Box ink = inkOf(text);
-    EXPECT_TRUE(ink.left >= low.x && ink.top >= low.y && ink.right <= high.x && ink.bottom <= high.y)
+    const PixelBox ink = inkOf(text);
+    EXPECT_TRUE(ink.left >= panel.left && ink.top >= panel.top && ink.right <= panel.right &&
+                ink.bottom <= panel.bottom)
         << text.tex << " at " << ink.left << ", " << ink.top << " to " << ink.right << ", " << ink.bottom;
   }
 }
@@ -96,7 +88,7 @@ void expectInside(const draw::Picture& picture, glm::ivec2 size = kSize) {
 void expectDisjoint(const draw::Picture& picture) {
   for (std::size_t i = 0; i < picture.texts.size(); ++i)
     for (std::size_t j = i + 1; j < picture.texts.size(); ++j) {
-      const Box a = inkOf(picture.texts[i]), b = inkOf(picture.texts[j]);
+      const PixelBox a = inkOf(picture.texts[i]), b = inkOf(picture.texts[j]);
       EXPECT_TRUE(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top)
           << picture.texts[i].tex << " and " << picture.texts[j].tex;
     }
@@ -109,8 +101,8 @@ struct Axes {
   glm::dvec2 place(double x, double y) const { return {x0 + perX * x, y0 + perY * y}; }
 };
 
-double middleX(const draw::Text& text) { return 0.5 * static_cast<double>(inkOf(text).left + inkOf(text).right); }
-double middleY(const draw::Text& text) { return 0.5 * static_cast<double>(inkOf(text).top + inkOf(text).bottom); }
+double middleX(const draw::Text& text) { return 0.5 * (inkOf(text).left + inkOf(text).right); }
+double middleY(const draw::Text& text) { return 0.5 * (inkOf(text).top + inkOf(text).bottom); }
 
 /// For the sample's film of 10 s at speed 1 with ticks "0" and "5" below and "-1", "1" or so at the left.
 Axes axesOf(const draw::Picture& picture, const char* x0, const char* x1, double dx, const char* y0,

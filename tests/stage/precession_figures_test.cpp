@@ -11,7 +11,7 @@
 #include "scenery.h"
 #include "stage/cones_figure.h"
 #include "stage/decomposition_figure.h"
-#include "stage/theta_figure.h"
+#include "stage/named_figures.h"
 
 namespace poinsot::stage {
 namespace {

@@ -30,7 +30,7 @@ scene::Scene sceneOf(const Solid& solid) {
 
 draw::DrawList drawn(const scene::Scene& scene) {
   draw::DrawList list;
-  BodyFigure(scene).add(list, Matrix3d::Identity(), 1, palette(scene::Theme::kLight), 2);
+  BodyFigure(scene).add(list, {Matrix3d::Identity(), 1}, palette(scene::Theme::kLight), 2);
   return list;
 }
 

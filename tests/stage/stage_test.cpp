@@ -54,7 +54,7 @@ TEST(Stage, LPointsStraightDownWhereThePlaneIsShownAndUpElsewhere) {
   const auto direction = [](const DrawList& list) {
     // The arrow of L is the only frustum of its colour.
     for (const auto& f : list.frustums)
-      if (f.material.color == draw::fromSrgb(0x0072B2)) return glm::normalize(f.to_W - f.from_W);
+      if (f.material.color == palette(scene::Theme::kLight).L) return glm::normalize(f.to_W - f.from_W);
     return vec3(0);
   };
   EXPECT_NEAR(direction(onlyList(Stage(sample()), 2, kSize)).z, -1, 1e-6);

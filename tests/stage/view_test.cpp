@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "ink.h"
 #include "scene_samples.h"
-#include "text/math_setter.h"
 
 namespace poinsot::stage {
 namespace {
@@ -33,7 +33,7 @@ scene::Scene top(const std::string& extra) {
 
 const std::string kThree = "[camera]\nframes = [\"space\", \"body\", \"precession\"]\n";
 
-const draw::Color kBlue = draw::fromSrgb(0x0072B2), kVermilion = draw::fromSrgb(0xD55E00);
+const draw::Color kBlue = palette(scene::Theme::kLight).L, kVermilion = palette(scene::Theme::kLight).omega;
 
 /// The direction of the arrow of that colour: its head ends at its tip.
 vec3 arrow(const DrawList& list, const draw::Color& color) {
@@ -141,18 +141,6 @@ TEST(Views, FillThePictureBelowItsTitleWithoutOverlap) {
     }
 }
 
-/// Ink of a text of a picture, from its top left corner.
-struct Ink {
-  vec2 low, high;
-};
-
-Ink inkOf(const draw::Text& text) {
-  const text::GlyphRun run = text::setTex(text.tex);
-  const auto em = [&](double x) { return static_cast<float>(x) * text.size_px; };
-  return {text.baseline_px + vec2(em(run.inkLeft_em), -em(run.inkTop_em)),
-          text.baseline_px + vec2(em(run.inkRight_em), -em(run.inkBottom_em))};
-}
-
 TEST(Views, LabelsStayInTheirPanelBelowItsHeading) {
   const Stage stage(
       top("[[view]]\ntitle = \"In space\"\nsubtitle = \"seen from afar\"\n[[view]]\ntitle = \"In the "
@@ -161,20 +149,20 @@ TEST(Views, LabelsStayInTheirPanelBelowItsHeading) {
     const Picture picture = stage.compose(t, kSize);
     for (std::size_t i = 0; i < picture.panels.size(); ++i) {
       const auto& panel = picture.panels[i];
-      float heading = 0;  // its lowest ink
+      double heading = 0;  // its lowest ink
       for (const draw::Text& text : picture.texts) {
-        const Ink ink = inkOf(text);
-        const bool here = ink.low.x >= static_cast<float>(panel.origin_px.x) &&
-                          ink.high.x <= static_cast<float>(panel.origin_px.x) + panel.list.camera.size_px.x;
-        if (here) heading = std::max(heading, ink.high.y);
+        const PixelBox ink = inkOf(text);
+        const bool here = ink.left >= panel.origin_px.x &&
+                          ink.right <= panel.origin_px.x + static_cast<double>(panel.list.camera.size_px.x);
+        if (here) heading = std::max(heading, ink.bottom);
       }
       EXPECT_GT(heading, 0);
       for (const draw::Text& text : panel.list.texts) {
-        const Ink ink = inkOf(text);
-        EXPECT_GE(ink.low.x, 0) << text.tex << " at " << t;
-        EXPECT_GE(ink.low.y, heading) << text.tex << " at " << t;
-        EXPECT_LE(ink.high.x, panel.list.camera.size_px.x) << text.tex << " at " << t;
-        EXPECT_LE(ink.high.y, panel.list.camera.size_px.y) << text.tex << " at " << t;
+        const PixelBox ink = inkOf(text);
+        EXPECT_GE(ink.left, 0) << text.tex << " at " << t;
+        EXPECT_GE(ink.top, heading) << text.tex << " at " << t;
+        EXPECT_LE(ink.right, panel.list.camera.size_px.x) << text.tex << " at " << t;
+        EXPECT_LE(ink.bottom, panel.list.camera.size_px.y) << text.tex << " at " << t;
       }
     }
   }
@@ -184,8 +172,8 @@ TEST(Views, HeadingsAreCentredOverTheirPanels) {
   const Picture picture = Stage(top(kThree)).compose(0, kSize);
   ASSERT_EQ(picture.texts.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Ink ink = inkOf(picture.texts[i]);
-    EXPECT_NEAR(0.5f * (ink.low.x + ink.high.x), 160.0 + 320.0 * static_cast<double>(i), 1.5)
+    const PixelBox ink = inkOf(picture.texts[i]);
+    EXPECT_NEAR(0.5 * (ink.left + ink.right), 160.0 + 320.0 * static_cast<double>(i), 1.5)
         << i;  // side bearings: measured 0.5
   }
 }

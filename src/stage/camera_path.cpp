@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/camera_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poinsot::stage {
+namespace {
+
+constexpr int kDirections = 180;  // an orbit in steps of 2 degrees: between two, the reach differs by 0.02 %
+
+bool alike(const Margins& a, const Margins& b) {
+  return a.left == b.left && a.right == b.right && a.top == b.top && a.bottom == b.bottom;
+}
+
+}  // namespace
+
+// ---- path
+
+CameraPath::CameraPath(const scene::Camera& camera, const scene::Timeline& timeline, double duration_s)
+    : camera_(camera), duration_s_(duration_s), moves_(tracksOf(camera, timeline)) {}
+
+CameraPath::Tracks CameraPath::tracksOf(const scene::Camera& camera, const scene::Timeline& timeline) {
+  Tracks tracks{scene::EasedTrack(camera.azimuth_rad), scene::EasedTrack(camera.elevation_rad),
+                scene::EasedTrack(camera.zoom)};
+  for (const scene::TimelineEntry& entry : timeline.entries) {
+    const auto move = [&](scene::EasedTrack& track, double target) {
+      track.turnTo(entry.at_s, entry.over_s, target);
+    };
+    if (entry.azimuth_rad) move(tracks.azimuth_rad, *entry.azimuth_rad);
+    if (entry.turn_rad != 0) move(tracks.azimuth_rad, tracks.azimuth_rad.target() + entry.turn_rad);
+    if (entry.elevation_rad) move(tracks.elevation_rad, *entry.elevation_rad);
+    if (entry.zoom) move(tracks.zoom, *entry.zoom);
+  }
+  return tracks;
+}
+
+scene::Camera CameraPath::at(double filmTime_s) const {
+  scene::Camera camera = camera_;
+  camera.azimuth_rad = moves_.azimuth_rad.at(filmTime_s) + camera_.orbit_rad * (filmTime_s / duration_s_);
+  camera.elevation_rad = moves_.elevation_rad.at(filmTime_s);
+  camera.zoom = moves_.zoom.at(filmTime_s);
+  return camera;
+}
+
+bool CameraPath::still() const {
+  return camera_.orbit_rad == 0 && moves_.azimuth_rad.constant() && moves_.elevation_rad.constant();
+}
+
+std::vector<scene::Camera> CameraPath::directions() const {
+  if (still()) return {camera_};
+  std::vector<scene::Camera> cameras;
+  for (int i = 0; i <= kDirections; ++i) cameras.push_back(at(duration_s_ * i / kDirections));
+  return cameras;
+}
+
+// ---- framing
+
+double PathFraming::unit_px(const Extent& extent, const Margins& margins, glm::vec2 size_px) const {
+  const std::lock_guard lock(mutex_);
+  if (last_ && alike(last_->margins, margins) && last_->size_px == size_px) return last_->unit_px;
+  double least = std::numeric_limits<double>::infinity();
+  for (const scene::Camera& camera : directions_)
+    least = std::min(least, fittingUnit_px(camera, extent, margins, size_px));
+  last_ = Answer{margins, size_px, least};
+  return least;
+}
+
+}  // namespace poinsot::stage

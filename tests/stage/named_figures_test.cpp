@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/named_figures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "scenery.h"
+#include "stage/ghosts_figure.h"
+#include "stage/palette.h"
+#include "stage/plane_of_L_figure.h"
+#include "stage/stage.h"
+#include "stage/vector_figures.h"
+
+// What a scene adds to its pictures: vectors, angles, the torque, the plane of L, poses at other times. Expected
+// values are the definitions, with the motion's own state.
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTimes_s[] = {0, 1.3, 4, 9.9};
+const std::string kTop =
+    "[body]\nshape = \"cylinder\"\nradius = 1\nheight = 3\nmass = 1\n[motion]\nomega_body = [0.6, 0.3, 2]\n";
+
+TEST(NamedVector, HasTheDirectionOfItsComponentsInItsAxes) {
+  const Scenery s(kTop +
+                  "[[vector]]\ncomponents = [1, 2, -2]\nframe = \"body\"\n[[vector]]\ncomponents = [0, 3, 4]\n");
+  const NamedVectorFigure body(s.setting, s.scene.vectors.at(0)), space(s.setting, s.scene.vectors.at(1));
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    EXPECT_LT((body.arrow(state).tip_V.normalized() - state.R_VB * Vector3d(1, 2, -2) / 3).norm(), 1e-15) << t;
+    EXPECT_LT((space.arrow(state).tip_V.normalized() - state.R_VW * Vector3d(0, 0.6, 0.8)).norm(), 1e-15) << t;
+    EXPECT_TRUE(space.arrow(state).from_V.isZero(0));
+  }
+}
+
+// The velocity of a point that is fixed in the body is omega x r: perpendicular to both, |omega| |r| sin long.
+TEST(NamedVector, VelocityIsOmegaCrossR) {
+  const Scenery s(kTop + "[[vector]]\nvelocity_of = [0.5, -0.2, 1]\n[[vector]]\nposition_of = [0.5, -0.2, 1]\n");
+  const NamedVectorFigure velocity(s.setting, s.scene.vectors.at(0)), position(s.setting, s.scene.vectors.at(1));
+  const auto ratio = [&](double t) {
+    const PictureState state = s.motion.at(t);
+    const NamedVectorFigure::Arrow v = velocity.arrow(state), r = position.arrow(state);
+    EXPECT_LT((v.from_V - r.tip_V).norm(), 1e-15) << t;
+    EXPECT_LT((r.tip_V - s.scales.body * state.R_VB * Vector3d(0.5, -0.2, 1)).norm(), 1e-15) << t;
+    const Vector3d drawn = v.tip_V - v.from_V, expected = state.omega_V.cross(r.tip_V);
+    EXPECT_LT(drawn.normalized().cross(expected.normalized()).norm(), 1e-14) << t;
+    return drawn.norm() / expected.norm();
+  };
+  for (const double t : kTimes_s) EXPECT_NEAR(ratio(t) / ratio(0), 1, 1e-13) << t;
+}
+
+// cos(angle) = a·b of the arc's ends, all of it at one distance.
+TEST(Angle, IsAnArcFromOneDirectionToTheOther) {
+  const Scenery s(kTop + "[[angle]]\nbetween = [\"omega\", \"e1\"]\n");
+  const AngleFigure figure(s.setting, s.scene.angles.at(0));
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    const std::vector<Vector3d> arc = figure.arc(state);
+    ASSERT_FALSE(arc.empty());
+    EXPECT_LT((arc.front().normalized() - state.omega_V.normalized()).norm(), 1e-14) << t;
+    EXPECT_LT((arc.back().normalized() - state.R_VP.col(0)).norm(), 1e-14) << t;
+    for (const Vector3d& p : arc) EXPECT_NEAR(p.norm(), arc.front().norm(), 1e-14);
+  }
+}
+
+// Of a top under gravity the torque is M g r k x (-z): horizontal, across the axis, M g r sin(theta) large.
+TEST(Torque, OfATopIsHorizontalAndAcrossItsAxis) {
+  const Scenery s(
+      "[body]\nprincipal_moments = [2, 2, 0.8]\n[motion]\nomega_body = [0.4, 0, 9]\n"
+      "orientation = [0.9, 0.3, 0, 0]\n[motion.gravity]\nmgr_body = [0, 0, 3]\n"
+      "[show.torque]\nvisible = true\n");
+  const TorqueFigure figure(s.setting);
+  double longest = 0;
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    const Vector3d k = state.R_VP.col(2), up = state.R_VW.col(2);
+    EXPECT_LT((state.torque_V - 3 * k.cross(-up)).norm(), 1e-14) << t;
+    const Vector3d tip = figure.outermostPoints(state).at(0);
+    EXPECT_LT(std::abs(tip.dot(up)), 1e-14) << t;
+    longest = std::max(longest, tip.norm());
+  }
+  EXPECT_LE(longest, 0.9 * (1 + 1e-12));
+  EXPECT_GT(longest, 0.5);
+}
+
+TEST(Torque, IsNothingForAFreeBody) {
+  const Scenery s(kTop + "[show.torque]\nvisible = true\n");
+  EXPECT_TRUE(TorqueFigure(s.setting).outermostPoints(s.motion.at(1)).at(0).isZero(0));
+}
+
+// L, omega and the axis of a symmetric top are in one plane (lecture, eq 34), which the sheet is: inside its
+// edges.
+TEST(PlaneOfL, HoldsLOmegaAndTheAxis) {
+  const Scenery s(kTop + "[show.plane_of_L]\nvisible = true\n");
+  const PlaneOfLFigure figure(s.setting);
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    const std::vector<Vector3d> c = figure.corners_V(state);
+    ASSERT_EQ(c.size(), 4u);
+    const Vector3d u = c[1] - c[0], v = c[3] - c[0], n = u.cross(v).normalized();
+    EXPECT_NEAR(u.dot(v), 0, 1e-14);
+    for (const Vector3d& p : {Vector3d(s.scales.L * state.L_V), Vector3d(s.scales.omega * state.omega_V),
+                              Vector3d(s.setting.axisLengths[2] * state.R_VP.col(2))}) {
+      EXPECT_NEAR(p.dot(n), 0, 1e-14) << t;
+      const double x = (p - c[0]).dot(u) / u.squaredNorm(), y = (p - c[0]).dot(v) / v.squaredNorm();
+      EXPECT_TRUE(x > 0 && x < 1 && y > 0 && y < 1) << x << " " << y;
+    }
+  }
+}
+
+TEST(PlaneOfL, IsNotThereWhereLAndOmegaAreParallel) {
+  const Scenery s(
+      "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n"
+      "[show.plane_of_L]\nvisible = true\n");
+  EXPECT_TRUE(PlaneOfLFigure(s.setting).corners_V(s.motion.at(1)).empty());
+}
+
+// Each pose is the body's attitude at its time, a step from the one before.
+TEST(Ghosts, ArePosesOfTheMotion) {
+  const Scenery s(kTop + "[show.ghosts]\nvisible = true\ntimes = [0.5, \"2 s\", 7]\nstep = [1, 0, 0.5]\n");
+  const GhostsFigure figure(s.setting);
+  ASSERT_EQ(figure.poses().size(), 3u);
+  const double times_s[] = {0.5, 2, 7};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PictureState state = s.motion.at(times_s[i]);
+    const GhostsFigure::Pose& pose = figure.poses()[i];
+    EXPECT_LT((pose.R_WB - state.R_VW.transpose() * state.R_VB).norm(), 1e-15);
+    // The cylinder is 3 m long, its extent: a step is 3 m of the body.
+    const Vector3d place = static_cast<double>(i + 1) * 3 * s.scales.body * Vector3d(1, 0, 0.5);
+    EXPECT_LT((pose.place_W - place).norm(), 1e-14);
+  }
+}
+
+TEST(Ghosts, WithoutTimesAreEvenOverTheFilm) {
+  const Scenery s(kTop + "[show.ghosts]\nvisible = true\ncount = 4\n[time]\nduration = 8\n");
+  const GhostsFigure figure(s.setting);
+  ASSERT_EQ(figure.poses().size(), 4u);
+  const PictureState state = s.motion.at(6);
+  EXPECT_LT((figure.poses()[3].R_WB - state.R_VW.transpose() * state.R_VB).norm(), 1e-15);
+}
+
+std::vector<std::string> labelsOf(const std::string& text) {
+  const Stage stage(scene::parseScene(text, "labels.toml"));
+  std::vector<std::string> labels;
+  const draw::Picture picture = stage.compose(1, {640, 360});
+  for (const draw::Text& label : picture.panels.at(0).list.texts) labels.push_back(label.tex);
+  return labels;
+}
+
+TEST(LabelTexts, AreTheScenesOwnOrTheUsualOnes) {
+  using ::testing::Contains;
+  using ::testing::Not;
+  const auto usual = labelsOf(kTop);
+  for (const char* tex :
+       {"$\\mathbf{L}$", "$\\boldsymbol{\\omega}$", "$\\hat{\\mathbf{e}}_3$", "invariable plane"})
+    EXPECT_THAT(usual, Contains(tex));
+  const auto own =
+      labelsOf(kTop + "[label]\nL = '$\\vec L$'\ne3 = '$z$'\nplane = 'plan invariable'\nomega = ''\n");
+  for (const char* tex : {"$\\vec L$", "$z$", "plan invariable"}) EXPECT_THAT(own, Contains(tex));
+  EXPECT_THAT(own, Not(Contains("$\\boldsymbol{\\omega}$")));
+  EXPECT_EQ(own.size() + 1, usual.size());
+}
+
+}  // namespace
+}  // namespace poinsot::stage
