@@ -69,7 +69,7 @@ int pixelsAcross(double width_mm, double dpi) {
 }
 
 draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium) {
-  return medium == FigureMedium::kTikz ? withoutTexts(picture) : surfacesOf(picture);
+  return medium == FigureMedium::kTikz ? withoutType(picture) : surfacesOf(picture);
 }
 
 void writeFigure(const std::filesystem::path& target, const draw::Picture& picture, const image::Image& imagePart,

@@ -44,7 +44,8 @@ struct FigureOptions {
   std::string description;  ///< the picture in words, for those who do not see it; empty is none
 };
 
-/// What of the picture the medium takes as an image: to be rendered by the caller, transparent or not.
+/// What of the picture the medium takes as an image: to be rendered by the caller, transparent (with fitAlpha() of
+/// figure_alpha.h) or not.
 draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium);
 
 /// Writes the figure, whole or not at all, durable when this returns; the same bytes for the same picture. No date

@@ -6,9 +6,10 @@
 
 namespace poinsot::output {
 
-/// Refits the alpha of a picture without paper, which was mixed in linear light, for programs that lay one picture
-/// over another, all of which mix encoded values: over `paper` it looks as drawn on it. Colours stay as they are,
-/// so that an edge has no fringe of the paper's colour, whatever the picture is laid on.
+/// Refits a picture without paper, which was mixed in linear light, for programs that lay one picture over
+/// another, all of which mix encoded values: over `paper` it looks as drawn on it. Where it is not opaque, alpha
+/// is what keeps the ink nearest to its colour, so that an edge has no fringe of the paper's, whatever the picture
+/// is laid on.
 /// @pre four channels
 void fitAlpha(image::Image& picture, const draw::Color& paper);
 

@@ -2,9 +2,17 @@
 #include "output/figure_parts.h"
 
 namespace poinsot::output {
+namespace {
+
+void keepHalos(std::vector<draw::Text>& texts) {
+  std::erase_if(texts, [](const draw::Text& text) { return !text.halo || text.halo_px <= 0; });
+  for (draw::Text& text : texts) text.color = *text.halo;
+}
+
+}  // namespace
 
 draw::Picture surfacesOf(const draw::Picture& picture) {
-  draw::Picture surfaces = withoutTexts(picture);
+  draw::Picture surfaces = withoutType(picture);
   surfaces.areas.clear();
   surfaces.strokes.clear();
   for (draw::Panel& panel : surfaces.panels)
@@ -12,10 +20,10 @@ draw::Picture surfacesOf(const draw::Picture& picture) {
   return surfaces;
 }
 
-draw::Picture withoutTexts(const draw::Picture& picture) {
+draw::Picture withoutType(const draw::Picture& picture) {
   draw::Picture rest = picture;
-  rest.texts.clear();
-  for (draw::Panel& panel : rest.panels) panel.list.texts.clear();
+  keepHalos(rest.texts);
+  for (draw::Panel& panel : rest.panels) keepHalos(panel.list.texts);
   return rest;
 }
 
@@ -27,13 +35,12 @@ std::vector<PanelCurves> curvesOf(const draw::Picture& picture) {
 }
 
 std::vector<draw::Text> labelsOf(const draw::Picture& picture) {
-  std::vector<draw::Text> labels;
+  std::vector<draw::Text> labels = picture.texts;
   for (const draw::Panel& panel : picture.panels)
     for (draw::Text text : panel.list.texts) {
       text.baseline_px += panel.origin_px;
       labels.push_back(std::move(text));
     }
-  labels.insert(labels.end(), picture.texts.begin(), picture.texts.end());
   return labels;
 }
 

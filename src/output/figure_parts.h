@@ -8,11 +8,11 @@
 
 namespace poinsot::output {
 
-/// The picture without flat curves, areas, strokes and texts: what only an image can hold.
+/// The picture without flat curves, areas, strokes and type: what only an image can hold.
 draw::Picture surfacesOf(const draw::Picture& picture);
 
-/// The picture without its texts, those of panels included.
-draw::Picture withoutTexts(const draw::Picture& picture);
+/// The picture without its type, that of panels included; halos stay, so that there is room for it.
+draw::Picture withoutType(const draw::Picture& picture);
 
 /// The flat curves of one panel, to be painted in order over its surfaces and cut off at its edges.
 struct PanelCurves {
@@ -22,7 +22,7 @@ struct PanelCurves {
 };
 std::vector<PanelCurves> curvesOf(const draw::Picture& picture);
 
-/// All texts in the order they are painted, placed from the picture's corner.
+/// All texts as they are read, titles first, placed from the picture's corner. None lies over another.
 std::vector<draw::Text> labelsOf(const draw::Picture& picture);
 
 }  // namespace poinsot::output

@@ -72,7 +72,8 @@ class CairoImage {
 /// Paints a picture on a page; the unit of its context is the picture's pixel.
 class Page {
  public:
-  Page(cairo_t* context, const draw::Color& paper) : context_(context), paper_(paper), font_(cairoFont()) {}
+  Page(cairo_t* context, const Figure& figure)
+      : context_(context), paper_(figure.picture.background), halos_(figure.hasPaper()), font_(cairoFont()) {}
 
   void paint(const image::Image& image) {
     const CairoImage pixels(image);
@@ -114,7 +115,7 @@ class Page {
 
   void paint(const draw::Text& text) {
     const text::GlyphRun run = text::setTex(text.tex);
-    if (text.halo && text.halo_px > 0) paintHalo(text, run);
+    if (halos_ && text.halo && text.halo_px > 0) paintHalo(text, run);
     use(inkOver(paper_, text.color, text.opacity));
     for (auto begin = run.glyphs.begin(); begin != run.glyphs.end();) {
       const double scale = begin->scale;
@@ -189,6 +190,7 @@ class Page {
 
   cairo_t* context_;
   draw::Color paper_;
+  bool halos_;
   std::shared_ptr<cairo_font_face_t> font_;
 };
 
@@ -243,7 +245,7 @@ Bytes pdfOf(const Figure& figure) {
   const ContextPtr context(cairo_create(surface.get()), &cairo_destroy);
   cairo_scale(context.get(), scale, scale);
 
-  Page page(context.get(), figure.picture.background);
+  Page page(context.get(), figure);
   page.paint(figure.imagePart);
   for (const PanelCurves& panel : curvesOf(figure.picture)) page.paint(panel);
   for (const draw::Area& area : figure.picture.areas) page.paint(area);

@@ -151,7 +151,7 @@ class SvgDocument {
     body_ += fmt::format("<g transform=\"translate({} {}) scale({})\">\n",
                          number(static_cast<double>(label.baseline_px.x)),
                          number(static_cast<double>(label.baseline_px.y)), fmt::format("{:.6f}", size / 1000));
-    if (label.halo && label.halo_px > 0) {
+    if (figure_.hasPaper() && label.halo && label.halo_px > 0) {
       const double width = 2000 * static_cast<double>(label.halo_px / label.size_px);
       addGlyphs(run, paintedBy("stroke", inkOver(paper_, *label.halo, label.opacity)) + " fill=\"none\"", width);
     }

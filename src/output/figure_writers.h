@@ -18,6 +18,8 @@ struct Figure {
 
   double pointsPerPixel() const;  ///< points of 1/72 inch
   double dpi() const { return 72 / pointsPerPixel(); }
+  /// Without paper a label has no halo of paper; in the image part it is a hole.
+  bool hasPaper() const { return imagePart.channels == 3; }
 };
 
 using Bytes = std::vector<std::uint8_t>;

@@ -68,20 +68,24 @@ TEST(FitAlpha, GreysLookAsLightMixesThem) {
   }
 }
 
-// Colours keep their hue, so the three channels agree on one alpha only nearly. Measured over all alphas, of 255:
-// vermilion 18.6, blue 18.9, green 18.1; as drawn, 73.2 each.
-TEST(FitAlpha, ColoursLookNearlySo) {
+// Glass and edges of the palette at every alpha. Measured, of 255: over their paper at most 0.82 off (73.2 with
+// the alpha as drawn); the ink itself, from half on, at most 39 off its colour, so that other paper shows no
+// fringe.
+TEST(FitAlpha, ColoursLookAsLightMixesThemAndStayThemselves) {
   const std::array<Pixel, 3> palette{{{0xd5, 0x5e, 0x00, 0}, {0x00, 0x72, 0xb2, 0}, {0x00, 0x9e, 0x73, 0}}};
   for (Pixel drawn : palette) {
     double fit = 0, asDrawn = 0;
+    int shift = 0;
     for (drawn[3] = 1; drawn[3] < 255; ++drawn[3]) {
-      const Pixel kept = fitted(drawn, draw::Color(1));
-      EXPECT_TRUE(std::equal(kept.begin(), kept.begin() + 3, drawn.begin()));
-      fit = std::max(fit, error(drawn, kept, 1));
+      const Pixel refitted = fitted(drawn, draw::Color(1));
+      fit = std::max(fit, error(drawn, refitted, 1));
       asDrawn = std::max(asDrawn, error(drawn, drawn, 1));
+      for (std::size_t c = 0; drawn[3] >= 128 && c < 3; ++c)
+        shift = std::max(shift, std::abs(refitted[c] - drawn[c]));
     }
-    EXPECT_LT(fit, 20);
+    EXPECT_LT(fit, 1.1);
     EXPECT_GT(asDrawn, 70);
+    EXPECT_LE(shift, 42);
   }
 }
 

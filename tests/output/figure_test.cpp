@@ -68,7 +68,8 @@ struct Shown {
 // The bar is a mean FLIP of 0.02. Measured, svg and pdf: 0.0078 and 0.0058, 0.0069 and 0.0061, 0.0035 and 0.0032,
 // 0.0016 and 0.0016; the plot below, all edges, 0.0175 and 0.0181. What remains is that viewers blend soft edges
 // in encoded values, a trace darker.
-const Shown kShown[] = {{"poinsot_rolling", 7}, {"tennis_racket", 5.2}, {"football", 3}, {"explorer_1", 5}};
+const Shown kShown[] = {{"poinsot_rolling", 7}, {"tennis_racket", 5.2},    {"football", 3},
+                        {"explorer_1", 5},      {"football_two_views", 2}, {"cones_prolate", 2}};
 
 TEST_F(FigureTest, SvgIsThePngsPicture) {
   POINSOT_NEEDS("rsvg-convert");
@@ -76,6 +77,7 @@ TEST_F(FigureTest, SvgIsThePngsPicture) {
     const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
     const auto figure = written(picture, std::string(shown.scene) + ".svg");
     const double flip = flipBetween(withoutAlpha(seen(figure, picture)), rendered(picture));
+    printf("flip %s %.4f\n", figure.c_str(), flip);
     EXPECT_LT(flip, 0.02) << shown.scene;
   }
 }
@@ -86,6 +88,7 @@ TEST_F(FigureTest, PdfIsThePngsPicture) {
     const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
     const auto figure = written(picture, std::string(shown.scene) + ".pdf");
     const double flip = flipBetween(seen(figure, picture), rendered(picture));
+    printf("flip %s %.4f\n", figure.c_str(), flip);
     EXPECT_LT(flip, 0.02) << shown.scene;
   }
 }
@@ -117,6 +120,17 @@ TEST_F(FigureTest, PdfTextIsFound) {
   EXPECT_THAT(scene, HasSubstr("Poinsot’s construction"));
   EXPECT_THAT(scene, HasSubstr("invariable plane"));
   EXPECT_THAT(scene, HasSubstr("L"));
+}
+
+// Without regard to where the words stand: as the file has them, for those who have it read to them.
+TEST_F(FigureTest, PdfTextIsReadFromTheTitleOn) {
+  POINSOT_NEEDS("pdftotext");
+  const auto file = written(sceneAt("football_two_views", 2), "order.pdf");
+  const auto text = spoken("pdftotext -raw '" + file.string() + "' -").text;
+  const auto space = text.find("In space"), ball = text.find("On the football"), label = text.find("e\u0302");
+  ASSERT_NE(label, text.npos) << text;
+  EXPECT_LT(space, ball);
+  EXPECT_LT(ball, label);
 }
 
 TEST_F(FigureTest, PdfFontsAreEmbeddedSubsets) {
@@ -198,21 +212,23 @@ std::vector<glm::dvec2> pairsIn(const std::string& text, const char* pattern) {
 
 // The numbers in the files, in pixels, against labelsOf: 0.5 px is asked, three decimals of a unit are kept.
 TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
-  const draw::Picture picture = sceneAt("poinsot_rolling", 7);
-  const auto labels = labelsOf(picture);
-  ASSERT_GT(labels.size(), 5u);
-  const auto svg = pairsIn(content(written(picture, "anchors.svg")),
-                           R"re(<g transform="translate\(([\d.-]+) ([\d.-]+)\) scale)re");
-  const auto tikz = pairsIn(content(written(picture, "anchors.tex")),
-                            R"re(base west[\s\S]*? at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
-  ASSERT_EQ(svg.size(), labels.size());
-  ASSERT_EQ(tikz.size(), labels.size());
-  const double pixelsPerPoint = kWidth / (kWidth_mm / 25.4 * 72);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const glm::dvec2 wanted = labels[i].baseline_px;
-    EXPECT_LT(glm::distance(svg[i], wanted), 0.001);
-    EXPECT_LT(glm::distance({tikz[i].x * pixelsPerPoint, kHeight - tikz[i].y * pixelsPerPoint}, wanted), 0.004);
-    EXPECT_LT(glm::distance(labelAnchors(picture, FigureMedium::kPdf, {})[i], tikz[i]), 0.001);
+  for (const Shown& shown : kShown) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const auto labels = labelsOf(picture);
+    ASSERT_GT(labels.size(), 2u);
+    const auto svg = pairsIn(content(written(picture, "anchors.svg")),
+                             R"re(<g transform="translate\(([\d.-]+) ([\d.-]+)\) scale)re");
+    const auto tikz = pairsIn(content(written(picture, "anchors.tex")),
+                              R"re(base west[\s\S]*? at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
+    ASSERT_EQ(svg.size(), labels.size());
+    ASSERT_EQ(tikz.size(), labels.size());
+    const double pixelsPerPoint = kWidth / (kWidth_mm / 25.4 * 72);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const glm::dvec2 wanted = labels[i].baseline_px;
+      EXPECT_LT(glm::distance(svg[i], wanted), 0.001);
+      EXPECT_LT(glm::distance({tikz[i].x * pixelsPerPoint, kHeight - tikz[i].y * pixelsPerPoint}, wanted), 0.004);
+      EXPECT_LT(glm::distance(labelAnchors(picture, FigureMedium::kPdf, {})[i], tikz[i]), 0.001);
+    }
   }
 }
 
@@ -258,11 +274,50 @@ TEST_F(FigureTest, ATransparentFigureHasNoPaper) {
   EXPECT_EQ(picture.at(2, 2)[3], 0);
 }
 
+image::Image laidOn(const draw::Color& paper, const image::Image& picture) {
+  image::Image whole(picture.size, 3);
+  for (int y = 0; y < picture.size.height; ++y)
+    for (int x = 0; x < picture.size.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const std::uint8_t* p = picture.at(x, y);
+        const int under = draw::srgb8FromLinear(paper[c]);
+        whole.at(x, y)[c] = static_cast<std::uint8_t>((p[c] * p[3] + under * (255 - p[3]) + 127) / 255);
+      }
+  return whole;
+}
+
+/// The same picture on paper of another colour, halos of labels included.
+draw::Picture onPaper(draw::Picture picture, const draw::Color& paper) {
+  picture.background = paper;
+  for (draw::Panel& panel : picture.panels) {
+    panel.list.background = paper;
+    for (draw::Text& text : panel.list.texts) text.halo = paper;
+  }
+  return picture;
+}
+
+// On its own paper a picture without paper is the opaque one; on other paper, mixed by a program that mixes
+// encoded values, nearly the one that is drawn on it, and no rim or halo of white shows. Measured, of the two:
+// 0.002 and 0.001 on white, 0.050 and 0.010 on yellow.
+TEST_F(FigureTest, WithoutPaperThePictureGoesOnAnyPaper) {
+  for (const Shown& shown : {kShown[0], kShown[4]}) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const image::Image clear = rendered(picture, true);
+    const draw::Color yellow = draw::fromSrgb(0xf4d160);
+    const double same = flipBetween(laidOn(picture.background, clear), rendered(picture));
+    const double other = flipBetween(laidOn(yellow, clear), rendered(onPaper(picture, yellow)));
+    printf("clear %s %.4f %.4f\n", shown.scene, same, other);
+    EXPECT_LT(same, 0.02) << shown.scene;
+    EXPECT_LT(other, 0.06) << shown.scene;
+  }
+}
+
 // ---- LaTeX
 // --------------------------------------------------------------------------------------------------------
 
+// TeX takes 218 MB, and the launcher does not install it for one test.
 TEST_F(FigureTest, TikzCompiles) {
-  POINSOT_NEEDS("pdflatex");
+  if (!present("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
   const auto file = written(sceneAt("poinsot_rolling", 7), "tikz.tex");
   const auto folder = file.parent_path().string();
   const Spoken said =
@@ -280,7 +335,7 @@ TEST_F(FigureTest, NamesThatLatexCannotLoadAreRefused) {
     FAIL() << "no error";
   } catch (const core::Error& error) {
     EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
-    EXPECT_THAT(error.what(), HasSubstr("50%.png: LaTeX cannot load"));
+    EXPECT_THAT(error.what(), HasSubstr("50%-unlabelled.png: LaTeX cannot load"));
   }
   FigureOptions flat;
   flat.width_mm = 0;

@@ -12,6 +12,7 @@
 #include "core/regular_file.h"
 #include "image/png_file.h"
 #include "output/figure.h"
+#include "output/figure_alpha.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "stage/stage.h"
@@ -37,9 +38,8 @@ inline Spoken spoken(const std::string& command) {
 
 inline bool present(const std::string& program) { return spoken("command -v " + program).status == 0; }
 
-/// Skips the test that says it, where a program that is no part of the build is missing.
-#define POINSOT_NEEDS(program) \
-  if (!present(program)) GTEST_SKIP() << program << " is not installed"
+/// Fails the test that says it where a program is missing that the launcher installs for the tests.
+#define POINSOT_NEEDS(program) ASSERT_TRUE(present(program)) << program << " is not installed"
 
 /// Pictures composed, rendered and written as figures. They stay in build/figure-review/, to be looked at.
 class FigureTest : public testing::Test {
@@ -47,18 +47,22 @@ class FigureTest : public testing::Test {
   static constexpr int kWidth = 1016, kHeight = 640;  // 86 mm at 300 dpi across
   static constexpr double kWidth_mm = 86;
 
+  /// As `poinsot still` composes it for print.
   static draw::Picture sceneAt(const std::string& name, double filmTime_s) {
     const auto file = std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes" / (name + ".toml");
-    return stage::Stage(scene::loadScene(file)).compose(filmTime_s, {kWidth, kHeight});
+    return stage::Stage(scene::loadScene(file)).compose(filmTime_s, {kWidth, kHeight}, stage::printSizing(300));
   }
 
+  /// Without paper with the alpha that other programs mix as light mixes.
   static image::Image rendered(const draw::Picture& picture, bool transparent = false) {
     gl::pinEnvironment(true);
     static const auto context = gl::openContext(gl::Backend::kAuto);
     static render::Renderer renderer(*context);
     render::RenderOptions options;
     options.transparent = transparent;
-    return renderer.render(picture, options);
+    image::Image image = renderer.render(picture, options);
+    if (transparent) fitAlpha(image, picture.background);
+    return image;
   }
 
   static std::filesystem::path written(const draw::Picture& picture, const std::string& name,
