@@ -10,9 +10,10 @@ namespace poinsot::app {
 /// What the files of a scene's pictures say of themselves, UTF-8 without TeX: the same for every instant.
 struct PictureWords {
   std::string title;        ///< the picture's, or the scene's name
-  std::string description;  ///< for those who do not see it; empty is none
+  std::string description;  ///< altText(): for those who do not see it
 };
 
+/// @throws core::Error(kPhysics) as altText().
 PictureWords pictureWords(const scene::Scene& scene);
 
 }  // namespace poinsot::app

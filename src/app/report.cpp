@@ -21,7 +21,27 @@ constexpr std::size_t kLabelWidth = 42, kValueWidth = 61;  // three numbers and 
 template <typename T>
 constexpr bool kIsList = std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>;
 
-std::string numberText(double value) { return fmt::format("{:.10g}", value); }
+/// A zero has no sign here.
+std::string numberText(double value) { return fmt::format("{:.10g}", value == 0 ? 0 : value); }
+
+/// Whether the fact's numbers are components along axes: the frame stands at the end of its key.
+bool isOfComponents(const Fact& fact) { return fact.key.ends_with("_B") || fact.key.ends_with("_W"); }
+
+/// The same without the components that are the rounding of the others: what a rotation leaves of a zero.
+template <typename T>
+T withoutRounding(T components) {
+  constexpr double kRounding = 0x1p-50;  // four units in the last place of the largest
+  const double least = kRounding * components.cwiseAbs().maxCoeff();
+  return components.unaryExpr([&](double c) { return std::abs(c) <= least ? 0.0 : c; });
+}
+
+FactValue shownValue(const Fact& fact) {
+  if (!fact.inWords.empty()) return fact.inWords;
+  if (!isOfComponents(fact)) return fact.value;
+  if (const auto* vector = std::get_if<Eigen::Vector3d>(&fact.value)) return withoutRounding(*vector);
+  if (const auto* matrix = std::get_if<Eigen::Matrix3d>(&fact.value)) return withoutRounding(*matrix);
+  return fact.value;
+}
 
 template <typename List>
 std::string listText(const List& values) {
@@ -63,7 +83,7 @@ std::string inDegrees(const Fact& fact) {
 }
 
 std::string factText(const Fact& fact) {
-  std::vector<std::string> lines = valueLines(fact.inWords.empty() ? fact.value : FactValue(fact.inWords));
+  std::vector<std::string> lines = valueLines(shownValue(fact));
   if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
   lines.back() += inDegrees(fact);
   std::string text = fmt::format("  {:<{}} ", fact.label, kLabelWidth);
@@ -72,7 +92,7 @@ std::string factText(const Fact& fact) {
   return text + fmt::format("{:<{}}  {}\n", lines.back(), kValueWidth, fact.from);
 }
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json finite(double value) { return std::isfinite(value) ? Json(value == 0 ? 0.0 : value) : Json(); }
 
 Json listJson(const double* values, std::size_t count) {
   Json list = Json::array();

@@ -38,7 +38,7 @@ struct Report {
 };
 
 /// A table of three columns: quantity, value with its unit, where it comes from. Numbers to ten digits, angles
-/// also in degrees.
+/// also in degrees; a component that is the rounding of its vector's is 0.
 std::string reportTable(const Report& report);
 
 /// One object: scene, each key with its value in full precision (infinite: null), units by key, from by key.

@@ -28,7 +28,7 @@ Section bodySection(const scene::Scene& scene) {
   if (body.pivot_B) section.add("pivot_B", "point held fixed", *body.pivot_B, "m", "");
   section.add("inertia_tensor_B", body.pivot_B ? "inertia about the fixed point" : "inertia tensor",
               body.axes.inertia_B(), "kg m^2", body.pivot_B ? "eq 3, 14" : "eq 7, 13");
-  section.add("principal_moments", "principal moments I1, I2, I3", body.axes.moments().values(), "kg m^2",
+  section.add("principal_moments", "principal moments about e1, e2, e3", body.axes.moments().values(), "kg m^2",
               "eq 17");
   for (int axis = 0; axis < 3; ++axis)
     section.add("principal_axis_" + std::to_string(axis + 1) + "_B", "principal axis e" + std::to_string(axis + 1),

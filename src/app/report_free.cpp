@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <numbers>
 
 #include "app/report_sections.h"
 #include "physics/binet.h"
@@ -69,8 +70,13 @@ void addPolhode(Section& section, const scene::Scene& scene) {
   const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
   section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
   section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
-  section.add("flip_interval", "time from flip to flip 2K/lambda", flips.interval_s, "s",
-              "omega_mid changes sign");
+  section.add("flip_interval", flips.turnsOver ? "time from flip to flip 2K/lambda" : "half a period 2K/lambda",
+              flips.interval_s, "s", "omega_mid changes sign");
+  section.add("body_flips", "flips, about the middle axis", flips.turnsOver, "", "L within 20 deg of it");
+  section.add("least_angle_to_middle", "least angle between L and the middle axis", flips.nearestToMiddle_rad,
+              "rad", "");
+  section.add("largest_tilt", "largest angle between L and the axis circled",
+              std::numbers::pi / 2 - flips.nearestToMiddle_rad, "rad", "");
 }
 
 void addHerpolhode(Section& section, const scene::Scene& scene) {
@@ -148,7 +154,10 @@ Section symmetricSection(const scene::Scene& scene) {
 }
 
 Section stabilitySection(const scene::Scene& scene) {
-  Section section{"Spin about each principal axis, at the present |omega|", {}};
+  const bool free = scene.motion.forcing.none();
+  Section section{free ? "Spin about each principal axis, at the present |omega|"
+                       : "Spin about each principal axis, at the present |omega|, if nothing acted on the body",
+                  {}};
   const double spin = scene.motion.omega_B.norm();
   if (spin == 0) return section;
   for (int axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,7 @@ namespace poinsot::app {
 
 Report sceneReport(const scene::Scene& scene) {
   const double start_s = scene.time.start_s;
-  const ReportSpan span{start_s, start_s + stage::chosenSpeed(scene) * scene.time.duration_s};
+  const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
   return {scene.name,
           {bodySection(scene), startSection(scene), constructionSection(scene), symmetricSection(scene),
            heavyTopSection(scene), lossSection(scene), stabilitySection(scene), accuracySection(scene, span)}};

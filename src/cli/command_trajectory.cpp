@@ -50,7 +50,8 @@ core::Rational parsedRate(const std::string& word) {
 
 app::TrajectoryTimes requestedTimes(const TrajectoryOptions& options, const scene::Scene& scene) {
   if (options.rate.empty()) return listedTimes(options.at);
-  return {parsedRate(options.rate), scene.time.start_s, stage::chosenSpeed(scene) * scene.time.duration_s};
+  return {parsedRate(options.rate), scene.time.start_s,
+          stage::filmClock(scene).motionTime_s(scene.time.duration_s) - scene.time.start_s};
 }
 
 std::span<const std::uint8_t> bytes(std::string_view text) {

@@ -8,6 +8,7 @@
 
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/subtitles.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/error.h"
@@ -111,10 +112,14 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             requestedBackend(options),
                             options.reproducible,
                             form};
+  const auto subtitles =
+      target.kind == OutputKind::kFilm ? app::subtitlesOf(scene, frames) : std::vector<app::Subtitle>();
+  if (!subtitles.empty()) app::checkSubtitleFiles(target.path, options.force);
   if (options.dryRun) return describe(render, scene);
   prepareFolder(target);
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
+  if (!subtitles.empty()) app::writeSubtitles(subtitles, target.path);
   if (!options.quiet && options.progress != "json")
     writeErr(fmt::format("poinsot: {} is ready ({} frame{}, {:.1f} s)\n", core::printable(target.path.string()),
                          frames.count(), frames.count() == 1 ? "" : "s", summary.wall_s));

@@ -169,7 +169,7 @@ TEST_F(InfoCommand, ATableForPeople) {
   EXPECT_THAT(result.out,
               ContainsRegex("kinetic energy of rotation T +100.005 J +eq 12\n"));  // (0.1^2 + 2 10^2)/2
   EXPECT_THAT(result.out, ContainsRegex("height of the invariable plane .* rad/s +eq 40\n"));
-  EXPECT_THAT(result.out, ContainsRegex("principal moments I1, I2, I3 +\\(1, 2, 3\\) kg m\\^2 +eq 17\n"));
+  EXPECT_THAT(result.out, ContainsRegex("principal moments about e1, e2, e3 +\\(1, 2, 3\\) kg m\\^2 +eq 17\n"));
   EXPECT_THAT(result.out, HasSubstr("spin about e2"));
 }
 

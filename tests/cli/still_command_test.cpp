@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures for notes through the whole program: sizes on paper, what files say, what may be replaced.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "cli/program_run.h"
+#include "image/png_file.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class StillCommand : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.put("a.toml", std::string(kGoodScene) + "[show]\ntitle = 'Eine Größe $\\omega$'\n");
+  }
+
+  RunResult still(std::vector<std::string> words) {
+    words.insert(words.begin(), {"still", "a.toml"});
+    return run(folder_, words);
+  }
+  /// Small, and quick to draw.
+  void good(const std::string& name, std::vector<std::string> words = {}) {
+    words.insert(words.begin(), {"-o", name, "--width", "50mm", "--dpi", "100"});
+    const auto result = still(words);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+  }
+  std::string bytes(const std::string& name) { return bytesOf(folder_ / name); }
+
+  ScratchFolder folder_;
+};
+
+/// The content of a PNG's first chunk of that type.
+std::string chunk(const std::string& png, const std::string& type) {
+  const auto number = [&](std::size_t at) {
+    std::uint32_t n = 0;
+    for (std::size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<unsigned char>(png.at(at + i));
+    return n;
+  };
+  for (std::size_t at = 8; at + 8 < png.size(); at += 12 + number(at))
+    if (png.compare(at + 4, 4, type) == 0) return png.substr(at + 8, number(at));
+  return "";
+}
+
+TEST_F(StillCommand, APngHasItsSizeOnPaperAndItsWords) {
+  const auto result = still({"-o", "a.png", "--width", "86mm", "--dpi", "300"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const std::string png = bytes("a.png");
+  EXPECT_EQ(image::readPng(folder_ / "a.png").size,
+            (image::PixelSize{1016, 572}));  // 86 / 25.4 * 300; 9 / 16 of it
+  // 300 / 0.0254 = 11811 = 0x2e23 to the metre, both ways.
+  EXPECT_EQ(chunk(png, "pHYs"), std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));
+  EXPECT_THAT(chunk(png, "iTXt"), StartsWith(std::string("Title\0\0\0\0\0Eine Größe ω", 24)));
+}
+
+TEST_F(StillCommand, WithoutAWidthAPngIsForAScreen) {
+  EXPECT_EQ(still({"-o", "a.png"}).exitCode, 0);
+  EXPECT_EQ(chunk(bytes("a.png"), "pHYs"), "");
+  EXPECT_EQ(image::readPng(folder_ / "a.png").size, (image::PixelSize{160, 90}));
+}
+
+TEST_F(StillCommand, EveryMediumIsWritten) {
+  for (const char* name : {"a.png", "a.pdf", "a.svg", "a.tex"}) good(name);
+  EXPECT_THAT(namesIn(folder_.path()),
+              ElementsAre("a-unlabelled.png", "a.pdf", "a.png", "a.svg", "a.tex", "a.toml"));
+  EXPECT_THAT(bytes("a.pdf"), StartsWith("%PDF-1.4"));
+  EXPECT_THAT(bytes("a.svg"), HasSubstr("<title>Eine Größe ω</title>"));
+  EXPECT_THAT(bytes("a.svg"), HasSubstr("width=\"50mm\" height=\"28.173mm\""));  // 197 x 111 pixels
+  EXPECT_THAT(bytes("a.tex"), HasSubstr("\\includegraphics[width=141.732bp"));   // 50 / 25.4 * 72
+  EXPECT_THAT(bytes("a.tex"), HasSubstr("{a-unlabelled.png}"));
+  EXPECT_EQ(image::readPng(folder_ / "a-unlabelled.png").size, (image::PixelSize{197, 111}));
+}
+
+TEST_F(StillCommand, ADryRunSaysTheSizeAndWritesNothing) {
+  const auto plain = still({"-o", "a.pdf", "--dry-run"});
+  EXPECT_EQ(plain.exitCode, 0) << plain.err;
+  EXPECT_EQ(plain.out, "a.pdf: 86 x 48.36 mm at 600 dpi, 2031x1142 pixels\n");
+  // 86 mm in the other units; TeX has 72.27 points to the inch.
+  for (const char* width : {"8.6cm", "8.6 cm", "3.385826771653543in", "244.6936pt"})
+    EXPECT_EQ(still({"-o", "a.pdf", "--dry-run", "--width", width}).out, plain.out) << width;
+  EXPECT_EQ(still({"-o", "a.pdf", "--dry-run", "--size", "400x300", "--width", "60mm", "--dpi", "254"}).out,
+            "a.pdf: 60 x 45 mm at 254 dpi, 600x450 pixels\n");
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+TEST_F(StillCommand, TransparentPaperIsNotThere) {
+  good("a.png", {"--transparent"});
+  const auto clear = image::readPng(folder_ / "a.png");
+  ASSERT_EQ(clear.channels, 4);
+  EXPECT_EQ(clear.at(0, 0)[3], 0);
+  good("a.svg", {"--transparent"});
+  EXPECT_EQ(still({"-o", "screen.png", "--transparent"}).exitCode, 0);
+  EXPECT_EQ(image::readPng(folder_ / "screen.png").channels, 4);
+}
+
+TEST_F(StillCommand, TheSameCommandGivesTheSameBytes) {
+  for (const std::string name : {"a.png", "a.pdf"}) {
+    good(name);
+    const std::string first = bytes(name);
+    good(name);
+    EXPECT_TRUE(bytes(name) == first) << name;
+  }
+}
+
+TEST_F(StillCommand, FilesOfOthersAreKept) {
+  for (const std::string name : {"b.pdf", "b.svg", "b.tex", "b-unlabelled.png"}) {
+    folder_.put(name, "mine");
+    const std::string target = name == "b-unlabelled.png" ? "b.tex" : name;
+    const auto refused = still({"-o", target, "--width", "50mm"});
+    EXPECT_EQ(refused.exitCode, 4);
+    EXPECT_THAT(refused.err, HasSubstr(name + ": exists and was not written by poinsot; --force replaces it"));
+    EXPECT_EQ(bytes(name), "mine");
+    good(target, {"--force"});
+    EXPECT_NE(bytes(name), "mine");
+  }
+}
+
+TEST_F(StillCommand, WhatWasEditedIsKept) {
+  good("a.tex");
+  const std::string edited = bytes("a.tex") + "% moved a label\n";
+  folder_.put("a.tex", edited);
+  EXPECT_EQ(still({"-o", "a.tex"}).exitCode, 4);
+  EXPECT_EQ(bytes("a.tex"), edited);
+}
+
+struct BadStill {
+  std::vector<std::string> words;
+  std::string says;
+};
+
+TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
+  const std::string width = "a width on paper is a number and mm, cm, in or pt, such as 86mm";
+  const BadStill cases[] = {
+      {{"-o", "a.gif"}, "output 'a.gif': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex"},
+      {{"-o", "a_{frame}.png"}, "a still is one NAME.png, NAME.pdf"},
+      {{"-o", "a.mp4"}, "a still is one NAME.png, NAME.pdf"},
+      {{"--width", "86"}, "--width '86': " + width},
+      {{"--width", "86 miles"}, width},
+      {{"--width", "mm"}, width},
+      {{"--width", "0mm"}, width},
+      {{"--width", "-5mm"}, "--width '-5mm'"},
+      {{"--width", "nanmm"}, width},
+      {{"--width", "infmm"}, width},
+      {{"--width", ""}, "--width: is empty"},
+      {{"--width", "400mm"},
+       "400 mm at 600 dpi are 9449x5315 pixels: sides are from 16 to 8192 pixels, 64 million "
+       "pixels in all at most; --dpi 520 would do"},
+      {{"--width", "3mm", "--dpi", "90"}, "3 mm at 90 dpi are 11x6 pixels"},
+      {{"--width", "1e300mm"}, "pixels in all at most"},
+      {{"--dpi", "300"}, "--dpi needs --width"},
+      {{"--width", "86mm", "--dpi", "0"}, "not in range"},
+      {{"--width", "86mm", "--dpi", "many"}, "--dpi"},
+      {{"-o", "50%.tex"}, "50%-unlabelled.png: LaTeX cannot load a picture whose name has one of"},
+  };
+  for (const BadStill& bad : cases) {
+    const auto result = still(bad.words);
+    EXPECT_EQ(result.exitCode, 2) << bad.says << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr(bad.says));
+  }
+  const auto film = run(folder_, {"render", "a.toml", "-o", "a.pdf"});
+  EXPECT_EQ(film.exitCode, 2);
+  EXPECT_THAT(film.err, HasSubstr("this kind of file is not written"));
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+}  // namespace
+}  // namespace poinsot
