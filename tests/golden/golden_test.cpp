@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A dozen small pictures guard the look. They are compared decoded, by the rule of image/difference.h: "near"
-// passes, as a newer Mesa or libm may move a few pixels by one.
+// Small pictures guard the look: of every scene of the gallery, and of those in tests/golden/scenes, one for each
+// drawn thing, view and style. They are compared decoded, by the rule of image/difference.h: "near" passes, as a
+// newer Mesa or libm may move a few pixels by one.
 //
 //   POINSOT_UPDATE_GOLDEN=1 ./poinsot test -L golden     writes new references, for review with git diff
 //
@@ -8,9 +9,13 @@
 // amplified) in build/golden-review/.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "image/difference.h"
 #include "image/png_file.h"
@@ -23,77 +28,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A scene, at the instant that it calls telling.
 struct Golden {
-  const char* name;
-  const char* scene;  // a file of scenes/, or the text of one
-  double filmTime_s;
-  image::PixelSize size{256, 144};
+  fs::path scene;
+  std::string name;
 };
 
-const Golden kGoldens[] = {
-    {"racket_steady", "tennis_racket", 1.0},
-    {"racket_flipping", "tennis_racket", 5.2},
-    {"rolling", "poinsot_rolling", 7.0},
-    {"football", "football", 3.0},
-    {"chandler", "chandler_wobble", 5.0},
-    {"two_views",
-     "[body]\nshape = \"ellipsoid\"\nsize = [17, 17, 28]\nmass = 1\n[motion]\nomega_body = [1.6, 0, "
-     "3.5]\n[camera]\n"
-     "frames = [\"space\", \"body\"]\n[show]\nellipsoid = false\nplane = false\n",
-     3.0},
-    {"two_keys", "[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [0.3, 1, 0.2]\n", 2.0},
-    {"dark",
-     "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\n[style]\ntheme = \"dark\"\n",
-     4.0},
-    {"box_in_space",
-     "[body]\nshape = \"box\"\nsize = [3, 2, 1]\nmass = 1\n[motion]\nomega_body = [1, 2, 0.5]\n[show]\nellipsoid "
-     "= false\n"
-     "plane = false\npolhode = false\nherpolhode = false\n",
-     1.5},
-    {"cylinder",
-     "[body]\nshape = \"cylinder\"\nsize = [1, 1, 3]\nmass = 1\n[motion]\nomega_body = [0.8, 0, 2]\n[show]\nplane "
-     "= false\n",
-     2.5},
-    {"plane_above",
-     "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\nL_points = \"up\"\n", 1.0},
-    {"body_frame",
-     "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\n[camera]\nframe = \"body\"\n",
-     3.0},
-    {"torus",
-     "[body]\nshape = \"torus\"\nradius = 1.1\ntube_radius = 0.35\nmass = 1\n[motion]\nomega_body = [0.6, 0, "
-     "2]\n[show]\nellipsoid = false\nplane = false\npolhode = false\n",
-     2.5},
-    {"t_handle",
-     "[body]\nshape = \"t_handle\"\nbar_length = 3\nbar_radius = 0.2\nshaft_length = 1.5\nshaft_radius = "
-     "0.2\nmass = 1\n[motion]\nomega_body = [0.1, 3, 0]\n",
-     2.0},
-    {"heavy_top",
-     "[body]\nprincipal_moments = [1.40625, 1.40625, 0.65625]\n[motion]\nomega_body = [0, 0, 9.15625]\n"
-     "orientation = [0.966, 0.259, 0, 0]\n[motion.gravity]\nmgr_body = [0, 0, 2.84375]\n[time]\nspeed = 0.4\n",
-     4.0},
-    {"portrait",
-     "[body]\nprincipal_moments = [1, 3, 3]\n[motion]\nomega_body = [2, 1, 0]\n[show]\ntitle = \"A "
-     "rod\"\n[style]\n"
-     "text_size = 0.7\nline_width = 1.5\n",
-     2.0,
-     {160, 200}},
-};
+std::vector<Golden> goldens() {
+  std::vector<Golden> all;
+  for (const auto& [folder, prefix] : {std::pair("scenes", "gallery_"), std::pair("tests/golden/scenes", "")})
+    for (const auto& entry : fs::directory_iterator(fs::path(POINSOT_SOURCE_DIR) / folder))
+      if (entry.path().extension() == ".toml")
+        all.push_back({entry.path(), prefix + entry.path().stem().string()});
+  std::ranges::sort(all, {}, &Golden::name);
+  return all;
+}
 
 // What GoogleTest and ctest print of a case.
 void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
 
-scene::Scene sceneOf(const Golden& golden) {
-  const std::string text = golden.scene;
-  if (text.find('\n') != std::string::npos) return scene::parseScene(text, std::string(golden.name) + ".toml");
-  return scene::loadScene(fs::path(POINSOT_SOURCE_DIR) / "scenes" / (text + ".toml"));
+/// The scene's, made small where it is not.
+image::PixelSize sizeOf(const scene::Scene& scene) {
+  constexpr int kWidest = 400, kHeight = 144;
+  const int width = scene.output.width, height = scene.output.height;
+  if (width <= kWidest) return {width, height};
+  return {width * kHeight / height, kHeight};
 }
 
 image::Image actualPicture(const Golden& golden) {
   gl::pinEnvironment(true);
   static const auto context = gl::openContext(gl::Backend::kAuto);
   static render::Renderer renderer(*context);
-  const stage::Stage stage(sceneOf(golden));
-  return renderer.render(stage.compose(golden.filmTime_s, {golden.size.width, golden.size.height}));
+  const stage::Stage stage(scene::loadScene(golden.scene));
+  const image::PixelSize size = sizeOf(stage.scene());
+  return renderer.render(stage.compose(stage.scene().time.stillTime_s(), {size.width, size.height}));
 }
 
 void write(const fs::path& path, const image::Image& picture) {
@@ -112,8 +80,7 @@ class GoldenTest : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenTest, LooksAsItDid) {
   const Golden& golden = GetParam();
-  const fs::path reference =
-      fs::path(POINSOT_SOURCE_DIR) / "tests/golden/images" / (std::string(golden.name) + ".png");
+  const fs::path reference = fs::path(POINSOT_SOURCE_DIR) / "tests/golden/images" / (golden.name + ".png");
   const fs::path review = fs::path(POINSOT_BINARY_DIR) / "golden-review";
   const image::Image actual = actualPicture(golden);
   if (!fs::exists(reference)) {
@@ -126,9 +93,9 @@ TEST_P(GoldenTest, LooksAsItDid) {
   const auto difference = image::compare(expected, actual);
   const auto verdict = image::verdict(difference);
   if (verdict == image::Verdict::kIdentical) return;
-  write(review / (std::string(golden.name) + ".reference.png"), expected);
-  write(review / (std::string(golden.name) + ".actual.png"), actual);
-  write(review / (std::string(golden.name) + ".difference.png"), image::amplifiedDifference(expected, actual));
+  write(review / (golden.name + ".reference.png"), expected);
+  write(review / (golden.name + ".actual.png"), actual);
+  write(review / (golden.name + ".difference.png"), image::amplifiedDifference(expected, actual));
   const std::string figures = "max " + std::to_string(difference.maxAbs) + ", differing " +
                               std::to_string(difference.differingPixels) + " px, FLIP mean " +
                               std::to_string(difference.flipMean) + " max " + std::to_string(difference.flipMax) +
@@ -139,11 +106,19 @@ TEST_P(GoldenTest, LooksAsItDid) {
   }
   ASSERT_EQ(std::getenv("CI"), nullptr) << "references are not rewritten in CI";
   write(reference, actual);
-  std::printf("%s rewritten: %s\n", golden.name, figures.c_str());
+  std::printf("%s rewritten: %s\n", golden.name.c_str(), figures.c_str());
 }
 
-INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(kGoldens),
-                         [](const auto& golden) { return std::string(golden.param.name); });
+TEST(Goldens, AreOfScenesThatAreThere) {
+  std::set<std::string> wanted, there;
+  for (const Golden& golden : goldens()) wanted.insert(golden.name);
+  for (const auto& entry : fs::directory_iterator(fs::path(POINSOT_SOURCE_DIR) / "tests/golden/images"))
+    there.insert(entry.path().stem().string());
+  EXPECT_EQ(there, wanted);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(goldens()),
+                         [](const auto& golden) { return golden.param.name; });
 
 }  // namespace
 }  // namespace poinsot
