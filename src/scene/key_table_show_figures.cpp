@@ -120,7 +120,7 @@ class FigureKeys {
     return {.path = path_ + "." + std::string(name),
             .type = kVector,
             .range = {.least = -20, .most = 20},
-            .fallback = "[0, 0, 0]",
+            .fallback = "[0.9, 0, 0]",
             .example = example,
             .help = help,
             .put = put(place)};

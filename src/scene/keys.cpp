@@ -79,4 +79,9 @@ std::string_view nameOf(std::string_view path) { return path.substr(path.rfind('
 
 bool hasVisible(std::string_view table) { return findKey(std::string(table) + ".visible") != nullptr; }
 
+bool isExtra(std::string_view table) {
+  if (!hasVisible(table)) return false;
+  return findKey(std::string(table.substr(table.find("show."))) + ".visible")->fallback == "false";
+}
+
 }  // namespace poinsot::scene

@@ -98,5 +98,7 @@ std::string_view nameOf(std::string_view path);
 
 /// Whether `show.plane = false` may stand for `show.plane.visible = false`.
 bool hasVisible(std::string_view table);
+/// Whether it is a thing that is not drawn unless asked for: by its key "visible", or by any other.
+bool isExtra(std::string_view table);
 
 }  // namespace poinsot::scene

@@ -88,10 +88,17 @@ without them, those of the scene count.
 
 )";
 
+std::string visibility(std::string_view table) {
+  if (!isExtra(table)) return fmt::format("`{0} = false` is short for `{0}.visible = false`.\n\n", table);
+  const bool alone = namesBelow(table).size() == 1;
+  return fmt::format("`{0} = true` is short for `{0}.visible = true`{1}.\n\n", table,
+                     alone ? "" : "; any other of its keys says so too");
+}
+
 std::string heading(std::string_view table) {
   std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `{}`\n\n", bracketed(table));
   if (table == "view[]") text += kViews;
-  if (hasVisible(table)) text += fmt::format("`{} = false` is short for `{}.visible = false`.\n\n", table, table);
+  if (hasVisible(table)) text += visibility(table);
   return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
 }
 
@@ -164,7 +171,8 @@ std::string limits() {
 }  // namespace
 
 std::string referenceMarkdown() {
-  return std::string(kOpening) + units() + tables() + shapes() + catalogueTable() + quantitiesTable() + presets() + limits();
+  return std::string(kOpening) + units() + tables() + shapes() + catalogueTable() + quantitiesTable() + presets() +
+         limits();
 }
 
 }  // namespace poinsot::scene

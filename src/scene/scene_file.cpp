@@ -77,14 +77,24 @@ std::string defaultsText() {
 
 using Paths = std::set<std::string, std::less<>>;
 
+/// An option of a thing that is drawn only if asked for asks for it, where nothing is said of that.
+void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
+  const std::string_view table = path.substr(0, path.rfind('.'));
+  const std::string visible = std::string(table) + ".visible";
+  if (isExtra(table) && !leaves.values.contains(visible))
+    findKey(visible)->put(draft, elementOf(visible), Checked(true));
+}
+
 /// The paths of values that did not pass go to `refused`.
 Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     const Key& key = *findKey(path);
-    if (const auto value = check(key, path, node, problems))
+    if (const auto value = check(key, path, node, problems)) {
+      askFor(path, leaves, draft);
       key.put(draft, elementOf(path), *value);
-    else
+    } else {
       refused.insert(path);
+    }
   }
   return draft;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/ghosts_figure.h"
 
+#include <cmath>
+
 namespace poinsot::stage {
 namespace {
 
@@ -21,29 +23,38 @@ Palette pale(const Palette& colors, double strength) {
   return all;
 }
 
+/// Columns: to the right, up and nearer.
+Eigen::Matrix3d cameraAxes_V(const scene::Camera& camera) {
+  const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
+  const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
+  const Vector3d right(-sa, ca, 0), nearer(ca * ce, sa * ce, se);
+  return (Eigen::Matrix3d() << right, nearer.cross(right), nearer).finished();
+}
+
 }  // namespace
 
 GhostsFigure::GhostsFigure(const Setting& setting)
     : body_(setting.body), scale_(setting.scales.body), strength_(setting.scene.show.figures.ghosts.strength) {
-  const Vector3d step_W = 2 * scale_ * body_.halfExtents().maxCoeff() * setting.scene.show.figures.ghosts.step;
+  const Vector3d step_V = 2 * scale_ * body_.halfExtents().maxCoeff() *
+                          (cameraAxes_V(setting.scene.camera) * setting.scene.show.figures.ghosts.step);
   for (const double time_s : timesOf(setting)) {
     const PictureState state = setting.motion.at(time_s);
     const auto places = static_cast<double>(poses_.size() + 1);
-    poses_.push_back({state.R_VW.transpose() * state.R_VB, places * step_W});
+    poses_.push_back({state.R_VW.transpose() * state.R_VB, places * step_V});
   }
 }
 
 void GhostsFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const Palette colors = pale(canvas.colors, strength_);
   for (const Pose& pose : poses_)
-    body_.add(canvas.list, {state.R_VW * pose.R_WB, scale_, state.R_VW * pose.place_W}, colors, canvas.line_px);
+    body_.add(canvas.list, {state.R_VW * pose.R_WB, scale_, pose.place_V}, colors, canvas.line_px);
 }
 
 std::vector<Vector3d> GhostsFigure::outermostPoints(const PictureState& state) const {
   std::vector<Vector3d> points;
   for (const Pose& pose : poses_)
     for (const Vector3d& direction_B : cubeDirections())
-      points.push_back(state.R_VW * (pose.place_W + scale_ * (pose.R_WB * body_.supportPoint(direction_B))));
+      points.push_back(pose.place_V + scale_ * (state.R_VW * pose.R_WB * body_.supportPoint(direction_B)));
   return points;
 }
 

@@ -16,7 +16,7 @@ class GhostsFigure final : public Actor {
 
   struct Pose {
     Eigen::Matrix3d R_WB;
-    Eigen::Vector3d place_W;  ///< in the picture's lengths
+    Eigen::Vector3d place_V;  ///< from the body, as the camera stands at the film's start
   };
   const std::vector<Pose>& poses() const { return poses_; }
 

@@ -259,5 +259,18 @@ TEST_F(NoScene, DoesNotPrintWhatATerminalObeys) {
   EXPECT_EQ(messageOf("a\x1b[31m.toml").find('\x1b'), std::string::npos);
 }
 
+TEST(Extras, AreShownWhenAskedForByAnyOfTheirKeys) {
+  const auto parse = [](const std::string& more) { return parseScene(kMinimal + more, "test.toml"); };
+  const auto figures = [&](const std::string& show) { return parse(show).show.figures; };
+  EXPECT_FALSE(figures("").trace.visible);
+  EXPECT_TRUE(figures("[show.trace]\nopacity = 0.2\n").trace.visible);
+  EXPECT_FALSE(figures("[show.trace]\nopacity = 0.2\nvisible = false\n").trace.visible);
+  EXPECT_FALSE(figures("[show.trace]\nvisible = false\nfuture = false\n").trace.visible);
+  EXPECT_FALSE(parse("[show.plane]\nvisible = false\nopacity = 0.3\n").show.plane.visible);
+  const Scene views = parse("[[view]]\n[[view]]\nshow.ghosts.count = 3\n");
+  EXPECT_FALSE(views.views[0].show.figures.ghosts.visible);
+  EXPECT_TRUE(views.views[1].show.figures.ghosts.visible);
+}
+
 }  // namespace
 }  // namespace poinsot::scene

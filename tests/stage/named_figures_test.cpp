@@ -123,7 +123,9 @@ TEST(PlaneOfL, IsNotThereWhereLAndOmegaAreParallel) {
 
 // Each pose is the body's attitude at its time, a step from the one before.
 TEST(Ghosts, ArePosesOfTheMotion) {
-  const Scenery s(kTop + "[show.ghosts]\nvisible = true\ntimes = [0.5, \"2 s\", 7]\nstep = [1, 0, 0.5]\n");
+  const Scenery s(kTop +
+                  "[show.ghosts]\nvisible = true\ntimes = [0.5, \"2 s\", 7]\nstep = [1, 0.5, "
+                  "0]\n[camera]\nazimuth = 0\nelevation = 0\n");
   const GhostsFigure figure(s.setting);
   ASSERT_EQ(figure.poses().size(), 3u);
   const double times_s[] = {0.5, 2, 7};
@@ -131,9 +133,9 @@ TEST(Ghosts, ArePosesOfTheMotion) {
     const PictureState state = s.motion.at(times_s[i]);
     const GhostsFigure::Pose& pose = figure.poses()[i];
     EXPECT_LT((pose.R_WB - state.R_VW.transpose() * state.R_VB).norm(), 1e-15);
-    // The cylinder is 3 m long, its extent: a step is 3 m of the body.
-    const Vector3d place = static_cast<double>(i + 1) * 3 * s.scales.body * Vector3d(1, 0, 0.5);
-    EXPECT_LT((pose.place_W - place).norm(), 1e-14);
+    // The cylinder is 3 m long, its extent: a step is 3 m of the body. Seen from the x axis, y is to the right.
+    const Vector3d place = static_cast<double>(i + 1) * 3 * s.scales.body * Vector3d(0, 1, 0.5);
+    EXPECT_LT((pose.place_V - place).norm(), 1e-14);
   }
 }
 
