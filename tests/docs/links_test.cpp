@@ -34,14 +34,6 @@ std::vector<std::string> broken(const fs::path& page, const std::string& markdow
   return missing;
 }
 
-std::vector<fs::path> pages() {
-  const fs::path root = POINSOT_SOURCE_DIR;
-  std::vector<fs::path> found{root / "README.md"};
-  for (const auto& entry : fs::directory_iterator(root / "docs"))
-    if (entry.path().extension() == ".md") found.push_back(entry.path());
-  return found;
-}
-
 TEST(Docs, LinksLeadToFiles) {
   std::size_t links = 0;
   for (const fs::path& page : pages()) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "docs/pages.h"
+#include "scene/scene_file.h"
+#include "text/math_setter.h"
+
+// What the pages show as TOML can be copied and works: whole scenes as they are, parts at the end of a whole
+// scene. Of "Your first film" moreover: its steps add up to its last file, and each has its picture.
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::SizeIs;
+
+const fs::path kRoot = POINSOT_SOURCE_DIR;
+
+std::string texProblem(std::string_view tex) {
+  try {
+    text::setTex(tex);
+    return "";
+  } catch (const core::Error& error) {
+    return error.message();
+  }
+}
+
+bool isWhole(const std::string& toml) {
+  return toml.find("[body]\n") != std::string::npos && toml.find("[motion]\n") != std::string::npos;
+}
+
+/// A part of a scene made whole; one that begins with a key goes on with [show], as on the pages.
+std::string madeWhole(const std::string& part) {
+  const std::string body = "[body]\ncatalogue = \"book\"\n[motion]\nomega_body = [0, 6, 0.1]\n";
+  return body + (part.starts_with('[') ? "" : "[show]\n") + part;
+}
+
+/// Says what is wrong with the scene, or nothing. Files that it names are looked for in scenes/.
+std::string problem(const std::string& toml) {
+  try {
+    scene::parseScene(toml, kRoot / "scenes/page.toml", {}, texProblem);
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+/// Width and height that a PNG's header gives.
+std::pair<int, int> sizeOf(const fs::path& png) {
+  const std::string bytes = textOf(png).substr(0, 24);
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t k = at; k < at + 4; ++k) value = 256 * value + static_cast<unsigned char>(bytes.at(k));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+std::string withoutEmptyLines(std::string text) {
+  text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == '\n' && b == '\n'; }),
+             text.end());
+  return text;
+}
+
+TEST(DocsScenes, EveryTomlBlockWorks) {
+  int whole = 0;
+  for (const fs::path& page : pages())
+    for (const std::string& block : tomlBlocks(textOf(page))) {
+      EXPECT_EQ(problem(isWhole(block) ? block : madeWhole(block)), "") << page.filename() << ":\n" << block;
+      whole += isWhole(block) ? 1 : 0;
+    }
+  EXPECT_GE(whole, 5);  // README, scene.md, and three of the first film
+}
+
+TEST(DocsScenes, AMistakeInABlockIsSeen) {
+  EXPECT_THAT(tomlBlocks("a\n```toml\nb = 1\n```\nc\n```\nd\n```\n\n```toml\ne = 2\n```\n"),
+              ::testing::ElementsAre("b = 1\n", "e = 2\n"));
+  EXPECT_THAT(problem(madeWhole("plain = false\n")), ::testing::HasSubstr("show.plane"));
+  EXPECT_THAT(problem(madeWhole("title = '$\\omga$'\n")), ::testing::HasSubstr("\\omega"));
+}
+
+// Steps 1 and 2 are whole files; 3, 4 and 5 are added to what is there; the sixth block is the whole again.
+TEST(FirstFilm, EachStepIsAWholeSceneAndTheyAddUp) {
+  const std::vector<std::string> blocks = tomlBlocks(textOf(kRoot / "docs/first_film.md"));
+  ASSERT_THAT(blocks, SizeIs(6));
+  EXPECT_EQ(std::ranges::count(blocks[0], '\n'), 4);
+  EXPECT_EQ(problem(blocks[0]), "");
+  std::string file = blocks[1];
+  EXPECT_EQ(problem(file), "") << "step 2";
+  for (std::size_t k = 2; k < 5; ++k) {
+    file += blocks[k];
+    EXPECT_EQ(problem(file), "") << "step " << k + 1;
+  }
+  EXPECT_EQ(withoutEmptyLines(file), withoutEmptyLines(blocks[5]));
+}
+
+// At most 75 kB: measured 41 to 71 kB, the larger ones with the ellipsoid's many pale shades.
+TEST(FirstFilm, EachStepHasItsCommandAndItsPicture) {
+  const std::string page = textOf(kRoot / "docs/first_film.md");
+  for (const char* step : {"step_1", "step_2", "step_3", "step_4", "step_5"}) {
+    const std::string name = std::string(step) + ".png";
+    EXPECT_THAT(page, ::testing::HasSubstr(" -q preview -o out/" + name + "\n\n!["));
+    EXPECT_THAT(page, ::testing::HasSubstr("](images/first_film/" + name + ")\n"));
+    const fs::path picture = kRoot / "docs/images/first_film" / name;
+    EXPECT_EQ(sizeOf(picture), std::pair(640, 360)) << name;
+    EXPECT_LE(fs::file_size(picture), 75'000u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot
