@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDash = 0.035;  // in picture lengths; gaps are as long
+constexpr float kSoft = 0.6f;    // of the type: shorter in the picture, a thing's direction does not tell
 
 }  // namespace
 
@@ -80,7 +81,8 @@ float Canvas::glass(double opacity, double share) const {
 
 void Canvas::label(const std::string& tex, const Vector3d& at_V, const Vector3d& inside_V,
                    const draw::Color& color, double size) const {
-  labelAt(tex, at_px(at_V), at_px(at_V) - at_px(inside_V), color, size);
+  labelAt(tex, at_px(at_V), softUnit(at_px(at_V) - at_px(inside_V), kSoft * static_cast<float>(type_px)), color,
+          size);
 }
 
 void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,

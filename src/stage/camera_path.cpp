@@ -10,10 +10,6 @@ namespace {
 
 constexpr int kDirections = 180;  // an orbit in steps of 2 degrees: between two, the reach differs by 0.02 %
 
-bool alike(const Margins& a, const Margins& b) {
-  return a.left == b.left && a.right == b.right && a.top == b.top && a.bottom == b.bottom;
-}
-
 }  // namespace
 
 // ---- path
@@ -59,12 +55,21 @@ std::vector<scene::Camera> CameraPath::directions() const {
 
 double PathFraming::unit_px(const Extent& extent, const Margins& margins, glm::vec2 size_px) const {
   const std::lock_guard lock(mutex_);
-  if (last_ && alike(last_->margins, margins) && last_->size_px == size_px) return last_->unit_px;
+  if (unit_ && unit_->margins == margins && unit_->size_px == size_px) return unit_->unit_px;
   double least = std::numeric_limits<double>::infinity();
   for (const scene::Camera& camera : directions_)
     least = std::min(least, fittingUnit_px(camera, extent, margins, size_px));
-  last_ = Answer{margins, size_px, least};
+  unit_ = Unit{margins, size_px, least};
   return least;
+}
+
+draw::Camera PathFraming::camera(const scene::Camera& placed, const Extent& extent, const Margins& margins,
+                                 glm::vec2 size_px, double mostUnit_px) const {
+  const double most_px = still_ ? mostUnit_px : std::min(mostUnit_px, unit_px(extent, margins, size_px));
+  const Asked asked{placed.azimuth_rad, placed.elevation_rad, placed.zoom, margins, size_px, most_px};
+  const std::lock_guard lock(mutex_);
+  if (!last_ || !(last_->first == asked)) last_ = {asked, frameAll(placed, extent, margins, size_px, most_px)};
+  return last_->second;
 }
 
 }  // namespace poinsot::stage

@@ -3,6 +3,7 @@
 
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "scene/eased_track.h"
@@ -33,25 +34,37 @@ class CameraPath {
   Tracks moves_;
 };
 
-/// How large the whole motion can be drawn from all of a path's directions alike, so that nothing breathes while
-/// the camera moves.
+/// The camera on its path. The whole motion is drawn as large as it can be from all of the path's directions
+/// alike, so that nothing breathes while the camera moves. The answers for what was asked last are kept: they cost
+/// up to a few milliseconds, and every picture of a film asks for the same. Safe from several threads.
 class PathFraming {
  public:
-  explicit PathFraming(const CameraPath& path) : directions_(path.directions()) {}
+  explicit PathFraming(const CameraPath& path) : directions_(path.directions()), still_(path.still()) {}
 
-  /// The least fittingUnit_px() of all directions. The answer for the frame asked for last is kept: it costs a few
-  /// milliseconds, and every picture of a film asks for the same one. Safe from several threads.
+  /// The least fittingUnit_px() of all directions.
   double unit_px(const Extent& extent, const Margins& margins, glm::vec2 size_px) const;
+  /// frameAll() of a camera of the path.
+  draw::Camera camera(const scene::Camera& placed, const Extent& extent, const Margins& margins, glm::vec2 size_px,
+                      double mostUnit_px) const;
 
  private:
-  struct Answer {
+  struct Unit {
     Margins margins;
     glm::vec2 size_px;
     double unit_px;
   };
+  struct Asked {
+    double azimuth_rad, elevation_rad, zoom;
+    Margins margins;
+    glm::vec2 size_px;
+    double mostUnit_px;
+    bool operator==(const Asked&) const = default;
+  };
   std::vector<scene::Camera> directions_;
+  bool still_;
   mutable std::mutex mutex_;
-  mutable std::optional<Answer> last_;
+  mutable std::optional<Unit> unit_;
+  mutable std::optional<std::pair<Asked, draw::Camera>> last_;
 };
 
 }  // namespace poinsot::stage

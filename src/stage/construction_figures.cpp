@@ -139,7 +139,7 @@ void HeightFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pictur
   const glm::vec2 a = canvas.at_px(foot), b = canvas.at_px(head), middle = 0.5f * (a + b);
   glm::vec2 aside(a.y - b.y, b.x - a.x);
   if (glm::dot(aside, middle - canvas.at_px(Vector3d::Zero())) < 0) aside = -aside;
-  canvas.labelAt(scene::LabelName::kHeight, middle, aside, canvas.colors.L, 0.72, 0.4);
+  canvas.labelAt(scene::LabelName::kHeight, middle, softUnit(aside, 0), canvas.colors.L, 0.72, 0.4);
 }
 
 std::vector<Vector3d> HeightFigure::outermostPoints(const PictureState& /*state*/) const { return {}; }

@@ -12,45 +12,123 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Of half the picture's width: with the usual angle of view, things at its edge are a fifth wider by it.
+constexpr double kMostAside = 0.7;
+
 /// An extent in camera axes about the centre: x right, y up, z towards the eye.
 struct Seen {
   std::vector<Vector3d> points_C;
-  double ballRadius;
+  double ballRadius, ballX = 0;
   bool parallel;  // rays
 
-  /// How far it reaches towards one side of the picture. At distance d the camera shows x <= k (d - z) on a side
-  /// whose angle has tangent k: what counts is x + k z, which is at most r sqrt(1 + k²) on a ball. With parallel
-  /// rays it shows x <= k d: what counts is x.
-  double reach(int axis, double sign, double tangent) const {
+  /// How far it reaches up (sign 1) or down. At distance d the camera shows y <= k (d - z) on a side whose angle
+  /// has tangent k: what counts is y + k z, which is at most r sqrt(1 + k²) on a ball. With parallel rays it shows
+  /// y <= k d: what counts is y.
+  double reach(double sign, double tangent) const {
     const double k = parallel ? 0 : tangent;
     double farthest = ballRadius > 0 ? ballRadius * std::sqrt(1 + k * k) : -1e300;
-    for (const Vector3d& p : points_C) farthest = std::max(farthest, sign * p[axis] + k * p.z());
+    for (const Vector3d& p : points_C) farthest = std::max(farthest, sign * p.y() + k * p.z());
     return farthest;
   }
 };
 
-/// One direction of the picture: its low side (left, bottom) and its high one.
-struct Sides {
-  int axis;
+/// Along the view, from the plane through the centre: towards the eye and away from it.
+struct Depths {
+  double towards, away;
+
+  explicit Depths(const Seen& seen) : towards(seen.ballRadius), away(seen.ballRadius) {
+    for (const Vector3d& p : seen.points_C) {
+      towards = std::max(towards, p.z());
+      away = std::max(away, -p.z());
+    }
+  }
+  double slack() const { return 0.3 * (towards + away) + 0.1; }
+};
+
+// ---- up and down: the eye moves, with its target ----
+
+/// The tangents of the angles that the picture shows below its middle and above it.
+struct Upright {
   double kLow, kHigh;
 
   /// The smallest distance at which both hold, the target shifted as it pleases. With parallel rays: from which a
   /// pinhole would show what is across the view as large.
   double distance(const Seen& seen) const {
-    return (seen.reach(axis, -1, kLow) + seen.reach(axis, 1, kHigh)) / (kLow + kHigh);
+    return (seen.reach(-1, kLow) + seen.reach(1, kHigh)) / (kLow + kHigh);
   }
   /// The shift of the target that leaves both equally free.
   double shift(const Seen& seen, double d) const {
-    return 0.5 * (seen.reach(axis, 1, kHigh) - kHigh * d + kLow * d - seen.reach(axis, -1, kLow));
+    return 0.5 * (seen.reach(1, kHigh) - kHigh * d + kLow * d - seen.reach(-1, kLow));
   }
 };
+
+// ---- across: the eye stays in the vertical plane through the centre, so that L is upright in every picture; the
+// picture moves instead, as the film of a view camera
+
+/// Tangents of the angles at which an extent begins to the left of that plane and ends to the right of it, and how
+/// their sum changes with the eye's distance. With parallel rays: of what a pinhole would show as large.
+struct Width {
+  double left = -1e300, right = -1e300, slope = 0;
+
+  /// @pre the eye is farther than the extent, or rays are parallel.
+  Width(const Seen& seen, double d) {
+    double leftSlope = 0, rightSlope = 0;
+    if (seen.ballRadius > 0) {
+      const Edge one = ballEdge(seen, d, 1), other = ballEdge(seen, d, -1);
+      right = one.tangent, rightSlope = one.slope;
+      left = other.tangent, leftSlope = other.slope;
+    }
+    for (const Vector3d& p : seen.points_C) {
+      const double away = seen.parallel ? d : d - p.z(), tangent = p.x() / away;
+      if (tangent > right) right = tangent, rightSlope = -tangent / away;
+      if (-tangent > left) left = -tangent, leftSlope = tangent / away;
+    }
+    slope = leftSlope + rightSlope;
+  }
+
+  struct Edge {
+    double tangent, slope;
+  };
+  /// Of the ball, to the right (sign 1) or the left: where a line from the eye touches it.
+  static Edge ballEdge(const Seen& seen, double d, double sign) {
+    const double r = seen.ballRadius, c = sign * seen.ballX;
+    if (seen.parallel) return {(c + r) / d, -(c + r) / (d * d)};
+    const double beyond = d * d - r * r, along = std::sqrt(c * c + beyond), across = c * d + r * along;
+    return {across / beyond, (c + r * d / along) / beyond - 2 * d * across / (beyond * beyond)};
+  }
+
+  double sum() const { return left + right; }
+  /// Of the middle between both ends.
+  double middle() const { return 0.5 * (right - left); }
+};
+
+/// The smallest distance from which no more than `tangents` is across. The sum is convex in the distance: Newton's
+/// steps, once they come from below, stay there.
+double distanceAcross(const Seen& seen, double tangents) {
+  constexpr int kSteps = 40;
+  const Depths depths(seen);
+  const double size = std::max(depths.towards + depths.away, 1e-9);
+  const double least = (seen.parallel ? 0 : depths.towards) + 1e-4 * size;
+  double d = std::max(least, depths.towards + size);
+  for (int i = 0; i < kSteps; ++i) {
+    const Width width(seen, d);
+    if (!(width.slope < 0)) break;  // nothing is across
+    const double next = std::max(d - (width.sum() - tangents) / width.slope, least);
+    if (std::abs(next - d) < 1e-12 * d) break;
+    d = next;
+  }
+  return d;
+}
 
 /// An extent before a camera that stands in a direction and looks at it, at any distance.
 struct Fit {
   double tanY;
   Vector3d right, up, backward;
   Seen seen;
-  Sides across, upright;
+  Upright upright;
+  double aside = 0;      // of the eye, to the right
+  double across;         // tangents of what the picture shows, without its margins
+  double freeMiddle_px;  // between the margins
 
   Fit(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px)
       : tanY(std::tan(0.5 * camera.fov_rad)) {
@@ -64,25 +142,25 @@ struct Fit {
     seen.parallel = camera.projection == scene::Projection::kOrthographic;
     for (const Vector3d& p : extent.points_V) seen.points_C.emplace_back(right.dot(p), up.dot(p), backward.dot(p));
     const double tanX = tanY * static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
-    across = Sides{0, tanX * (1 - 2 * margins.left), tanX * (1 - 2 * margins.right)};
-    upright = Sides{1, tanY * (1 - 2 * margins.bottom), tanY * (1 - 2 * margins.top)};
+    across = 2 * tanX * (1 - margins.left - margins.right);
+    freeMiddle_px = 0.5 * static_cast<double>(size_px.x) * (1 + margins.left - margins.right);
+    upright = Upright{tanY * (1 - 2 * margins.bottom), tanY * (1 - 2 * margins.top)};
+    if (!seen.parallel) stepAside(kMostAside * tanX);
   }
 
-  double needed() const { return std::max(across.distance(seen), upright.distance(seen)); }
+  /// Moves the eye where its picture would have to be moved by more than `most`, a tangent: far from its axis a
+  /// camera draws things out.
+  void stepAside(double most) {
+    const double distance = distanceAcross(seen, across), middle = Width(seen, distance).middle();
+    aside = distance * (middle - std::clamp(middle, -most, most));
+    if (aside == 0) return;
+    seen.ballX = -aside;
+    for (Vector3d& p : seen.points_C) p.x() -= aside;
+  }
+
+  double needed() const { return std::max(distanceAcross(seen, across), upright.distance(seen)); }
   /// The z axis; straight from above or below it has no direction in the picture.
   glm::vec3 upwards() const { return std::abs(backward.z()) > 0.9999 ? toPicture(up) : glm::vec3(0, 0, 1); }
-};
-
-/// Along the view, from the target plane: towards the eye and away from it.
-struct Depths {
-  double towards, away;
-
-  explicit Depths(const Seen& seen) : towards(seen.ballRadius), away(seen.ballRadius) {
-    for (const Vector3d& p : seen.points_C) {
-      towards = std::max(towards, p.z());
-      away = std::max(away, -p.z());
-    }
-  }
 };
 
 double focal_px(const Fit& fit, glm::vec2 size_px) { return 0.5 * static_cast<double>(size_px.y) / fit.tanY; }
@@ -100,18 +178,18 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   const Fit fit(camera, extent, margins, size_px);
   const Seen& seen = fit.seen;
   const double needed = std::max(fit.needed(), focal_px(fit, size_px) / mostUnit_px);
-  const double shiftX = fit.across.shift(seen, needed), shiftY = fit.upright.shift(seen, needed);
   const double distance = needed / camera.zoom;
-
-  const Vector3d target = shiftX * fit.right + shiftY * fit.up;
+  const Vector3d target = fit.upright.shift(seen, needed) * fit.up + fit.aside * fit.right;
   const Depths depths(seen);
-  const double slack = 0.3 * (depths.towards + depths.away) + 0.1;
+  const double slack = depths.slack();
   // With parallel rays the eye may stand anywhere: here far enough for all to be before it.
   const double eye = seen.parallel ? std::max(distance, depths.towards + 2 * slack) : distance;
   draw::Camera result = draw::lookAt(toPicture(Vector3d(target + eye * fit.backward)), toPicture(target),
                                      fit.upwards(), static_cast<float>(camera.fov_rad), size_px);
   result.orthographic = seen.parallel;
   result.halfHeight_W = static_cast<float>(distance * fit.tanY);
+  const double aside_px = focal_px(fit, size_px) * Width(seen, needed).middle() * camera.zoom;
+  result.centre_px.x = static_cast<float>(fit.freeMiddle_px - aside_px);
   result.near = static_cast<float>(std::max(eye - depths.towards - slack, 0.02 * distance));
   result.far = static_cast<float>(eye + depths.away + slack);
   return result;

@@ -12,6 +12,8 @@ namespace poinsot::stage {
 
 /// Free border of the picture, as shares of its height (top, bottom) and width (left, right).
 struct Margins {
+  bool operator==(const Margins&) const = default;
+
   double left = 0.06, right = 0.06, top = 0.06, bottom = 0.06;
 };
 

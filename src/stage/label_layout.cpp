@@ -23,10 +23,7 @@ struct Placed {
   glm::vec2 inkOffset_px;  // from the baseline's left end to the middle of the ink
 };
 
-glm::vec2 unit(glm::vec2 v) {
-  const float length = glm::length(v);
-  return length > 1e-3f ? v / length : glm::vec2(0, -1);
-}
+glm::vec2 atMostUnit(glm::vec2 v) { return v / std::max(glm::length(v), 1.0f); }
 
 Placed place(const Label& label) {
   const text::GlyphRun run = text::setTex(label.tex);
@@ -36,7 +33,7 @@ Placed place(const Label& label) {
   placed.inkOffset_px =
       0.5f * glm::vec2(em(run.inkLeft_em + run.inkRight_em), -em(run.inkTop_em + run.inkBottom_em));
   // The ink's box touches the circle of radius gap around the anchor from outside, in the wished direction.
-  const glm::vec2 d = unit(label.direction);
+  const glm::vec2 d = atMostUnit(label.direction);
   placed.centre_px = label.anchor_px + d * label.gap_px + d * glm::abs(placed.half_px);
   return placed;
 }
@@ -77,6 +74,8 @@ void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
 }
 
 }  // namespace
+
+glm::vec2 softUnit(glm::vec2 v, float soft) { return v / std::max(std::hypot(glm::length(v), soft), 1e-6f); }
 
 void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px,
                std::span<const PixelBox> taken) {

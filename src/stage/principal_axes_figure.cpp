@@ -50,8 +50,8 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
     if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
     // An axis that points at the eye has no direction in the picture: its label leans upwards.
     const auto lean = static_cast<float>(1.2 * canvas.type_px);
-    canvas.labelAt(name, canvas.at_px(tip_V), canvas.at_px(tip_V) - centre + glm::vec2(0, -lean),
-                   canvas.colors.axis, kNameSize);
+    const glm::vec2 away = canvas.at_px(tip_V) - centre + glm::vec2(0, -lean);
+    canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kNameSize);
     if (body_) canvas.labels.back().opacity = seenPast(state, tip_V, canvas.list.camera);
   }
 }

@@ -68,12 +68,8 @@ struct ViewStage::Plan {
   void addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const;
 };
 
-// One that moves sees all of the motion, from wherever it is, at one scale.
 draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame) const {
-  const double least_px = path.still()
-                              ? frame.mostUnit_px
-                              : std::min(frame.mostUnit_px, framing.unit_px(extent, frame.margins, frame.size_px));
-  return frameAll(path.at(filmTime_s), extent, frame.margins, frame.size_px, least_px);
+  return framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
 }
 
 void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {

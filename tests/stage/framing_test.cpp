@@ -70,6 +70,30 @@ TEST(Framing, HoldsABall) {
   EXPECT_NEAR(box.bottom, 470, 0.1);
 }
 
+// What hangs over the centre is upright in the picture, wherever the rest of it is; but for what is far to one
+// side.
+TEST(Framing, KeepsTheVerticalThroughTheCentreUpright) {
+  const auto lean_px = [](const std::vector<Vector3d>& points) {
+    const draw::Camera camera = frameAll(view(), {points, 0.5}, {}, {1000, 500});
+    return project(camera, {0, 0, 1}).x - project(camera, {0, 0, -1}).x;
+  };
+  EXPECT_NEAR(lean_px(kWide), 0, 1e-3);
+  EXPECT_NEAR(lean_px({{0, 2.5, 0}, {1, 3, 0}, {-2, -1, 0}}), 0, 1e-3);
+  EXPECT_GT(std::abs(lean_px({{0, 20, 0}})), 1);
+}
+
+// A ball, and points to one side of it: moved by the camera's film, and where they are far off by the eye too.
+TEST(Framing, HoldsABallBesideTheMiddle) {
+  for (const double aside : {3.0, 20.0}) {
+    std::vector<Vector3d> all = ball(0.8);
+    const Vector3d far = aside * Vector3d(-std::sin(view().azimuth_rad), std::cos(view().azimuth_rad), 0);
+    all.push_back(far);
+    const Box box = pictureOf(frameAll(view(), {{far}, 0.8}, {0.05, 0.1, 0.06, 0.06}, {1000, 500}), all);
+    EXPECT_NEAR(box.left, 50, 0.1) << aside;
+    EXPECT_NEAR(box.right, 900, 0.1) << aside;
+  }
+}
+
 TEST(Framing, ZoomEnlarges) {
   scene::Camera near = view();
   near.zoom = 2;
