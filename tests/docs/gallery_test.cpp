@@ -28,9 +28,11 @@ std::set<std::string> namesIn(const fs::path& folder, const std::string& extensi
 
 TEST(GalleryPage, ShowsEveryScene) {
   const std::string text = page();
-  for (const std::string& name : namesIn(kRoot / "scenes", ".toml"))
-    EXPECT_THAT(text, ::testing::HasSubstr("| ![](images/gallery/" + name + ".png) [" + name + "](../scenes/" +
-                                           name + ".toml) | "));
+  for (const std::string& name : namesIn(kRoot / "scenes", ".toml")) {
+    const std::string row =
+        "| ![](images/gallery/" + name + ".png) [" + name + "](../scenes/" + name + ".toml) | ";
+    EXPECT_NE(text.find(row), std::string::npos) << "no row begins with " << row;
+  }
 }
 
 TEST(GalleryPage, ItsPicturesAreThoseOfTheScenesAndSmall) {

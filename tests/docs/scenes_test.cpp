@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "docs/pages.h"
 #include "scene/scene_file.h"
+#include "text/commands.h"
 #include "text/math_setter.h"
 
 // What the pages show as TOML can be copied and works: whole scenes as they are, parts at the end of a whole
@@ -85,6 +86,19 @@ TEST(DocsScenes, AMistakeInABlockIsSeen) {
               ::testing::ElementsAre("b = 1\n", "e = 2\n"));
   EXPECT_THAT(problem(madeWhole("plain = false\n")), ::testing::HasSubstr("show.plane"));
   EXPECT_THAT(problem(madeWhole("title = '$\\omga$'\n")), ::testing::HasSubstr("\\omega"));
+}
+
+TEST(DocsScenes, EveryCommandOfFormulasIsListed) {
+  const std::string page = textOf(kRoot / "docs/figures.md");
+  const std::size_t begin = page.find("\n## Formulas\n");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+  for (const text::Command& command : text::commands()) {
+    if (command.name == " ") continue;  // said in words
+    const std::string name = "\\" + std::string(command.name);
+    EXPECT_THAT(section, ::testing::AnyOf(::testing::HasSubstr(name + " "), ::testing::HasSubstr(name + "`"),
+                                          ::testing::HasSubstr(name + "{"), ::testing::HasSubstr(name + "\n")));
+  }
 }
 
 // Steps 1 and 2 are whole files; 3, 4 and 5 are added to what is there; the sixth block is the whole again.
