@@ -11,7 +11,8 @@ Report sceneReport(const scene::Scene& scene) {
   const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
   return {scene.name,
           {bodySection(scene), startSection(scene), constructionSection(scene), symmetricSection(scene),
-           heavyTopSection(scene), lossSection(scene), stabilitySection(scene), accuracySection(scene, span)}};
+           heavyTopSection(scene), lossSection(scene), stabilitySection(scene), loopSection(scene),
+           accuracySection(scene, span)}};
 }
 
 }  // namespace poinsot::app

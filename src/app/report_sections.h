@@ -27,6 +27,8 @@ Section stabilitySection(const scene::Scene& scene);
 Section heavyTopSection(const scene::Scene& scene);
 /// Time constants of drag; where dissipation alone ends (spin about the axis of largest moment, at the same L).
 Section lossSection(const scene::Scene& scene);
+/// What was changed of a film that repeats, and by how much (film_loop.h).
+Section loopSection(const scene::Scene& scene);
 /// How many digits mean something at the end of the run; of driven motion, how it was integrated.
 Section accuracySection(const scene::Scene& scene, const ReportSpan& span);
 

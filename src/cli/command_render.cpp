@@ -59,6 +59,9 @@ void addRender(CLI::App& program, Action& chosen) {
   command->add_option("--fps", options->fps, "frames per second, such as 30 or 30000/1001")
       ->type_name("RATE")
       ->check(notEmpty());
+  command->add_flag(
+      "--loop", options->loop,
+      "a film that repeats without a jump: changes the start and the speed least, and says by how much");
   command->footer(
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"

@@ -43,6 +43,7 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
     overrides.push_back({text, "-q " + options.quality});
   for (const std::string& text : options.overrides) overrides.push_back({text, "-D " + text});
   if (!options.fps.empty()) overrides.push_back({"time.fps=" + options.fps, "--fps " + options.fps});
+  if (options.loop) overrides.push_back({"time.loop=true", "--loop"});
   return overrides;
 }
 

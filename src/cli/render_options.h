@@ -17,7 +17,7 @@ namespace poinsot::cli {
 struct RenderOptions : SceneOptions {
   std::string output, size, quality, fps;
   int jobs = 0;
-  bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false;
+  bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
 };
 
@@ -36,7 +36,7 @@ struct RequestedScene {
   scene::Scene scene;
 };
 
-/// Reads and checks the scene file, with -q, -D and --fps above it, the later above the earlier.
+/// Reads and checks the scene file, with -q, -D, --fps and --loop above it, the later above the earlier.
 /// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
 RequestedScene requestedScene(const RenderOptions& options);
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/interrupt.h"
+#include "app/loop_text.h"
 #include "app/progress.h"
 #include "app/subtitles.h"
 #include "cli/console.h"
@@ -115,6 +116,8 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   const auto subtitles =
       target.kind == OutputKind::kFilm ? app::subtitlesOf(scene, frames) : std::vector<app::Subtitle>();
   if (!subtitles.empty()) app::checkSubtitleFiles(target.path, options.force);
+  if (scene.time.loop && !options.quiet && options.progress != "json")
+    writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (options.dryRun) return describe(render, scene);
   prepareFolder(target);
   app::watchInterrupts();

@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr int kPolhodePoints = 400;
 constexpr double kWholeRadius = 0.007, kTravelledRadius = 0.011;
-constexpr double kRecent_s = 0.9;  // film time of the bright end of the herpolhode
 
 std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
   std::vector<Vector3d> points;
@@ -40,10 +39,10 @@ PolhodeFigure::PolhodeFigure(const Setting& setting)
 void PolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   if (state.atRest()) return;
   addWhole(canvas, state);
-  const double played = motion_.played_s(filmTime_s),
-               span = std::min({played, period_s_, motion_.longestPath_s()});
+  const Trail trail = motion_.trail(filmTime_s, motion_.longestPath_s());
+  const double from = std::max({trail.from, trail.now - period_s_, trail.now - motion_.longestPath_s()});
   std::vector<Vector3d> points;
-  for (const PathPoint& p : motion_.path(played - span, played)) points.push_back(p.omega_P);
+  for (const PathPoint& p : motion_.path(from, trail.now)) points.push_back(p.omega_P);
   addTube(canvas, state, points, false, kTravelledRadius, canvas.colors.polhode);
 }
 
@@ -74,17 +73,16 @@ HerpolhodeFigure::HerpolhodeFigure(const Setting& setting)
       future_(setting.scene.show.herpolhode.future) {}
 
 void HerpolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
-  const double longest = motion_.longestPath_s(), played = motion_.played_s(filmTime_s);
-  const double end = std::min(motion_.length_s(), played + longest);
-  const double recent = std::max(motion_.played_s(std::max(0.0, filmTime_s - kRecent_s)), played - longest);
+  const Trail trail = motion_.trail(filmTime_s, motion_.longestPath_s());
   const Palette& colors = canvas.colors;
-  if (future_ && end > played) addPath(canvas, state, played, end, colors.futureHerpolhode, 1.2, 0.004);
-  if (recent > 0) addPath(canvas, state, std::max(0.0, recent - longest), recent, colors.herpolhode, 1.7, 0.008);
-  if (played > recent) addPath(canvas, state, recent, played, colors.herpolhode, 2.9, 0.012);
+  if (future_) addPath(canvas, state, trail.now, trail.end, colors.futureHerpolhode, 1.2, 0.004);
+  addPath(canvas, state, trail.from, trail.recent, colors.herpolhode, 1.7, 0.008);
+  addPath(canvas, state, trail.recent, trail.now, colors.herpolhode, 2.9, 0.012);
 }
 
 void HerpolhodeFigure::addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
                                const draw::Color& color, double width, double lift) const {
+  if (!(to_s > from_s)) return;
   std::vector<Vector3d> points_V;
   for (const PathPoint& p : motion_.path(from_s, to_s)) points_V.push_back(scale_ * (state.R_VW * p.omega_W));
   canvas.line(points_V, false, color, width, lift);

@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kPathStep = 0.06;  // of a circle's radius: 105 points a turn, 0.1 px off a circle of 200 px
 constexpr int kOutlinePoints = 600;
+constexpr double kRecent_s = 0.9;  // film time of the bright end of a trail
 
 // The body standing with its spin axis up (down where L points down).
 Matrix3d standingBody(const scene::Scene& scene) {
@@ -106,6 +107,7 @@ PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const ph
     : motion_(std::move(motion)),
       clock_(filmClock(scene)),
       length_s_(clock_.played_s(scene.time.duration_s)),
+      repeats_(scene.time.loop.has_value()),
       forcing_(scene.motion.forcing),
       frame_(scene.camera.frame),
       R_VB_(standingBody(scene)),
@@ -126,6 +128,13 @@ std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
     points.push_back(pathPoint(k * pathStep_s_));
   points.push_back(pathPoint(to_s));
   return points;
+}
+
+Trail PictureMotion::trail(double filmTime_s, double longest_s) const {
+  const double now = played_s(filmTime_s), begin = repeats_ ? now - length_s_ : 0;
+  const double recent = repeats_ ? now - kRecent_s : played_s(std::max(0.0, filmTime_s - kRecent_s));
+  const double from = std::max({begin, recent, now - longest_s});
+  return {std::max(begin, from - longest_s), from, now, repeats_ ? now : std::min(length_s_, now + longest_s)};
 }
 
 Matrix3d PictureMotion::R_VW(double played_s, const physics::RigidBodyState& state) const {

@@ -46,6 +46,12 @@ struct PathPoint {
   Eigen::Vector3d L_W;
 };
 
+/// What of a path has been travelled and what is to come, in played times: [from, recent] a while ago, [recent, now]
+/// just now, [now, end] soon. Where a film repeats, all of it has been travelled once before it begins.
+struct Trail {
+  double from, recent, now, end;
+};
+
 /// Axes that turn about L.
 struct Precession {
   Eigen::Matrix3d R_VW = Eigen::Matrix3d::Identity();  ///< at motion time 0
@@ -70,6 +76,8 @@ class PictureMotion {
   std::vector<PathPoint> path(double from_s, double to_s) const;
   /// The longest stretch of played time that path() can show.
   double longestPath_s() const { return pathStep_s_ * static_cast<double>(kMostPathPoints - 2); }
+  /// At a film time, no stretch longer than `longest_s`.
+  Trail trail(double filmTime_s, double longest_s) const;
   /// A few hundred points of the path over the whole film: enough to know how far it reaches.
   const std::vector<PathPoint>& outline() const { return outline_; }
   /// The point of the outline where the kinetic energy is greatest; of a free motion, the first.
@@ -93,6 +101,7 @@ class PictureMotion {
   std::shared_ptr<const physics::Motion> motion_;
   scene::FilmClock clock_;
   double length_s_;  // of played time
+  bool repeats_;
   physics::Forcing forcing_;
   scene::CameraFrame frame_;
   Eigen::Matrix3d R_VB_;   // where the body stands, when it does

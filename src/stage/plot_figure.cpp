@@ -61,6 +61,7 @@ QuantityRange together(const QuantityTrack& track, std::size_t count) {
 struct PlotFigure::Plan {
   scene::Plot plot;
   scene::Style style;
+  bool repeats;
   Palette colors;
   std::vector<draw::Color> tones;
   QuantityTrack track;
@@ -70,6 +71,7 @@ struct PlotFigure::Plan {
   Plan(const scene::Scene& scene, const scene::Plot& p, std::shared_ptr<const physics::Motion> motion)
       : plot(p),
         style(scene.style),
+        repeats(scene.time.loop.has_value()),
         colors(palette(style)),
         tones(quantityColors(colors, plot.quantities)),
         track(scene, std::move(motion), tracked(plot)) {
@@ -181,8 +183,10 @@ void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoi
 
 void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
+  // A film that repeats has been through all of it before it begins.
+  const double travelled_s = repeats ? track.duration_s() : filmTime_s;
   std::vector<PlotPoint> at;
-  for (std::size_t i = 0; i < curves.size(); ++i) at.push_back(cursor(i, filmTime_s));
+  for (std::size_t i = 0; i < curves.size(); ++i) at.push_back(cursor(i, travelled_s));
   for (std::size_t i = 0; plot.future && i < curves.size(); ++i)
     for (const auto& stretch : curves[i])
       addPath(picture, after(stretch, at[i]), area, glm::mix(tones[i], colors.paper, kFaint), pen);

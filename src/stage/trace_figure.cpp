@@ -16,7 +16,6 @@ using Eigen::Vector3d;
 constexpr double kBeyondBody = 1.1;  // radius of the sphere, of the ball that holds the body
 constexpr double kStep_rad = 0.05;   // of the point on its sphere, from one sample to the next
 constexpr int kMostPoints = 4000;
-constexpr double kRecent_s = 0.9;  // film time of the bright end
 constexpr double kPaleShare = 0.4;
 constexpr double kLift = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
 
@@ -69,13 +68,11 @@ void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, doubl
 void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   if (opacity_ > 0)
     canvas.glassEllipsoid(radius() * state.R_VW, canvas.colors.body, opacity_, {.near = 0.5, .far = 1, .rim = 5});
-  const double longest = kMostPoints * step_s_, played = motion_.played_s(filmTime_s);
-  const double end = std::min(motion_.length_s(), played + longest);
-  const double recent = std::max(motion_.played_s(std::max(0.0, filmTime_s - kRecent_s)), played - longest);
+  const Trail trail = motion_.trail(filmTime_s, kMostPoints * step_s_);
   const draw::Color& color = canvas.colors.axis;
-  if (future_) addPath(canvas, state, played, end, mixed(color, canvas.colors.paper, kPaleShare), 1.2, 0);
-  addPath(canvas, state, std::max(0.0, recent - longest), recent, color, 1.8, kLift);
-  addPath(canvas, state, recent, played, color, 2.9, kLift);
+  if (future_) addPath(canvas, state, trail.now, trail.end, mixed(color, canvas.colors.paper, kPaleShare), 1.2, 0);
+  addPath(canvas, state, trail.from, trail.recent, color, 1.8, kLift);
+  addPath(canvas, state, trail.recent, trail.now, color, 2.9, kLift);
   canvas.dot(point_V(state), 0.028, canvas.colors.axis);
 }
 

@@ -13,6 +13,14 @@ constexpr double kNameSize = 1.15;  // in ordinary labels
 constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
 
+/// Right of an arrow that is upright in the picture, and square to the others, but beyond the tip of those that
+/// lie: there it goes from one side to the other.
+glm::vec2 besideTip(glm::vec2 along) {
+  const float upright = std::clamp(along.y / 0.3f, -1.0f, 1.0f);
+  const glm::vec2 square(std::abs(along.y), -along.x * upright);
+  return square + (1 - std::abs(upright)) * along;
+}
+
 }  // namespace
 
 // ---- L
@@ -23,7 +31,8 @@ void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   const Vector3d tip_V = scale_ * state.L_V;
   if (tip_V.isZero(0)) return;
   canvas.arrow(tip_V, kRadius, canvas.colors.L);
-  canvas.labelAt(scene::LabelName::kL, canvas.at_px(tip_V), {1, 0}, canvas.colors.L, kNameSize, 0.35 / kNameSize);
+  const glm::vec2 tip = canvas.at_px(tip_V), along = softUnit(tip - canvas.at_px(Vector3d::Zero()), 1);
+  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, kNameSize, 0.35 / kNameSize);
 }
 
 std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {

@@ -103,6 +103,16 @@ TEST_F(RenderCommand, EarlierOutputIsReplacedAForeignFileIsNot) {
   }
 }
 
+TEST_F(RenderCommand, AFilmThatRepeatsSaysWhatItChanged) {
+  const auto result = run(folder_, {"render", "a.toml", "--loop", "--dry-run"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("the film repeats after "));
+  EXPECT_THAT(result.err, HasSubstr("omega at the start changed by "));
+  EXPECT_EQ(run(folder_, {"render", "a.toml", "--loop", "--dry-run", "--quiet"}).err, "");
+  EXPECT_THAT(run(folder_, {"render", "a.toml", "--loop", "-D", "motion.drag.rate=0.1", "--dry-run"}).err,
+              HasSubstr("--loop: error: time.loop: what acts on the body"));
+}
+
 TEST_F(RenderCommand, ForeignFileInASequenceStopsAllOfIt) {
   good({"render", "a.toml", "--frames", "0-1", "-o", "s_{frame}.png"});
   const auto earlier = bytes("s_0.png");

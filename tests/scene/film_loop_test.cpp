@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films that repeat: what time.loop makes of a scene. That the start is the nearest one is tests/physics'
+// (closed_motion_test.cpp, against theta functions); here it is followed through the scene by the motion itself.
+#include "scene/film_loop.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "scene/make_motion.h"
+#include "scene_testing.h"
+
+namespace poinsot::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kLoop = "[time]\nloop = true\n";
+
+struct Body {
+  const char* name;
+  const char* text;
+};
+
+const Body kBodies[] = {
+    {"asymmetric", "[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [0.4, 1.5, 0.8]\n"},
+    {"turned axes",
+     "[body]\ninertia = [[2, 0.3, 0], [0.3, 3, 0.1], [0, 0.1, 4]]\n[motion]\nomega_body = [1, 2, 0.5]\n"},
+    {"prolate", "[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nomega_body = [0.8, 0.3, 2]\n"},
+    {"oblate", "[body]\nprincipal_moments = [1, 1, 1.9]\n[motion]\nomega_body = [0.1, 0, 5]\n"},
+    {"steady", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2.2]\n"},
+    {"flipping", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.01, 3, 0]\n"}};
+
+TEST(FilmLoop, TheAttitudeComesBackAfterAllFrames) {
+  for (const Body& body : kBodies) {
+    SCOPED_TRACE(body.name);
+    const Scene plain = parseScene(body.text, "a.toml"), loop = parseScene(body.text + kLoop, "a.toml");
+    ASSERT_TRUE(loop.time.loop);
+    const double frames = loop.time.duration_s * loop.time.fps.value();
+    EXPECT_NEAR(frames, std::round(frames), 1e-9);
+    const double period_s = std::round(frames) / loop.time.fps.value() * *loop.time.speed;
+    const auto motion = makeMotion(loop, 0, period_s);
+    const auto first = motion->at(0), last = motion->at(period_s);
+    EXPECT_LT(first.q_WB.angularDistance(last.q_WB), 1e-12);  // measured 1.0e-14
+    EXPECT_LT((first.omega_B - last.omega_B).norm(), 1e-12 * first.omega_B.norm());
+    const auto L = [](const Scene& scene) {
+      return scene.body.axes.moments().angularMomentum(scene.body.axes.toP(scene.motion.omega_B)).norm();
+    };
+    EXPECT_NEAR(L(loop) / L(plain), 1, 1e-14);
+  }
+}
+
+TEST(FilmLoop, SaysWhatItChanged) {
+  const std::string text = kBodies[0].text;
+  const Scene plain = parseScene(text, "a.toml"), loop = parseScene(text + kLoop, "a.toml");
+  const Loop& changed = *loop.time.loop;
+  const Eigen::Vector3d before = plain.motion.omega_B, after = loop.motion.omega_B;
+  EXPECT_NEAR(changed.change, (after - before).norm() / before.norm(), 1e-12);
+  EXPECT_NEAR(changed.turned_rad, std::acos(after.dot(before) / after.norm() / before.norm()), 1e-9);
+  EXPECT_EQ(changed.speedAsked, chosenSpeed(plain));
+  EXPECT_EQ(changed.durationAsked_s, plain.time.duration_s);
+  EXPECT_NEAR(loop.time.duration_s * *loop.time.speed, changed.period_s, 1e-9 * changed.period_s);
+  EXPECT_NEAR(*loop.time.speed / changed.speedAsked, 1, 0.01);  // by less than half a frame of the film
+}
+
+TEST(FilmLoop, IsRefusedWhereNothingComesBack) {
+  const std::string free = kBodies[0].text;
+  EXPECT_THAT(messagesOf(free + "[motion.drag]\nrate = 0.1\n" + kLoop, {}),
+              HasSubstr("time.loop: what acts on the body never lets the whole motion come back"));
+  EXPECT_THAT(messagesOf(free + kLoop + "speed = 0\n", {}), HasSubstr("time.loop: nothing moves at speed 0"));
+  EXPECT_THAT(
+      messagesOf("[body]\nprincipal_moments = [1, 2, 2.25]\n[motion]\nomega_body = [0.75, 0.5, 1]\n" + kLoop, {}),
+      HasSubstr("separatrix"));
+  EXPECT_THAT(messagesOf(free + kLoop + "[[timeline]]\nat = 2\nspeed = 0.5\n", {}), HasSubstr("time.loop"));
+}
+
+}  // namespace
+}  // namespace poinsot::scene
