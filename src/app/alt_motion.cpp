@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -178,6 +179,11 @@ std::string dragSentence(const Eigen::Vector3d& rate_P) {
   return fmt::format("Drag slows it down, in {} to 1/e of its spin.", timeWords(1 / rate_P[0]));
 }
 
+/// Steps that give a torque in one set of axes have zeros in the other.
+bool acts(const physics::TorqueHistory& history) {
+  return std::ranges::any_of(history.torque, [](const Eigen::Vector3d& torque) { return !torque.isZero(0); });
+}
+
 void addTorque(Sentences& sentences, const Eigen::Vector3d& torque, bool changes, const char* where) {
   if (changes) sentences.push_back(fmt::format("A torque that changes with time acts on it, {}.", where));
   if (torque.isZero(0)) return;
@@ -194,8 +200,8 @@ Sentences drivenSentences(const scene::Scene& scene) {
   rest.gravity_B.setZero();
   if (!forcing.gravity_B.isZero(0))
     for (const std::string& sentence : gravitySentences(scene, rest.none())) sentences.push_back(sentence);
-  addTorque(sentences, forcing.torque_B, !forcing.torqueHistory_B.empty(), "fixed in the body");
-  addTorque(sentences, forcing.torque_W, !forcing.torqueHistory_W.empty(), "fixed in space");
+  addTorque(sentences, forcing.torque_B, acts(forcing.torqueHistory_B), "fixed in the body");
+  addTorque(sentences, forcing.torque_W, acts(forcing.torqueHistory_W), "fixed in space");
   if (!forcing.dragRate_P.isZero(0)) sentences.push_back(dragSentence(forcing.dragRate_P));
   rest = forcing;
   rest.dissipation = 0;

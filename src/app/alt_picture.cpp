@@ -8,6 +8,7 @@
 #include "app/alt_sections.h"
 #include "app/alt_words.h"
 #include "draw/color.h"
+#include "scene/state_quantity.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
 #include "text/math_setter.h"
@@ -155,6 +156,25 @@ Sentences viewSentences(const scene::Scene& scene) {
   return sentences;
 }
 
+/// "omega 1, omega 2 and theta"
+std::string quantityWords(const std::vector<int>& quantities) {
+  std::string words;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const char* between = i == 0 ? "" : i + 1 == quantities.size() ? " and " : ", ";
+    words += between + text::setTex("$" + std::string(scene::stateQuantity(quantities[i]).tex) + "$").plainText;
+  }
+  return words;
+}
+
+std::string plotSentence(const scene::Plot& plot) {
+  const std::string across = plot.x                                ? quantityWords({*plot.x})
+                             : plot.time == scene::PlotTime::kFilm ? "the time of the film"
+                                                                   : "time";
+  const std::string title = text::setTex(plot.title).plainText;
+  return fmt::format("A plot{} shows {} against {}, with a cursor at the instant of the picture.",
+                     title.empty() ? "" : ", “" + title + "”,", quantityWords(plot.quantities), across);
+}
+
 std::string exaggerationSentence(double factor) {
   return fmt::format(
       "The angles between ω, L and the axis are drawn as if the part of ω across the axis were {} times larger.",
@@ -183,6 +203,7 @@ std::string filmSentence(const scene::Scene& scene) {
 Sentences pictureSentences(const scene::Scene& scene) {
   Sentences sentences = viewSentences(scene);
   for (const std::string& sentence : colorSentences(scene)) sentences.push_back(sentence);
+  for (const scene::Plot& plot : scene.plots) sentences.push_back(plotSentence(plot));
   if (scene.show.exaggerateAngles > 1) sentences.push_back(exaggerationSentence(scene.show.exaggerateAngles));
   sentences.push_back(filmSentence(scene));
   return sentences;

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of half the picture's width: with the usual angle of view, things at its edge are a fifth wider by it.
-constexpr double kMostAside = 0.7;
+// Of half the picture's width: with the usual angle of view, things at its edge are a quarter wider by it.
+constexpr double kMostAside = 0.85;
 
 /// An extent in camera axes about the centre: x right, y up, z towards the eye.
 struct Seen {

@@ -25,7 +25,8 @@ constexpr double kTolerance = 2.5e-5, kWidestTolerance = 5e-4;
 constexpr int kColumns = 4096;               // a picture has at most twice as many
 constexpr std::size_t kMostPoints = 20'000;  // of one curve, so that a film of an hour is drawn in time
 constexpr std::size_t kPointsPerPixel = 4;
-constexpr double kLeastArea = 0.4;  // of the panel's width, for curves: else the type is set smaller
+constexpr double kLeastArea = 0.4;      // of the panel's width, for curves: else the type is set smaller
+constexpr double kSmallestArea = 0.25;  // the same, where that is smaller than type on paper should be
 
 // What even half a pixel of tolerance leaves too much of goes round and round: its first rounds show it all.
 std::vector<PlotPoint> bounded(const std::vector<PlotPoint>& points) {
@@ -161,7 +162,8 @@ PlotPen PlotFigure::Plan::pen(const Sizing& sizing, glm::vec2 panel_px) const {
     PlotFrame any = frame;
     any.equalScales = false;
     const PixelBox area = curveArea(panel, any, rightRoom(pen), pen);
-    return area.width() < kLeastArea * panel.width() || area.height() < kLeastArea * panel.height();
+    const double least = pen.em_px > sizing.least_px ? kLeastArea : kSmallestArea;
+    return area.width() < least * panel.width() || area.height() < least * panel.height();
   };
   while (small()) pen.em_px *= 0.9;
   return pen;

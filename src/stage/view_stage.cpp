@@ -30,6 +30,7 @@ Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& m
       for (const Eigen::Vector3d& point_V : shown.actor->outermostPoints(state)) whole.points_V.push_back(point_V);
   }
   if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
+  whole.points_V.push_back(Eigen::Vector3d::Zero());  // where arrows begin
   return whole;
 }
 

@@ -100,6 +100,17 @@ TEST(AltText, OfAHeavyTop) {
   EXPECT_THAT(text, Not(HasSubstr("never changes")));  // L is turned by gravity
 }
 
+TEST(AltText, OfTorquesAndPlots) {
+  const std::string text = altText(sceneOf(
+      "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n[[motion.torque.step]]\nfrom = 1\n"
+      "body = [0, 0, 0.5]\n[[plot]]\nquantities = [\"omega_1\", \"omega_2\"]\ntitle = 'All'\n"
+      "[[plot]]\nquantities = [\"omega_2\"]\nx = \"omega_1\"\n"));
+  EXPECT_THAT(text, HasSubstr("A torque that changes with time acts on it, fixed in the body."));
+  EXPECT_THAT(text, Not(HasSubstr("fixed in space")));
+  EXPECT_THAT(text, HasSubstr("A plot, “All”, shows ω₁ and ω₂ against time, with a cursor"));
+  EXPECT_THAT(text, HasSubstr("A plot shows ω₂ against ω₁, with a cursor at the instant of the picture."));
+}
+
 TEST(AltText, OfLosses) {
   const scene::Scene scene = galleryScene("explorer_1");
   const json info = numbersOf(scene);
