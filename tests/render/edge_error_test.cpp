@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// How good edges are: each kind alone, and whole pictures, against 16 x 16 samples a pixel (fine_picture.h). The
+// measure is the mean over the pixels that an edge runs through, and over their three channels, of the absolute
+// difference in sRGB, in 1/255. At most 2 is asked for.
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+
+#include "fine_picture.h"
+#include "image/png_file.h"
+#include "mesh_sample.h"
+#include "picture_test.h"
+
+namespace poinsot::render {
+namespace {
+
+using draw::DrawList;
+using glm::mat3;
+using glm::vec3;
+
+constexpr int kSamples = 16;  // along a pixel's side
+constexpr float kPi = std::numbers::pi_v<float>;
+
+const draw::Color kBlue = draw::fromSrgb(0x0072B2), kVermilion = draw::fromSrgb(0xD55E00),
+                  kOrange = draw::fromSrgb(0xE69F00), kGreen = draw::fromSrgb(0x009E73),
+                  kInk = draw::fromSrgb(0x2B2F36);
+
+// The axes of a body that is not lined up with anything.
+mat3 turned() {
+  const vec3 u = glm::normalize(vec3(0.7f, 0.5f, 0.3f)), v = glm::normalize(glm::cross(u, vec3(-0.2f, 0.3f, 1)));
+  return {u, v, glm::cross(u, v)};
+}
+
+mat3 turned(float a, float b, float c) {
+  const mat3 axes = turned();
+  return {a * axes[0], b * axes[1], c * axes[2]};
+}
+
+void addArrow(DrawList& list, vec3 from, vec3 to, float radius, draw::Color color) {
+  const vec3 neck = to - 9 * radius * glm::normalize(to - from);
+  draw::Curve shaft;
+  shaft.points_W = {from, neck + 0.1f * (to - neck)};
+  shaft.radius_W = radius;
+  shaft.material = {color, 0.3f};
+  list.curves.push_back(shaft);
+  list.frustums.push_back({neck, to, 3 * radius, 0, {color, 0.3f}});
+}
+
+draw::Curve ringOf(mat3 semiAxes, float tilt, float width_px, draw::Color color, float lift) {
+  draw::Curve curve;
+  for (int i = 0; i < 240; ++i) {
+    const float s = 2 * kPi * static_cast<float>(i) / 240;
+    const vec3 unit(std::cos(s) * std::cos(tilt), std::sin(s) * std::cos(tilt),
+                    std::sin(tilt) * std::cos(2 * s));
+    curve.points_W.push_back(semiAxes * glm::normalize(unit));
+  }
+  curve.closed = true;
+  curve.width_px = width_px;
+  curve.lift_W = lift;
+  curve.material = {color, 0};
+  return curve;
+}
+
+draw::GridPlane gridAt(float height, float half) {
+  draw::GridPlane plane;
+  plane.centre_W = {0, 0, height};
+  plane.u_W = half * vec3(0.8f, 0.6f, 0);
+  plane.v_W = half * vec3(-0.6f, 0.8f, 0);
+  plane.spacing_W = 0.2f;
+  plane.color = kBlue;
+  plane.lineColor = kBlue;
+  plane.lineWidth_px = 1.2f;
+  plane.shadowCentre_W = {0.1f, 0.2f, height};
+  plane.shadowRadius_W = 0.15f;
+  plane.shadowOpacity = 0.22f;
+  return plane;
+}
+
+draw::GlassEllipsoid glassOf(mat3 semiAxes, bool graticule) {
+  draw::GlassEllipsoid glass;
+  glass.semiAxes_W = semiAxes;
+  glass.color = kOrange;
+  if (graticule) glass.graticule = draw::Graticule{kVermilion, 1.2f, 0.75f, 0.3f};
+  return glass;
+}
+
+// The axes of a body, leaving it on either side.
+void addAxes(DrawList& list, mat3 semiAxes) {
+  for (int k = 0; k < 3; ++k) addArrow(list, -1.5f * semiAxes[k], 1.8f * semiAxes[k], 0.02f, kInk);
+}
+
+class EdgeErrorTest : public PictureTest {
+ protected:
+  struct Error {
+    double mean = 0;
+    int worst = 0, count = 0;
+  };
+
+  /// As emptyList(), from a little above.
+  static DrawList fromAbove() {
+    DrawList list = emptyList();
+    list.camera = draw::lookAt({9.2f, 1.4f, 3.6f}, vec3(0), {0, 0, 1}, 1.0f, {kSize.width, kSize.height});
+    list.camera.tanHalfFovY = 0.1f;
+    list.camera.near = 5;
+    list.camera.far = 15;
+    return list;
+  }
+
+  Error errorOf(const DrawList& list, const std::string& name) {
+    const image::Image picture = render(list);
+    const FinePicture fine = finePicture(renderer_, list, kSamples);
+    Error error;
+    image::Image map(kSize, 3);
+    for (std::size_t i = 0; i < fine.edge.size(); ++i) {
+      if (!fine.edge[i]) continue;
+      ++error.count;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const int step = std::abs(picture.pixels[3 * i + c] - fine.mean.pixels[3 * i + c]);
+        error.mean += step;
+        error.worst = std::max(error.worst, step);
+        map.pixels[3 * i + c] = static_cast<std::uint8_t>(std::min(255, 8 * step));
+      }
+    }
+    error.mean /= std::max(3 * error.count, 1);
+    if (const char* folder = std::getenv("EDGE_PICTURES")) {
+      for (const auto& [what, p] : {std::pair{"_is", &picture}, {"_fine", &fine.mean}, {"_map", &map}}) {
+        const auto bytes = image::encodePng(*p);
+        std::FILE* f = std::fopen((std::string(folder) + "/" + name + what + ".png").c_str(), "wb");
+        std::fwrite(bytes.data(), 1, bytes.size(), f);
+        std::fclose(f);
+      }
+    }
+    std::printf("%-28s %6d edge pixels, mean %5.2f, worst %3d\n", name.c_str(), error.count, error.mean,
+                error.worst);
+    return error;
+  }
+
+  void expectGood(const DrawList& list, const std::string& name, double bound = 2) {
+    const Error error = errorOf(list, name);
+    EXPECT_GT(error.count, 100) << name;
+    EXPECT_LE(error.mean, bound) << name;
+  }
+};
+
+TEST_F(EdgeErrorTest, Solids) {
+  DrawList list = fromAbove();
+  list.ellipsoids.push_back({vec3(0), turned(0.8f, 0.5f, 0.3f), {kGreen, 0.3f}});
+  expectGood(list, "ellipsoid");
+  list.ellipsoids[0].marking_px = 1.5f;
+  expectGood(list, "ellipsoid, marked");
+
+  list = fromAbove();
+  list.boxes.push_back({vec3(0), turned(0.7f, 0.45f, 0.2f), {kGreen, 0.3f}});
+  expectGood(list, "box");
+
+  list = fromAbove();
+  list.meshes.push_back(meshOf(torus(0.3f, 60, 30), turned(0.6f, 0.6f, 0.6f), {kGreen, 0.3f}));
+  expectGood(list, "torus");
+
+  list = fromAbove();
+  list.frustums.push_back({{0, -0.6f, -0.3f}, {0.2f, 0.5f, 0.4f}, 0.3f, 0.3f, {kGreen, 0.3f}});
+  expectGood(list, "cylinder");
+  list.frustums = {{{0, -0.6f, -0.3f}, {0.8f, 0.5f, 0.4f}, 0.4f, 0, {kGreen, 0.3f}}};
+  expectGood(list, "cone");
+  list.frustums = {{{0, 0.6f, 0.3f}, {0.3f, 0.5f, -0.4f}, 0.5f, 0.2f, {kGreen, 0.3f}}};
+  expectGood(list, "frustum");
+
+  list = fromAbove();
+  for (int i = 0; i < 8; ++i) {
+    const float s = 2 * kPi * (static_cast<float>(i) + 0.3f) / 8;
+    const vec3 tip(0.3f * std::cos(s + 1), 0.9f * std::cos(s), 0.85f * std::sin(s));
+    addArrow(list, 0.2f * tip, tip, i % 2 ? 0.02f : 0.012f, i % 2 ? kBlue : kVermilion);
+  }
+  expectGood(list, "arrows");
+}
+
+TEST_F(EdgeErrorTest, Lines) {
+  DrawList list = fromAbove();
+  const mat3 axes = turned(0.9f, 0.8f, 0.8f);
+  for (int i = 0; i < 4; ++i)
+    list.curves.push_back(
+        ringOf(axes, 0.3f * static_cast<float>(i), 1 + 0.7f * static_cast<float>(i), i % 2 ? kBlue : kInk, 0));
+  expectGood(list, "curves");
+
+  list = fromAbove();
+  for (int i = 0; i < 12; ++i) {
+    const float s = kPi * (static_cast<float>(i) + 0.2f) / 12;
+    draw::Curve line;
+    line.points_W = {{0, 0.9f * std::cos(s), 0.9f * std::sin(s)}, {0, 0.3f * std::cos(s), 0.3f * std::sin(s)}};
+    line.width_px = 0.6f + 0.3f * static_cast<float>(i);
+    line.material = {kInk, 0};
+    list.curves.push_back(line);
+  }
+  expectGood(list, "straight lines");
+
+  list = fromAbove();
+  list.planes = {gridAt(0, 0.9f)};
+  expectGood(list, "grid");
+}
+
+TEST_F(EdgeErrorTest, Glass) {
+  DrawList list = fromAbove();
+  list.glassEllipsoids = {glassOf(turned(0.9f, 0.6f, 0.4f), false)};
+  expectGood(list, "glass ellipsoid");
+  list.glassEllipsoids = {glassOf(turned(0.9f, 0.6f, 0.4f), true)};
+  expectGood(list, "graticule");
+  list.boxes.push_back({vec3(0), turned(0.75f, 0.65f, 0.2f), {kGreen, 0.3f}});
+  expectGood(list, "glass cuts a box");
+  list.boxes.clear();
+  list.ellipsoids.push_back({vec3(0), turned(0.75f, 0.65f, 0.45f), {kGreen, 0.3f}});
+  expectGood(list, "glass cuts a solid");
+
+  list = fromAbove();
+  draw::GlassCone cone;
+  cone.apex_W = {0, 0, -0.6f};
+  cone.axis_W = {0.2f, 0.3f, 1};
+  cone.height_W = 1;
+  cone.halfAngle_rad = 0.4f;
+  cone.color = kVermilion;
+  cone.lineColor = kVermilion;
+  list.glassCones = {cone};
+  expectGood(list, "glass cone");
+  list.glassEllipsoids = {glassOf(turned(0.9f, 0.6f, 0.4f), false)};
+  expectGood(list, "cone through ellipsoid");
+
+  list = fromAbove();
+  list.glassPolygons = {{{{0, -0.7f, -0.6f}, {0.2f, 0.8f, -0.4f}, {0, 0.1f, 0.8f}}, kBlue, 0.2f, kBlue, 1, 1.5f}};
+  expectGood(list, "polygon");
+}
+
+TEST_F(EdgeErrorTest, Seams) {
+  DrawList list = fromAbove();
+  const mat3 axes = turned(0.7f, 0.5f, 0.3f);
+  list.ellipsoids.push_back({vec3(0), axes, {kGreen, 0.3f}});
+  addAxes(list, axes);
+  expectGood(list, "axes leave an ellipsoid");
+
+  list = fromAbove();
+  list.boxes.push_back({vec3(0), axes, {kGreen, 0.3f}});
+  addAxes(list, axes);
+  expectGood(list, "axes leave a box");
+
+  list = fromAbove();
+  list.ellipsoids.push_back({{0, -0.3f, 0}, turned(0.6f, 0.5f, 0.4f), {kGreen, 0.3f}});
+  list.ellipsoids.push_back({{0.1f, 0.3f, 0}, turned(0.4f, 0.5f, 0.6f), {kBlue, 0.3f}});
+  list.frustums.push_back({{0.3f, -0.3f, -0.3f}, {0.3f, 0.5f, 0.4f}, 0.25f, 0.25f, {kVermilion, 0.3f}});
+  expectGood(list, "solids cut each other");
+
+  list = fromAbove();
+  list.boxes.push_back({{0, -0.2f, 0}, axes, {kGreen, 0.3f}});
+  list.ellipsoids.push_back({{0.1f, 0.3f, 0}, turned(0.4f, 0.5f, 0.6f), {kBlue, 0.3f}});
+  expectGood(list, "ellipsoid cuts a box");
+}
+
+// As a film shows it: plane, glass, body, vectors, polhode and herpolhode.
+TEST_F(EdgeErrorTest, PoinsotsConstruction) {
+  DrawList list = fromAbove();
+  const mat3 glass = turned(0.8f, 0.55f, 0.4f);
+  list.planes = {gridAt(-0.5f, 0.95f)};
+  list.glassEllipsoids = {glassOf(glass, true)};
+  list.boxes.push_back({vec3(0), turned(0.15f, 0.3f, 0.45f), {kGreen, 0.3f}});
+  addAxes(list, turned(0.2f, 0.35f, 0.5f));
+  addArrow(list, vec3(0), {0, 0, 0.9f}, 0.02f, kBlue);
+  addArrow(list, vec3(0), {0.1f, 0.3f, -0.5f}, 0.02f, kVermilion);
+  list.ellipsoids.push_back({{0.1f, 0.3f, -0.5f}, mat3(0.03f), {kInk, 0.3f}});
+  list.curves.push_back(ringOf(glass, 0.8f, 2, kVermilion, 0.01f));
+  list.curves.push_back(ringOf({0.55f, 0, 0, 0, 0.55f, 0, 0, 0, 0.1f}, 0.0f, 2, kOrange, 0.01f));
+  for (vec3& p : list.curves.back().points_W) p.z -= 0.5f;
+  expectGood(list, "Poinsot's construction");
+  list.camera = draw::orthographic(list.camera, vec3(0));
+  expectGood(list, "parallel rays");
+}
+
+}  // namespace
+}  // namespace poinsot::render

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fine_picture.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace poinsot::render {
+namespace {
+
+constexpr int kStep = 2;        // of 255, between neighbouring samples, that makes an edge
+constexpr int kPartOfSide = 4;  // a part is as large as so many pictures side by side, and as many below
+
+image::PixelSize sizeOf(const draw::DrawList& list) {
+  return {static_cast<int>(list.camera.size_px.x), static_cast<int>(list.camera.size_px.y)};
+}
+
+bool differ(const std::uint8_t* a, const std::uint8_t* b) {
+  return std::abs(a[0] - b[0]) > kStep || std::abs(a[1] - b[1]) > kStep || std::abs(a[2] - b[2]) > kStep;
+}
+
+// Samples from (left, top) on are one pixel.
+bool holdsEdge(const image::Image& samples, int left, int top, int n) {
+  for (int y = top; y < top + n; ++y)
+    for (int x = left; x < left + n; ++x) {
+      const std::uint8_t* here = samples.at(x, y);
+      if (x + 1 < left + n && differ(here, samples.at(x + 1, y))) return true;
+      if (y + 1 < top + n && differ(here, samples.at(x, y + 1))) return true;
+    }
+  return false;
+}
+
+glm::dvec3 meanLight(const image::Image& samples, int left, int top, int n) {
+  glm::dvec3 sum(0);
+  for (int y = top; y < top + n; ++y)
+    for (int x = left; x < left + n; ++x)
+      for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(draw::linearFromSrgb8(samples.at(x, y)[c]));
+  return sum / static_cast<double>(n * n);
+}
+
+}  // namespace
+
+draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, image::PixelSize size) {
+  const auto factor = static_cast<float>(n);
+  draw::DrawList large = list;
+  large.texts.clear();
+  draw::Camera& camera = large.camera;
+  // The focal length in pixels goes with the height of the picture, which is that of a part here.
+  const float part = static_cast<float>(size.height) / (factor * list.camera.size_px.y);
+  camera.tanHalfFovY *= part;
+  camera.halfHeight_W *= part;
+  camera.size_px = {size.width, size.height};
+  camera.centre_px = factor * list.camera.centre_px - glm::vec2(from_px);
+  for (draw::Ellipsoid& e : large.ellipsoids) e.marking_px *= factor;
+  for (draw::Mesh& m : large.meshes) m.edge_px *= factor;
+  for (draw::Curve& c : large.curves) c.width_px *= factor;
+  for (draw::GlassEllipsoid& e : large.glassEllipsoids)
+    if (e.graticule) e.graticule->width_px *= factor;
+  for (draw::GlassCone& c : large.glassCones) c.lineWidth_px *= factor;
+  for (draw::GlassPolygon& p : large.glassPolygons) p.lineWidth_px *= factor;
+  for (draw::GridPlane& p : large.planes) p.lineWidth_px *= factor;
+  return large;
+}
+
+FinePicture finePicture(Renderer& renderer, const draw::DrawList& list, int n) {
+  const image::PixelSize size = sizeOf(list);
+  FinePicture fine{image::Image(size, 3), std::vector<bool>(static_cast<std::size_t>(size.width * size.height))};
+  // A part is a whole number of pixels.
+  const int columns = kPartOfSide * size.width / n * n, rows = kPartOfSide * size.height / n * n;
+  for (int top = 0; top < n * size.height; top += rows)
+    for (int left = 0; left < n * size.width; left += columns) {
+      const image::PixelSize part{std::min(columns, n * size.width - left), std::min(rows, n * size.height - top)};
+      const image::Image samples = renderer.render(magnified(list, n, {left, top}, part), part);
+      for (int y = 0; y < part.height / n; ++y)
+        for (int x = 0; x < part.width / n; ++x) {
+          const int px = left / n + x, py = top / n + y;
+          const glm::dvec3 light = meanLight(samples, n * x, n * y, n);
+          for (int c = 0; c < 3; ++c)
+            fine.mean.at(px, py)[c] = draw::srgb8FromLinear(static_cast<float>(light[c]));
+          fine.edge[static_cast<std::size_t>(py * size.width + px)] = holdsEdge(samples, n * x, n * y, n);
+        }
+    }
+  return fine;
+}
+
+}  // namespace poinsot::render
