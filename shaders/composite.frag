@@ -106,10 +106,10 @@ void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
 #if PLANES > 0
 // One family of grid lines at coordinate c (in spacings); fades where lines come closer than a few pixels.
 float gridLines(float c, float width_px) {
-  float slope = max(length(vec2(dFdx(c), dFdy(c))), 1e-9);
-  float spacing_px = 1.0 / slope;
+  vec2 slope = vec2(dFdx(c), dFdy(c));
+  float spacing_px = 1.0 / max(length(slope), 1e-9);
   float fade = clamp((spacing_px - 2.0 * width_px) / (4.0 * width_px), 0.0, 1.0);
-  return lineCover((c - round(c)) * spacing_px, width_px) * fade;
+  return lineCover(c - round(c), slope, width_px) * fade;
 }
 
 void addPlane(int k, int slot, vec2 p_px, vec3 ray) {
@@ -225,12 +225,6 @@ vec2 solidSlope(ivec2 texel, float depth) {
   return vec2(abs(left) < abs(right) ? left : right, abs(above) < abs(below) ? above : below);
 }
 
-// Which share of the pixel lies on the near side of where two surfaces cut each other: `ahead` is how much farther the
-// other one is, and slope how fast that grows.
-float shareBefore(float ahead, vec2 slope) {
-  slope.x += 1e-9;  // a direction, where the surfaces are parallel
-  return covered(vec3(slope, ahead) / length(slope));
-}
 #endif
 
 void main() {
@@ -243,6 +237,7 @@ void main() {
   colors[1] = texelFetch(nextEdgeColor, texel, 0);
   depths[1] = texelFetch(nextEdgeDepth, texel, 0).r;
   vec4 solid = texelFetch(solidColor, texel, 0);
+  solid.a = float(solid.a > 0.0);  // it holds the solid's number
   float depth = texelFetch(solidDepth, texel, 0).r;
 #else
   vec4 solid = vec4(0.0);

@@ -3,12 +3,6 @@
 // 1 for pictures; large for the reference renderer, whose many samples see hard edges.
 uniform float sharpness;
 
-// For lines and curves, whose direction in the picture is not at hand: right on average.
-float covered(float d_px) { return clamp(0.5 + d_px * sharpness, 0.0, 1.0); }
-
-// A strip between two parallel edges, right also where it is thinner than a pixel.
-float coveredStrip(float a_px, float b_px) { return max(covered(a_px) + covered(b_px) - 1.0, 0.0); }
-
 // A straight edge as a pixel sees it: xy the unit vector towards the inside, z the distance of the pixel's centre.
 // The area is exact: a triangle until the edge has passed a corner of the pixel, then a trapezium.
 float covered(vec3 edge) {
@@ -20,7 +14,15 @@ float covered(vec3 edge) {
   return d > 0.0 ? 1.0 - smaller : smaller;
 }
 
+// A strip between two parallel edges, right also where it is thinner than a pixel.
 float coveredStrip(vec3 a, vec3 b) { return max(covered(a) + covered(b) - 1.0, 0.0); }
+
+// Which share of the pixel lies on the near side of where two surfaces cut each other: `ahead` is how much farther the
+// other one is, and slope how fast that grows.
+float shareBefore(float ahead, vec2 slope) {
+  slope.x += 1e-9;  // a direction, where the surfaces are parallel
+  return covered(vec3(slope, ahead) / length(slope));
+}
 
 // An ellipse in the picture: centre and inverse covariance (xx, xy, yy), rho = 1 on its edge. rho grows
 // linearly from the centre, so that the first-order distance is exact for a circle.
@@ -34,7 +36,9 @@ vec3 edgeAt(ScreenEllipse e, vec2 p_px) {
   vec2 q = p_px - e.centre_px;
   vec2 g = vec2(e.form.x * q.x + e.form.y * q.y, e.form.y * q.x + e.form.z * q.y);
   float rho = sqrt(max(dot(q, g), 1e-12)), slope = max(length(g), 1e-12);
-  return vec3(-g / slope, (1.0 - rho) * rho / slope);
+  // Nothing inside is farther from the edge than half the ellipse's width.
+  float across = 0.5 * (e.form.x - e.form.z), steepest = 0.5 * (e.form.x + e.form.z) + length(vec2(across, e.form.y));
+  return vec3(-g / slope, min((1.0 - rho) * rho / slope, inversesqrt(steepest)));
 }
 
 // A line (a, b, c): a x + b y + c, (a, b) a unit vector towards the inside.

@@ -4,6 +4,7 @@
 #include "shading.glsl"
 #include "emit.glsl"
 
+uniform float solid;
 uniform vec3 color;
 uniform float gloss;
 uniform float lift;  // towards the eye
@@ -13,7 +14,10 @@ noperspective in vec4 tangentOut_C;
 
 void main() {
   float offset = acrossOut.x, halfWidth = acrossOut.y;
-  float coverage = coveredStrip(halfWidth - offset, halfWidth + offset) * covered(acrossOut.z);
+  // Linear over a piece, so that the derivatives tell its direction exactly.
+  vec2 inwards = -normalize(vec2(dFdx(offset), dFdy(offset)) + vec2(1e-9, 0.0));
+  float coverage = coveredStrip(vec3(inwards, halfWidth - offset), vec3(-inwards, halfWidth + offset));
+  coverage *= covered(vec3(inwards.yx, acrossOut.z));
   float t = acrossOut.w;
 #if TUBE
   float u = clamp(offset / max(halfWidth, 1e-6), -1.0, 1.0), front = sqrt(1.0 - u * u);
@@ -26,5 +30,5 @@ void main() {
 #else
   vec3 shown = color;
 #endif
-  emit(shown, coverage, toDepth(t - lift));
+  emit(solid, shown, coverage, toDepth(t - lift));
 }

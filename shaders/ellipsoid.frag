@@ -9,6 +9,7 @@ uniform vec3 centre_C;
 uniform mat3 toUnitSphere;  // inverse of the semi-axis matrix
 uniform vec2 outlineCentre_px;
 uniform vec3 outlineForm;
+uniform float solid;
 uniform vec3 color;
 uniform float gloss;
 uniform vec4 marking;  // colour of the lines on it, and their width in px (0: none)
@@ -26,5 +27,5 @@ void main() {
   vec3 s = o + (t - t0) * d;
   vec3 n_C = normalize(s * toUnitSphere);  // transpose(inverse) of the semi-axes, times s
   float lines = marking.a > 0.0 ? markings(s, marking.a) : 0.0;
-  emit(shade(Material(mix(color, marking.rgb, lines), gloss), n_C, -normalize(ray)), coverage, toDepth(t));
+  emit(solid, shade(Material(mix(color, marking.rgb, lines), gloss), n_C, -normalize(ray)), coverage, toDepth(t));
 }

@@ -1,23 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a solid's fragment is kept. EDGES 0 keeps what fills its pixel; EDGES 1 the nearest fragment that fills only part
-// of it and lies behind the edge found before (none in the first edge pass: nothing is bound then, which reads as 0).
-// The composite puts them together in order of depth.
+// of it and lies behind the edge found before (none in the first edge pass: nothing is bound then, which reads as 0);
+// EDGES 2 what fills its pixel behind another solid, but comes forward within it, as the two cut each other there.
+// The composite puts them together in order of depth. EDGES 2 wants coverage.glsl before.
 out vec4 fragment;
-#if EDGES
+#if EDGES == 1
 uniform sampler2D edgeBefore;
+#elif EDGES == 2
+uniform sampler2D fullColor, fullDepth;  // alpha: the solid's number
 #endif
 
 // An edge must be this much farther to be another edge and not the same one again.
 const float kSameDepth = 1e-6;
 
-void emit(vec3 color, float coverage, float depth) {
-#if EDGES
+#if EDGES == 2
+const float kNumber = 1.0 / 65535.0;
+
+bool isSame(float a, float b) { return abs(a - b) < 0.5 * kNumber; }
+
+// How the depth of the solid in front grows in the direction of `step`, as far as that solid reaches.
+float slopeInFront(ivec2 texel, ivec2 step, float depth, float number) {
+  float before = depth - texelFetch(fullDepth, texel - step, 0).r;
+  float after = texelFetch(fullDepth, texel + step, 0).r - depth;
+  bool isBefore = isSame(texelFetch(fullColor, texel - step, 0).a, number);
+  bool isAfter = isSame(texelFetch(fullColor, texel + step, 0).a, number);
+  float flatter = abs(before) < abs(after) ? before : after;
+  return isBefore ? (isAfter ? flatter : before) : (isAfter ? after : 0.0);
+}
+#endif
+
+// `solid` is its number, of 65535; 1: it has no seams, as a flat line.
+void emit(float solid, vec3 color, float coverage, float depth) {
+#if EDGES == 2
+  vec2 slope = vec2(dFdx(depth), dFdy(depth));
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  float number = texelFetch(fullColor, texel, 0).a, inFront = texelFetch(fullDepth, texel, 0).r;
+  if (coverage < 0.998 || number < 1.5 * kNumber || isSame(number, solid)) discard;
+  vec2 other = vec2(slopeInFront(texel, ivec2(1, 0), inFront, number), slopeInFront(texel, ivec2(0, 1), inFront, number));
+  float share = shareBefore(inFront - depth, other - slope);
+  if (share < 0.002) discard;
+  fragment = vec4(color, share);
+  gl_FragDepth = inFront;
+#elif EDGES == 1
   if (coverage < 0.002 || coverage >= 0.998) discard;
   if (depth <= texelFetch(edgeBefore, ivec2(gl_FragCoord.xy), 0).r + kSameDepth) discard;
   fragment = vec4(color, coverage);
+  gl_FragDepth = depth;
 #else
   if (coverage < 0.998) discard;
-  fragment = vec4(color, 1.0);
-#endif
+  fragment = vec4(color, solid);
   gl_FragDepth = depth;
+#endif
 }

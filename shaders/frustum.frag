@@ -12,6 +12,7 @@ uniform vec4 discCentres_px;
 uniform vec3 firstForm, secondForm;
 uniform vec3 sides[4];       // edges of the strip, 0 and 2 the silhouette; all (0, 0, -1) when there is none
 uniform int visibleCap;      // 0: none, 1: first disc, 2: second
+uniform float solid;
 uniform vec3 color;
 uniform float gloss;
 
@@ -56,5 +57,5 @@ void main() {
   float size = max(max(radii.x, radii.y), 1e-6);
   float tAxis = t0 + dot(toFirst_C + clamp(ou, 0.0, radii.z) * axis_C - t0 * ray, ray) / dot(ray, ray);
   t = clamp(t, tAxis - radii.z - size, tAxis + radii.z + size);
-  emit(mix(sideColor, capColor, capShare), whole, toDepth(t));
+  emit(solid, mix(sideColor, capColor, capShare), whole, toDepth(t));
 }

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines on a sphere s (unit vectors), drawn on whatever ellipsoid it was made from.
 
-float lineCover(float distance_px, float width_px) {
-  return coveredStrip(0.5 * width_px - distance_px, 0.5 * width_px + distance_px);
+// A line where `value` is 0; `slope` is how fast that grows to the right and down, per pixel.
+float lineCover(float value, vec2 slope, float width_px) {
+  float steepness = max(length(slope), 1e-9), distance_px = value / steepness;
+  vec2 across = slope / steepness;
+  return coveredStrip(vec3(-across, 0.5 * width_px - distance_px), vec3(across, 0.5 * width_px + distance_px));
 }
 
 // One family of lines at every `step` of an angle, fading where they come closer than `least_px`.
-float graticuleLines(float angle, float slope, float step, float width_px, float least_px) {
-  float spacing_px = step / max(slope, 1e-9);
+float graticuleLines(float angle, vec2 slope, float step, float width_px, float least_px) {
+  float spacing_px = step / max(length(slope), 1e-9);
   float fade = clamp(2.0 * spacing_px / least_px - 1.0, 0.0, 1.0);
-  return fade * lineCover((angle - step * round(angle / step)) / max(slope, 1e-9), width_px);
+  return fade * lineCover(angle - step * round(angle / step), slope, width_px);
 }
 
-// Latitude and longitude of s, and how fast they change, per pixel.
+// Latitude and longitude of s, and how fast they change, per pixel to the right and down.
 struct Angles {
-  float latitude, longitude, latitudeSlope, longitudeSlope;
+  float latitude, longitude;
+  vec2 latitudeSlope, longitudeSlope;
 };
 
 Angles anglesOf(vec3 s) {
   vec3 dx = dFdx(s), dy = dFdy(s);
   float r2 = max(dot(s.xy, s.xy), 1e-8);
-  return Angles(atan(s.z, sqrt(r2)), atan(s.y, s.x), length(vec2(dx.z, dy.z)) / sqrt(r2),
-                length(vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x)) / r2);
+  return Angles(atan(s.z, sqrt(r2)), atan(s.y, s.x), vec2(dx.z, dy.z) / sqrt(r2),
+                vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x) / r2);
 }
 
 // On glass: parallels every 15 degrees; meridians every 30, and every 15 where there is room, so that they fade out
@@ -33,7 +37,7 @@ float graticule(vec3 s, float width_px) {
   float minor = max(graticuleLines(a.latitude, a.latitudeSlope, kStep, width_px, 0.5 * room_px),
                     max(graticuleLines(a.longitude, a.longitudeSlope, 2.0 * kStep, width_px, 0.5 * room_px),
                         graticuleLines(a.longitude, a.longitudeSlope, kStep, width_px, 2.5 * room_px)));
-  float principal = max(lineCover(a.latitude / max(a.latitudeSlope, 1e-9), width_px),
+  float principal = max(lineCover(a.latitude, a.latitudeSlope, width_px),
                         graticuleLines(a.longitude, a.longitudeSlope, 6.0 * kStep, width_px, 0.25 * room_px));
   return max(principal, 0.55 * minor);
 }
@@ -45,6 +49,6 @@ float markings(vec3 s, float width_px) {
   Angles a = anglesOf(s);
   float rings = graticuleLines(a.latitude, a.latitudeSlope, kRing, width_px, 4.0 * width_px);
   float meridians = graticuleLines(a.longitude, a.longitudeSlope, kQuarter, width_px, 3.0 * width_px);
-  float heavy = lineCover(a.longitude / max(a.longitudeSlope, 1e-9), 2.2 * width_px);
+  float heavy = lineCover(a.longitude, a.longitudeSlope, 2.2 * width_px);
   return max(heavy, max(rings, meridians));
 }

@@ -3,5 +3,6 @@
 
 flat in vec4 shown;
 flat in float depth;
+flat in float solidOut;
 
-void main() { emit(shown.rgb, shown.a, depth); }
+void main() { emit(solidOut, shown.rgb, shown.a, depth); }

@@ -9,8 +9,11 @@ layout(location = 0) in vec4 place;                // centre in pixels, coverage
 layout(location = 1) in vec4 normals_C[kFacets];   // unit; w: share
 layout(location = 5) in vec4 materials[kFacets];   // colour, gloss
 
+layout(location = 9) in float solid;
+
 flat out vec4 shown;  // colour, coverage
 flat out float depth;
+flat out float solidOut;
 
 void main() {
   vec3 towardEye_C = -normalize(rayThrough(place.xy));
@@ -23,6 +26,7 @@ void main() {
     sum += normals_C[i].w * light;
   }
   shown = vec4(sum, place.z);
+  solidOut = solid;
   depth = toDepth(place.w);
   gl_Position = vec4(2.0 * place.xy / pictureSize_px - 1.0, 0.0, 1.0);
 }

@@ -21,6 +21,15 @@ void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
       marks.markSegment(glm::dvec2(screen.vertices[e.from]), glm::dvec2(screen.vertices[e.to]));
 }
 
+void markCells(const ScreenMesh& screen, SeamMask& seams) {
+  for (std::size_t f = 0; f < screen.front.size(); ++f) {
+    if (!screen.front[f]) continue;
+    PixelBounds bounds;
+    for (const glm::dvec3& v : screen.triangle(f)) bounds.include(glm::vec2(v));
+    seams.mark(bounds);
+  }
+}
+
 void markSmallFaces(const ScreenMesh& screen, PixelMarks& marks) {
   for (std::size_t f = 0; f < screen.front.size(); ++f) {
     if (!screen.front[f] || !screen.topology->rough[f]) continue;
@@ -35,7 +44,8 @@ void markSmallFaces(const ScreenMesh& screen, PixelMarks& marks) {
 }  // namespace
 
 MeshPainter::MeshPainter()
-    : faces_(solidProgram("mesh.vert", "mesh.frag", SolidPass::kFull)),
+    : faces_{solidProgram("mesh.vert", "mesh.frag", SolidPass::kFull),
+             solidProgram("mesh.vert", "mesh.frag", SolidPass::kSeams)},
       pixels_{solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kFull),
               solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kEdges)} {
   glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
@@ -46,6 +56,7 @@ MeshPainter::MeshPainter()
   glBindBuffer(GL_ARRAY_BUFFER, pixelBuffer_.id());
   constexpr GLuint kFacets = ResolvedPixel::kFacets;
   floatAttribute(0, 4, sizeof(ResolvedPixel), offsetof(ResolvedPixel, place));
+  floatAttribute(1 + 2 * kFacets, 1, sizeof(ResolvedPixel), offsetof(ResolvedPixel, solid));
   for (GLuint i = 0; i < kFacets; ++i) {
     const std::size_t offset = i * sizeof(glm::vec4);
     floatAttribute(1 + i, 4, sizeof(ResolvedPixel), offsetof(ResolvedPixel, normals_C) + offset);
@@ -69,13 +80,15 @@ const MeshPainter::Kept& MeshPainter::kept(const draw::Mesh& mesh) {
 }
 
 std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList& list, float sharpness,
-                                                           TileMask& tiles) {
+                                                           TileMask& tiles, SeamMask& seams) {
   list_ = &list;
+  seams_ = &seams;
   sharpness_ = sharpness;
   meshes_ = list.meshes;
   for (const draw::Box& box : list.boxes) meshes_.push_back(boxMesh(box));
   screens_.clear();
   screensKept_.clear();
+  solids_.clear();
   resolved_ = {};
   std::vector<std::vector<draw::Curve>> lines;
   for (const draw::Mesh& mesh : meshes_) {
@@ -84,6 +97,8 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
     ScreenMesh screen = screenMesh(list.camera, mesh, own.topology);
     if (screen.bounds.empty()) continue;
     tiles.mark(screen.bounds);
+    solids_.push_back(seams.nextSolid());
+    markCells(screen, seams);
     lines.push_back(meshEdgeLines(list.camera, screen));
     screens_.push_back(std::move(screen));
     screensKept_.push_back(&own);
@@ -112,12 +127,15 @@ void MeshPainter::uploadMarks() {
 void MeshPainter::uploadPixels() {
   std::vector<ResolvedPixel> all = resolved_.partial;
   all.insert(all.end(), resolved_.full.begin(), resolved_.full.end());
+  for (ResolvedPixel& pixel : all) pixel.solid = solids_[static_cast<std::size_t>(pixel.solid)];
   upload(GL_ARRAY_BUFFER, pixelBuffer_, all, GL_STREAM_DRAW);
 }
 
-void MeshPainter::drawFaces() const {
-  setPicture(faces_, *list_, sharpness_);
-  faces_.set("marks", 0);
+void MeshPainter::drawFaces(SolidPass pass) const {
+  const bool full = pass == SolidPass::kFull;
+  const gl::ShaderProgram& program = faces_[full ? 0 : 1];
+  setPicture(program, *list_, sharpness_);
+  program.set("marks", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
   // Rows count downwards, so what is counter-clockwise to the eye is clockwise to OpenGL.
@@ -125,36 +143,43 @@ void MeshPainter::drawFaces() const {
   glEnable(GL_CULL_FACE);
   for (std::size_t i = 0; i < screens_.size(); ++i) {
     const ScreenMesh& screen = screens_[i];
-    faces_.set("origin_C", screen.origin_C);
-    faces_.set("axes_C", screen.axes_C);
-    faces_.set("normals_C", screen.normals_C);
-    setMaterial(faces_, screen.mesh->material);
+    if (!full) {
+      const PixelBounds part = seams_->sharedPart(screen.bounds);
+      if (part.empty()) continue;
+      glEnable(GL_SCISSOR_TEST);
+      glScissor(static_cast<GLint>(part.left), static_cast<GLint>(part.top),
+                static_cast<GLsizei>(part.right - part.left), static_cast<GLsizei>(part.bottom - part.top));
+    }
+    program.set("origin_C", screen.origin_C);
+    program.set("axes_C", screen.axes_C);
+    program.set("normals_C", screen.normals_C);
+    program.set("solid", solids_[i]);
+    setMaterial(program, screen.mesh->material);
     glBindVertexArray(screensKept_[i]->vertexArray.id());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * screen.front.size()), GL_UNSIGNED_INT, nullptr);
   }
+  glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
 }
 
-void MeshPainter::drawPixels(SolidPass pass, GLuint edgeBefore) const {
+void MeshPainter::drawPixels(SolidPass pass) const {
   const bool full = pass == SolidPass::kFull;
   const std::size_t first = full ? resolved_.partial.size() : 0;
   const std::size_t count = full ? resolved_.full.size() : resolved_.partial.size();
   if (count == 0) return;
   const gl::ShaderProgram& program = pixels_[static_cast<std::size_t>(pass)];
   setPicture(program, *list_, sharpness_);
-  program.set("edgeBefore", 0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, edgeBefore);
   glBindVertexArray(pixelVertices_.id());
   glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void MeshPainter::draw(SolidPass pass, GLuint edgeBefore) const {
+void MeshPainter::draw(SolidPass pass, const PassInputs& inputs) const {
   if (screens_.empty()) return;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  if (pass == SolidPass::kFull) drawFaces();
-  drawPixels(pass, edgeBefore);
+  bindInputs(inputs);
+  if (pass != SolidPass::kEdges) drawFaces(pass);
+  if (pass != SolidPass::kSeams) drawPixels(pass);
   glDisable(GL_DEPTH_TEST);
 }
 

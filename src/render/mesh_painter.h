@@ -13,6 +13,7 @@
 #include "render/picture_cache.h"
 #include "render/pixel_marks.h"
 #include "render/screen_mesh.h"
+#include "render/seam_mask.h"
 #include "render/solid_pass.h"
 #include "render/tile_mask.h"
 
@@ -28,12 +29,13 @@ class MeshPainter {
   /// Forgets the meshes that the picture before did not show.
   void beginPicture() { kept_.beginPicture(); }
 
-  /// Works out this list, once for all passes, and marks the tiles that its meshes may touch.
+  /// Works out this list, once for all passes, and marks the tiles and the cells that its meshes may touch.
   /// @return the sharp edges of each mesh, where they are to be drawn.
-  std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness, TileMask& tiles);
+  std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness, TileMask& tiles,
+                                                SeamMask& seams);
 
   /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
-  void draw(SolidPass pass, GLuint edgeBefore) const;
+  void draw(SolidPass pass, const PassInputs& inputs) const;
 
  private:
   /// A mesh's own, made once and kept while pictures in a row show the mesh.
@@ -49,10 +51,10 @@ class MeshPainter {
   const Kept& kept(const draw::Mesh& mesh);
   void uploadMarks();
   void uploadPixels();
-  void drawFaces() const;
-  void drawPixels(SolidPass pass, GLuint edgeBefore) const;
+  void drawFaces(SolidPass pass) const;
+  void drawPixels(SolidPass pass) const;
 
-  gl::ShaderProgram faces_;
+  std::array<gl::ShaderProgram, 2> faces_;   // in the full pass, in that of the seams
   std::array<gl::ShaderProgram, 2> pixels_;  // by SolidPass
   gl::TextureName marksTexture_ = gl::TextureName::make();
   gl::VertexArrayName pixelVertices_ = gl::VertexArrayName::make();
@@ -65,6 +67,8 @@ class MeshPainter {
   std::vector<draw::Mesh> meshes_;  // boxes too
   std::vector<ScreenMesh> screens_;
   std::vector<const Kept*> screensKept_;
+  std::vector<float> solids_;  // their numbers
+  const SeamMask* seams_ = nullptr;
   PixelMarks marks_;
   ResolvedPixels resolved_;
 };

@@ -207,6 +207,7 @@ class Resolver {
     ResolvedPixel pixel;
     pixel.place = glm::dvec4(glm::dvec2(at) + 0.5, coverage, depth / area);
     mixer.writeTo(pixel);
+    pixel.solid = static_cast<float>(parts.front().reach->mesh);
     (coverage < kWhole ? result_.partial : result_.full).push_back(pixel);
     return area;
   }

@@ -17,6 +17,7 @@ struct ResolvedPixel {
   glm::vec4 place{0};                          ///< centre in pixels, coverage, distance along the view
   std::array<glm::vec4, kFacets> normals_C{};  ///< unit; w: share of what is covered (0: none)
   std::array<glm::vec4, kFacets> materials{};  ///< colour, gloss
+  float solid = 0;                             ///< number of the mesh among those resolved
 };
 
 /// The marked pixels, exact: partly covered ones, and those that are filled.

@@ -119,18 +119,23 @@ struct Renderer::Passes {
     text.beginPicture();
   }
 
-  void drawSolids(const TileMask& tiles) {
-    const auto pass = [&](const gl::Framebuffer& target, SolidPass which, GLuint depth) {
+  void drawSolids(const TileMask& tiles, const SeamMask& seams) {
+    const auto pass = [&](const gl::Framebuffer& target, SolidPass which, const PassInputs& inputs) {
       target.bind();
       glClearColor(0, 0, 0, 0);
       glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      if (!tiles.any()) return;
-      solids.draw(which, depth);
-      meshes.draw(which, depth);
+      if (tiles.any()) drawPass(which, inputs);
     };
-    pass(buffers->full, SolidPass::kFull, 0);
-    pass(buffers->edge, SolidPass::kEdges, 0);
-    pass(buffers->nextEdge, SolidPass::kEdges, buffers->edge.depth());
+    pass(buffers->full, SolidPass::kFull, {});
+    pass(buffers->edge, SolidPass::kEdges, {});
+    // A seam is like an edge. One behind an edge is left out: a second pass would cost more than it shows.
+    if (seams.any()) drawPass(SolidPass::kSeams, {0, buffers->full.color(0), buffers->full.depth()});
+    pass(buffers->nextEdge, SolidPass::kEdges, {buffers->edge.depth()});
+  }
+
+  void drawPass(SolidPass which, const PassInputs& inputs) {
+    solids.draw(which, inputs);
+    meshes.draw(which, inputs);
   }
 
   void clearPicture(const draw::DrawList& list, bool transparent) {
@@ -144,9 +149,10 @@ struct Renderer::Passes {
     buffers = &shelf.of(size);
     glViewport(0, 0, size.x, size.y);
     TileMask tiles(list.camera.size_px);
-    const auto meshEdges = meshes.prepare(list, options.sharpness, tiles);
-    solids.prepare(list, meshEdges, options.sharpness, tiles);
-    drawSolids(tiles);
+    SeamMask seams(list.camera.size_px);
+    const auto meshEdges = meshes.prepare(list, options.sharpness, tiles, seams);
+    solids.prepare(list, meshEdges, options.sharpness, tiles, seams);
+    drawSolids(tiles, seams);
     clearPicture(list, options.transparent);
     compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, options.sharpness,
                     options.transparent);

@@ -18,6 +18,9 @@ std::vector<glm::vec3> asVector(const std::array<glm::vec3, N>& values) {
   return {values.begin(), values.end()};
 }
 
+glm::vec2 positionOf(glm::vec2 vertex) { return vertex; }
+glm::vec2 positionOf(const StripVertex& vertex) { return vertex.position_px; }
+
 }  // namespace
 
 SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
@@ -29,7 +32,7 @@ SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   return programs;
 }
 
-SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kEdges)} {
+SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kEdges), makePrograms(SolidPass::kSeams)} {
   glBindVertexArray(cellVertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, cellBuffer_.id());
   floatAttribute(0, 2, sizeof(glm::vec2), 0);
@@ -41,10 +44,11 @@ SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePro
 }
 
 void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
-                           float sharpness, TileMask& tiles) {
+                           float sharpness, TileMask& tiles, SeamMask& seams) {
   list_ = &list;
   sharpness_ = sharpness;
   tiles_ = &tiles;
+  seams_ = &seams;
   items_.clear();
   cells_.clear();
   strips_.clear();
@@ -52,6 +56,12 @@ void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::ve
   for (const draw::Frustum& f : list.frustums) prepareFrustum(list.camera, f);
   for (const draw::Curve& c : list.curves) prepareCurves(list.camera, {&c, 1});
   for (const auto& lines : meshEdges) prepareCurves(list.camera, lines);
+  for (Item& item : items_) {
+    if (item.kind == kTube)
+      copySeams(item, strips_, 3);
+    else if (item.kind != kFlatCurve)
+      copySeams(item, cells_, 6);
+  }
   upload(GL_ARRAY_BUFFER, cellBuffer_, cells_, GL_STREAM_DRAW);
   upload(GL_ARRAY_BUFFER, curveBuffer_, strips_, GL_STREAM_DRAW);
 }
@@ -61,8 +71,28 @@ Cells SolidPainter::markedCells(const PixelBounds& bounds, const std::function<b
   return cutIntoCells(bounds.clipped(list_->camera.size_px), inside);
 }
 
+template <typename Vertex>
+void SolidPainter::copySeams(Item& item, std::vector<Vertex>& vertices, GLsizei group) {
+  item.seamFirst = static_cast<GLint>(vertices.size());
+  if (!seams_->any()) return;
+  for (GLint i = item.first; i < item.first + item.fullCount; i += group) {
+    PixelBounds bounds;
+    for (GLint k = i; k < i + group; ++k) bounds.include(positionOf(vertices[static_cast<std::size_t>(k)]));
+    if (!seams_->shared(bounds)) continue;
+    for (GLint k = i; k < i + group; ++k) vertices.push_back(vertices[static_cast<std::size_t>(k)]);
+    item.seamCount += group;
+  }
+}
+
 void SolidPainter::addItem(Kind kind, const Cells& cells, std::function<void(const ShaderProgram&)> setUniforms) {
-  items_.push_back({kind, std::move(setUniforms), static_cast<GLint>(cells_.size()),
+  const float solid = seams_->nextSolid();
+  const auto mark = [&](const std::vector<glm::vec2>& triangles) {
+    for (std::size_t i = 0; i < triangles.size(); i += 6)
+      seams_->mark({triangles[i].x, triangles[i].y, triangles[i + 4].x, triangles[i + 5].y});
+  };
+  mark(cells.edge);
+  mark(cells.full);
+  items_.push_back({kind, solid, std::move(setUniforms), static_cast<GLint>(cells_.size()),
                     static_cast<GLsizei>(cells.edge.size()),
                     static_cast<GLsizei>(cells.edge.size() + cells.full.size())});
   cells_.insert(cells_.end(), cells.edge.begin(), cells.edge.end());
@@ -110,40 +140,40 @@ void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const dra
     const CurveStrip strip = makeCurveStrip(camera, curve);
     strips_.insert(strips_.end(), strip.triangles.begin(), strip.triangles.end());
   }
+  const draw::Curve& style = alike.front();
+  const bool tube = style.radius_W > 0;
+  const float solid = tube ? seams_->nextSolid() : SeamMask::noSolid();
   for (std::size_t i = first; i + 2 < strips_.size(); i += 3) {
     PixelBounds bounds;
     for (std::size_t k = i; k < i + 3; ++k) bounds.include(strips_[k].position_px);
     tiles_->mark(bounds);
+    if (tube) seams_->mark(bounds);
   }
   const auto count = static_cast<GLsizei>(strips_.size() - first);
-  const draw::Curve& style = alike.front();
   const auto setUniforms = [material = style.material, lift = style.lift_W](const ShaderProgram& program) {
     setMaterial(program, material);
     program.set("lift", lift);
   };
-  items_.push_back(
-      {style.radius_W > 0 ? kTube : kFlatCurve, setUniforms, static_cast<GLint>(first), count, count});
+  items_.push_back({tube ? kTube : kFlatCurve, solid, setUniforms, static_cast<GLint>(first), count, count});
 }
 
-void SolidPainter::draw(SolidPass pass, GLuint edgeBefore) const {
+void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
   const Programs& programs = programs_[static_cast<std::size_t>(pass)];
-  for (const ShaderProgram& program : programs) {
-    setPicture(program, *list_, sharpness_);
-    program.set("edgeBefore", 0);
-  }
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, edgeBefore);
+  for (const ShaderProgram& program : programs) setPicture(program, *list_, sharpness_);
+  bindInputs(inputs);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
   for (const Item& item : items_) {
-    const GLsizei count = pass == SolidPass::kFull ? item.fullCount : item.edgeCount;
+    const bool seams = pass == SolidPass::kSeams;
+    const GLsizei count = seams ? item.seamCount : pass == SolidPass::kFull ? item.fullCount : item.edgeCount;
     if (count == 0) continue;
     const bool curve = item.kind == kFlatCurve || item.kind == kTube;
     glBindVertexArray(curve ? curveVertices_.id() : cellVertices_.id());
     programs[item.kind].use();
     item.setUniforms(programs[item.kind]);
-    glDrawArrays(GL_TRIANGLES, item.first, count);
+    programs[item.kind].set("solid", item.solid);
+    glDrawArrays(GL_TRIANGLES, seams ? item.seamFirst : item.first, count);
   }
   glDisable(GL_DEPTH_TEST);
 }

@@ -9,6 +9,7 @@
 #include "gl/shader_program.h"
 #include "render/cells.h"
 #include "render/curve_strip.h"
+#include "render/seam_mask.h"
 #include "render/solid_pass.h"
 #include "render/tile_mask.h"
 
@@ -19,25 +20,29 @@ class SolidPainter {
  public:
   SolidPainter();
 
-  /// Works out outlines and strips of this list, once for all passes, and marks the tiles that they may touch.
+  /// Works out outlines and strips of this list, once for all passes, and marks the tiles that they may touch. The
+  /// solids that are not drawn here are in the mask of seams already.
   /// @param meshEdges  drawn with the list's own curves; those of one mesh are alike but for their points
   void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges, float sharpness,
-               TileMask& tiles);
+               TileMask& tiles, SeamMask& seams);
 
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
-  /// the texture `edgeBefore`, or the nearest of all when that is 0.
-  void draw(SolidPass pass, GLuint edgeBefore) const;
+  /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a seam.
+  void draw(SolidPass pass, const PassInputs& inputs) const;
 
  private:
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
   using Programs = std::vector<gl::ShaderProgram>;  // by Kind
 
-  /// One draw call: its uniforms and its triangles, those of the edge passes first.
+  /// One draw call: its uniforms and its triangles, those of the edge passes first; those of the seams are apart.
   struct Item {
     Kind kind;
+    float solid;
     std::function<void(const gl::ShaderProgram&)> setUniforms;
     GLint first = 0;
     GLsizei edgeCount = 0, fullCount = 0;
+    GLint seamFirst = 0;
+    GLsizei seamCount = 0;
   };
 
   static Programs makePrograms(SolidPass pass);
@@ -47,7 +52,11 @@ class SolidPainter {
   void addItem(Kind kind, const Cells& cells, std::function<void(const gl::ShaderProgram&)> setUniforms);
   Cells markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside);
 
-  std::array<Programs, 2> programs_;
+  /// Copies an item's triangles that may touch another solid; each `group` vertices go together.
+  template <typename Vertex>
+  void copySeams(Item& item, std::vector<Vertex>& vertices, GLsizei group);
+
+  std::array<Programs, 3> programs_;
   gl::VertexArrayName cellVertices_ = gl::VertexArrayName::make();
   gl::VertexArrayName curveVertices_ = gl::VertexArrayName::make();
   gl::BufferName cellBuffer_ = gl::BufferName::make();
@@ -57,6 +66,7 @@ class SolidPainter {
   const draw::DrawList* list_ = nullptr;
   float sharpness_ = 1;
   TileMask* tiles_ = nullptr;
+  SeamMask* seams_ = nullptr;
   std::vector<Item> items_;
   std::vector<glm::vec2> cells_;
   std::vector<StripVertex> strips_;

@@ -21,7 +21,18 @@ void setPicture(const gl::ShaderProgram& program, const draw::DrawList& list, fl
   program.set("orthographic", list.camera.orthographic ? 1.0f : 0.0f);
   program.set("depthRange", glm::vec2(list.camera.near, list.camera.far));
   program.set("sharpness", sharpness);
+  program.set("edgeBefore", 1);
+  program.set("fullColor", 2);
+  program.set("fullDepth", 3);
   program.set("lightDirection_C", glm::normalize(list.lightDirection_C));
+}
+
+void bindInputs(const PassInputs& inputs) {
+  GLenum unit = GL_TEXTURE1;
+  for (const GLuint texture : {inputs.edgeBefore, inputs.fullColor, inputs.fullDepth}) {
+    glActiveTexture(unit++);
+    glBindTexture(GL_TEXTURE_2D, texture);
+  }
 }
 
 void setMaterial(const gl::ShaderProgram& program, const draw::Material& material) {

@@ -12,7 +12,16 @@
 namespace poinsot::render {
 
 /// Which fragments of the solids are kept; the numbers are EDGES in emit.glsl.
-enum class SolidPass { kFull = 0, kEdges = 1 };
+enum class SolidPass { kFull = 0, kEdges = 1, kSeams = 2 };
+
+/// What a pass looks at of the passes before it: textures of emit.glsl, 0 for none.
+struct PassInputs {
+  GLuint edgeBefore = 0;                 ///< depths: edges are those behind them
+  GLuint fullColor = 0, fullDepth = 0;  ///< of the full pass, for the seams
+};
+
+/// Binds them to units 1 to 3; unit 0 is the painter's own.
+void bindInputs(const PassInputs& inputs);
 
 /// A program for one pass, from files of shaders/.
 gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
