@@ -93,7 +93,9 @@ void addEllipsoid(int k, int slot, vec2 p_px, vec3 ray) {
     // Flat-on the near sheet is the thinner one, so that what is inside keeps its hue; at the rim the two meet.
     float flatOn = sheet == 0 ? glassOptions[k].w : glassColor[k].a;
     vec4 color = vec4(glassColor[k].rgb, mix(flatOn, glassOptions[k].x, grazing * grazing * grazing));
-    float lines = graticuleColor[k].a > 0.0 ? graticule(s, glassOptions[k].y) : 0.0;
+    float size = pixelSize(t0 + t);
+    vec3 dx = changeOnSphere(s, d, size * toUnitSphere[k][0]), dy = changeOnSphere(s, d, -size * toUnitSphere[k][1]);
+    float lines = graticuleColor[k].a > 0.0 ? graticule(s, dx, dy, glassOptions[k].y) : 0.0;
     lines *= graticuleColor[k].a * (sheet == 0 ? 1.0 : glassOptions[k].z);
     color = layOver(vec4(graticuleColor[k].rgb, lines), color);
     colors[slot + sheet] = vec4(color.rgb, color.a * behindNear(coverage, coverage, nearOpacity));

@@ -31,14 +31,24 @@ struct ScreenEllipse {
   vec3 form;
 };
 
-// The straight edge nearest like it.
+// Half its width where it is narrowest across.
+float halfWidth(ScreenEllipse e) {
+  float difference = 0.5 * (e.form.x - e.form.z);
+  return inversesqrt(0.5 * (e.form.x + e.form.z) + length(vec2(difference, e.form.y)));
+}
+
+// The straight edge nearest like it. Nothing inside is farther from the edge than half the width.
 vec3 edgeAt(ScreenEllipse e, vec2 p_px) {
   vec2 q = p_px - e.centre_px;
   vec2 g = vec2(e.form.x * q.x + e.form.y * q.y, e.form.y * q.x + e.form.z * q.y);
   float rho = sqrt(max(dot(q, g), 1e-12)), slope = max(length(g), 1e-12);
-  // Nothing inside is farther from the edge than half the ellipse's width.
-  float across = 0.5 * (e.form.x - e.form.z), steepest = 0.5 * (e.form.x + e.form.z) + length(vec2(across, e.form.y));
-  return vec3(-g / slope, min((1.0 - rho) * rho / slope, inversesqrt(steepest)));
+  return vec3(-g / slope, min((1.0 - rho) * rho / slope, halfWidth(e)));
+}
+
+// Right also where it is thinner than a pixel.
+float covered(ScreenEllipse e, vec2 p_px) {
+  vec3 edge = edgeAt(e, p_px);
+  return coveredStrip(edge, vec3(-edge.xy, 2.0 * halfWidth(e) - edge.z));
 }
 
 // A line (a, b, c): a x + b y + c, (a, b) a unit vector towards the inside.

@@ -26,6 +26,8 @@ void main() {
   float t = t0 - along - sqrt(max(1.0 - dot(offset, offset), 0.0) / a);
   vec3 s = o + (t - t0) * d;
   vec3 n_C = normalize(s * toUnitSphere);  // transpose(inverse) of the semi-axes, times s
-  float lines = marking.a > 0.0 ? markings(s, marking.a) : 0.0;
+  float size = pixelSize(t);
+  vec3 dx = changeOnSphere(s, d, size * toUnitSphere[0]), dy = changeOnSphere(s, d, -size * toUnitSphere[1]);
+  float lines = marking.a > 0.0 ? markings(s, dx, dy, marking.a) : 0.0;
   emit(solid, shade(Material(mix(color, marking.rgb, lines), gloss), n_C, -normalize(ray)), coverage, toDepth(t));
 }

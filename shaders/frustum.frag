@@ -16,14 +16,34 @@ uniform float solid;
 uniform vec3 color;
 uniform float gloss;
 
+// Whether the disc is seen almost edge-on and has a chord, the strip's edge across: pixels are wider than what of the
+// disc lies beyond that.
+bool isThin(ScreenEllipse disc, vec3 chord) { return halfWidth(disc) < 2.0 && abs(chord.z) < 1e5; }
+
+// The edge of the strip across it. That of a thin disc is its own outline, beyond the chord.
+vec3 endAt(ScreenEllipse disc, vec3 chord, vec2 p_px) {
+  if (!isThin(disc, chord)) return edgeAt(chord, p_px);
+  vec2 n = chord.xy, q = p_px - disc.centre_px;
+  vec2 g = vec2(disc.form.x * n.x + disc.form.y * n.y, disc.form.y * n.x + disc.form.z * n.y);
+  float a = dot(n, g), b = dot(q, g);
+  float c = disc.form.x * q.x * q.x + 2.0 * disc.form.y * q.x * q.y + disc.form.z * q.y * q.y - 1.0;
+  return vec3(n, (b + sqrt(max(b * b - a * c, 0.0))) / a);
+}
+
 void main() {
   vec2 p_px = gl_FragCoord.xy;
-  vec3 first = edgeAt(ScreenEllipse(discCentres_px.xy, firstForm), p_px);
-  vec3 second = edgeAt(ScreenEllipse(discCentres_px.zw, secondForm), p_px);
-  vec3 strip = outerOf(outerOf(edgeAt(sides[0], p_px), edgeAt(sides[1], p_px)),
-                       outerOf(edgeAt(sides[2], p_px), edgeAt(sides[3], p_px)));
-  float whole = covered(innerOf(innerOf(first, second), strip));
-  float cap = visibleCap == 0 ? 0.0 : covered(visibleCap == 1 ? first : second);
+  ScreenEllipse firstDisc = ScreenEllipse(discCentres_px.xy, firstForm);
+  ScreenEllipse secondDisc = ScreenEllipse(discCentres_px.zw, secondForm);
+  vec3 first = edgeAt(firstDisc, p_px), second = edgeAt(secondDisc, p_px);
+  vec3 ends = outerOf(endAt(secondDisc, sides[1], p_px), endAt(firstDisc, sides[3], p_px));
+  vec3 strip = outerOf(outerOf(edgeAt(sides[0], p_px), edgeAt(sides[2], p_px)), ends);
+  vec3 outline = strip;  // of which thin discs are part
+  if (!isThin(firstDisc, sides[3])) outline = innerOf(outline, first);
+  if (!isThin(secondDisc, sides[1])) outline = innerOf(outline, second);
+  float whole = covered(outline);
+  // Right also at the tip, where both silhouettes run through a pixel.
+  if (sides[0].z > -1e5) whole = min(whole, coveredStrip(edgeAt(sides[0], p_px), edgeAt(sides[2], p_px)));
+  float cap = visibleCap == 0 ? 0.0 : covered(visibleCap == 1 ? firstDisc : secondDisc, p_px);
 
   vec3 ray = rayThrough(p_px), towardEye_C = -normalize(ray);
   vec3 toFirst_C = from_C - rayFrom(p_px);

@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines on a sphere s (unit vectors), drawn on whatever ellipsoid it was made from.
+// Lines on a sphere s (unit vectors), drawn on whatever ellipsoid it was made from. dx and dy: how s changes from pixel
+// to pixel, to the right and down.
+
+// That change, where the sphere is looked at along d and a step in the picture is `across` there. Not from the
+// neighbours' difference, which is too coarse at the rim.
+vec3 changeOnSphere(vec3 s, vec3 d, vec3 across) {
+  float facing = dot(s, d);
+  return across - d * dot(s, across) / (facing < 0.0 ? min(facing, -1e-4) : max(facing, 1e-4));
+}
 
 // A line where `value` is 0; `slope` is how fast that grows to the right and down, per pixel.
 float lineCover(float value, vec2 slope, float width_px) {
@@ -21,8 +29,7 @@ struct Angles {
   vec2 latitudeSlope, longitudeSlope;
 };
 
-Angles anglesOf(vec3 s) {
-  vec3 dx = dFdx(s), dy = dFdy(s);
+Angles anglesOf(vec3 s, vec3 dx, vec3 dy) {
   float r2 = max(dot(s.xy, s.xy), 1e-8);
   return Angles(atan(s.z, sqrt(r2)), atan(s.y, s.x), vec2(dx.z, dy.z) / sqrt(r2),
                 vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x) / r2);
@@ -30,9 +37,9 @@ Angles anglesOf(vec3 s) {
 
 // On glass: parallels every 15 degrees; meridians every 30, and every 15 where there is room, so that they fade out
 // towards the poles and do not crowd there. The three principal sections are drawn stronger.
-float graticule(vec3 s, float width_px) {
+float graticule(vec3 s, vec3 dx, vec3 dy, float width_px) {
   const float kStep = 0.2617993878;  // 15 degrees
-  Angles a = anglesOf(s);
+  Angles a = anglesOf(s, dx, dy);
   float room_px = 12.0 * width_px;
   float minor = max(graticuleLines(a.latitude, a.latitudeSlope, kStep, width_px, 0.5 * room_px),
                     max(graticuleLines(a.longitude, a.longitudeSlope, 2.0 * kStep, width_px, 0.5 * room_px),
@@ -44,9 +51,9 @@ float graticule(vec3 s, float width_px) {
 
 // On a solid: rings every 22.5 degrees, four meridians, one of them heavy: without it the spin of a round body would
 // not show.
-float markings(vec3 s, float width_px) {
+float markings(vec3 s, vec3 dx, vec3 dy, float width_px) {
   const float kRing = 0.3926990817, kQuarter = 1.570796327;
-  Angles a = anglesOf(s);
+  Angles a = anglesOf(s, dx, dy);
   float rings = graticuleLines(a.latitude, a.latitudeSlope, kRing, width_px, 4.0 * width_px);
   float meridians = graticuleLines(a.longitude, a.longitudeSlope, kQuarter, width_px, 3.0 * width_px);
   float heavy = lineCover(a.longitude, a.longitudeSlope, 2.2 * width_px);
