@@ -24,9 +24,8 @@ void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
 void markCells(const ScreenMesh& screen, SeamMask& seams) {
   for (std::size_t f = 0; f < screen.front.size(); ++f) {
     if (!screen.front[f]) continue;
-    PixelBounds bounds;
-    for (const glm::dvec3& v : screen.triangle(f)) bounds.include(glm::vec2(v));
-    seams.mark(bounds);
+    const auto t = screen.triangle(f);
+    seams.mark({glm::vec2(t[0]), glm::vec2(t[1]), glm::vec2(t[2])});
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ class SeamMask {
 
   /// The solid whose number was given last may touch these pixels.
   void mark(const PixelBounds& bounds);
+  /// And those of a triangle.
+  void mark(const std::array<glm::vec2, 3>& triangle_px);
 
   bool any() const { return any_; }
   /// Whether any of the pixels may be touched by two solids.
@@ -29,9 +32,9 @@ class SeamMask {
   PixelBounds sharedPart(const PixelBounds& bounds) const;
 
  private:
-  static constexpr int kCell_px = 16;
   static constexpr std::uint16_t kNone = 1, kShared = 0xFFFF;
 
+  void markCell(std::size_t cell);
   static float shown(std::uint16_t number) { return static_cast<float>(number) / 65535.0f; }
   template <typename Use>
   void forEachCell(const PixelBounds& bounds, Use use) const;

@@ -147,7 +147,7 @@ void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const dra
     PixelBounds bounds;
     for (std::size_t k = i; k < i + 3; ++k) bounds.include(strips_[k].position_px);
     tiles_->mark(bounds);
-    if (tube) seams_->mark(bounds);
+    if (tube) seams_->mark({strips_[i].position_px, strips_[i + 1].position_px, strips_[i + 2].position_px});
   }
   const auto count = static_cast<GLsizei>(strips_.size() - first);
   const auto setUniforms = [material = style.material, lift = style.lift_W](const ShaderProgram& program) {
