@@ -32,7 +32,8 @@ SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   return programs;
 }
 
-SolidPainter::SolidPainter() : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kEdges), makePrograms(SolidPass::kSeams)} {
+SolidPainter::SolidPainter()
+    : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kEdges), makePrograms(SolidPass::kSeams)} {
   glBindVertexArray(cellVertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, cellBuffer_.id());
   floatAttribute(0, 2, sizeof(glm::vec2), 0);

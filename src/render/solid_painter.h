@@ -27,7 +27,8 @@ class SolidPainter {
                TileMask& tiles, SeamMask& seams);
 
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
-  /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a seam.
+  /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a
+  /// seam.
   void draw(SolidPass pass, const PassInputs& inputs) const;
 
  private:

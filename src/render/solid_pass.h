@@ -16,7 +16,7 @@ enum class SolidPass { kFull = 0, kEdges = 1, kSeams = 2 };
 
 /// What a pass looks at of the passes before it: textures of emit.glsl, 0 for none.
 struct PassInputs {
-  GLuint edgeBefore = 0;                 ///< depths: edges are those behind them
+  GLuint edgeBefore = 0;                ///< depths: edges are those behind them
   GLuint fullColor = 0, fullDepth = 0;  ///< of the full pass, for the seams
 };
 

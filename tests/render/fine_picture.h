@@ -13,7 +13,8 @@ namespace poinsot::render {
 struct FinePicture {
   image::Image mean;  ///< of each pixel's samples in linear light, in sRGB
   /// For each pixel row by row whether an edge runs through it: two neighbouring samples of its own differ by more
-  /// than 2/255 in some channel. Smooth shading does not: it would have to change by 2/255 * n from pixel to pixel.
+  /// than 2/255 in some channel. Smooth shading does not: it would have to change by 2/255 * n from pixel to
+  /// pixel.
   std::vector<bool> edge;
 };
 
