@@ -25,6 +25,8 @@ double sizeOf(double share, const Sizing& sizing) { return std::max(share * sizi
 
 void growTo(NoteRow& row, const std::string& tex, double size_px, double leading) {
   const text::GlyphRun run = text::setTex(tex);
+  const double tall = std::max(0.0, run.inkTop_em - 1) + std::max(0.0, -run.inkBottom_em - 0.4);  // built up
+  leading += 0.5 * tall;
   row.ascent_px = std::max(row.ascent_px, size_px * std::max(run.inkTop_em, kCapHeight));
   row.descent_px = std::max(row.descent_px, size_px * (std::max(-run.inkBottom_em, kDescent) + leading));
 }

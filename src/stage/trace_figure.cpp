@@ -14,8 +14,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kBeyondBody = 1.1;  // radius of the sphere, of the ball that holds the body
-constexpr double kStep_rad = 0.05;   // of the point on its sphere, from one sample to the next
-constexpr int kMostPoints = 4000;
+constexpr double kStep_rad = 0.015;  // of the point on its sphere, from one sample to the next
+constexpr int kMostPoints = 8000;
 constexpr double kPaleShare = 0.4;
 constexpr double kLift = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
 

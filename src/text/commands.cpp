@@ -118,6 +118,7 @@ constexpr Command kCommands[] = {
     space("quad", 1),
     space("qquad", 2),
     {.name = "frac", .kind = CommandKind::kFraction, .atomClass = kInner},
+    {.name = "dfrac", .kind = CommandKind::kDisplayFraction, .atomClass = kInner},
     {.name = "sqrt", .kind = CommandKind::kRoot},
     // Operators and relations.
     symbol("times", U'×', kBinary),

@@ -19,6 +19,7 @@ enum class CommandKind {
   kAlphabet,  ///< \mathbf{...}: an alphabet for its argument
   kText,      ///< \text{...}, \textbf{...}: running text
   kFraction,
+  kDisplayFraction,  ///< its parts as large as the line's type
   kRoot,
 };
 

@@ -39,10 +39,13 @@ struct MathConstants {
   double subSuperscriptGapMin = 0;
   double superscriptBottomMaxWithSubscript = 0;
   double spaceAfterScript = 0;
-  double fractionNumeratorShiftUp = 0;
-  double fractionDenominatorShiftDown = 0;
-  double fractionNumeratorGapMin = 0;
-  double fractionDenominatorGapMin = 0;
+  struct Fraction {
+    double numeratorShiftUp = 0;
+    double denominatorShiftDown = 0;
+    double numeratorGapMin = 0;
+    double denominatorGapMin = 0;
+  };
+  Fraction fraction, displayFraction;
   double fractionRuleThickness = 0;
   double radicalVerticalGap = 0;
   double radicalRuleThickness = 0;

@@ -134,15 +134,16 @@ Box accented(const Box& base, char32_t combining, const MathStyle& style) {
   return box;
 }
 
-Box fraction(const Box& numerator, const Box& denominator, const MathStyle& style) {
+Box fraction(const Box& numerator, const Box& denominator, const MathStyle& style, bool display) {
   const MathConstants& c = constants();
+  const MathConstants::Fraction& f = display ? c.displayFraction : c.fraction;
   const double scale = scaleOf(style.level);
   const double rule = scale * c.fractionRuleThickness;
   const double barBottom = scale * c.axisHeight - rule / 2;
-  const double up = std::max(scale * c.fractionNumeratorShiftUp,
-                             barBottom + rule + scale * c.fractionNumeratorGapMin + numerator.depth);
-  const double down = std::max(scale * c.fractionDenominatorShiftDown,
-                               denominator.height + scale * c.fractionDenominatorGapMin - barBottom);
+  const double up =
+      std::max(scale * f.numeratorShiftUp, barBottom + rule + scale * f.numeratorGapMin + numerator.depth);
+  const double down =
+      std::max(scale * f.denominatorShiftDown, denominator.height + scale * f.denominatorGapMin - barBottom);
   const double side =
       scale * 0.12;  // TeX's \nulldelimiterspace, 1.2 pt at 10 pt: a bar does not touch its neighbour
   const double bar = std::max(numerator.width, denominator.width);

@@ -110,11 +110,17 @@ class MathParser {
       case CommandKind::kRoot:
         return {rootBox(column, what)};
       case CommandKind::kFraction:
+        return {fractionBox(column, what, raised(style_), false), AtomClass::kInner};
+      case CommandKind::kDisplayFraction:
         break;
     }
-    const Box numerator = parseArgument(column, what, raised(style_));
-    const Box denominator = parseArgument(column, what, cramped(raised(style_)));
-    return {fraction(numerator, denominator, style_), AtomClass::kInner};
+    return {fractionBox(column, what, style_, true), AtomClass::kInner};
+  }
+
+  Box fractionBox(std::size_t column, const std::string& what, const MathStyle& parts, bool display) {
+    const Box numerator = parseArgument(column, what, parts);
+    const Box denominator = parseArgument(column, what, cramped(parts));
+    return fraction(numerator, denominator, style_, display);
   }
 
   Box functionBox(const std::string& name) const {

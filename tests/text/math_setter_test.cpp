@@ -194,6 +194,20 @@ TEST_F(MathSetter, AFractionIsCentredOnTheAxis) {
   EXPECT_NEAR(run.glyphs[0].x_em + numerator_em / 2, bar.x_em + bar.width_em / 2, kExact_em);
 }
 
+// The parts of \\dfrac are as large as the line's type, and as far from the bar as the font says for displays.
+TEST_F(MathSetter, ADisplayedFractionHasPartsOfFullSize) {
+  const GlyphRun small = setTex("$\\frac{a}{b}$"), large = setTex("$\\dfrac{a}{b}$");
+  EXPECT_EQ(large.glyphs[0].scale, 1);
+  EXPECT_LT(small.glyphs[0].scale, 0.8);
+  const Rule& bar = large.rules.at(0);
+  EXPECT_NEAR(bar.y_em + bar.height_em / 2, font_.constant(HB_OT_MATH_CONSTANT_AXIS_HEIGHT), kExact_em);
+  EXPECT_GE(large.glyphs[0].y_em,
+            font_.constant(HB_OT_MATH_CONSTANT_FRACTION_NUMERATOR_DISPLAY_STYLE_SHIFT_UP) - kExact_em);
+  const double gap = bar.y_em - (large.glyphs[1].y_em + font_.ink(large.glyphs[1].id).top);
+  EXPECT_GE(gap, font_.constant(HB_OT_MATH_CONSTANT_FRACTION_DENOM_DISPLAY_STYLE_GAP_MIN) - kExact_em);
+  EXPECT_EQ(large.plainText, small.plainText);
+}
+
 TEST_F(MathSetter, ARootCoversItsContent) {
   for (const char* tex : {"$\\sqrt{x}$", "$\\sqrt{2T/L}$", "$\\sqrt{\\frac{2T}{I_1}}$"}) {
     const GlyphRun run = setTex(tex);

@@ -93,9 +93,8 @@ TEST(Commands, EveryDocumentedOneSets) {
 
 TEST(Commands, EveryOneInTheTableSetsAndHasItsGlyphAtEverySize) {
   for (const Command& c : commands()) {
-    const std::string argument = c.kind == CommandKind::kFraction ? "{x}{y}"
-                                 : c.kind >= CommandKind::kAccent ? "{x}"
-                                                                  : " ";
+    const bool takesTwo = c.kind == CommandKind::kFraction || c.kind == CommandKind::kDisplayFraction;
+    const std::string argument = takesTwo ? "{x}{y}" : c.kind >= CommandKind::kAccent ? "{x}" : " ";
     const std::string use = "\\" + std::string(c.name) + argument;
     for (const std::string& tex :
          {"$" + use + "$", "$x_{" + use + "}$", "$\\mathbf{" + use + "}$", "$\\boldsymbol{" + use + "}$"})
