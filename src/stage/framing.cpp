@@ -12,13 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of half the picture's width: with the usual angle of view, things at its edge are a quarter wider by it.
-constexpr double kMostAside = 0.85;
-
 /// An extent in camera axes about the centre: x right, y up, z towards the eye.
 struct Seen {
   std::vector<Vector3d> points_C;
-  double ballRadius, ballX = 0;
+  double ballRadius;
   bool parallel;  // rays
 
   /// How far it reaches up (sign 1) or down. At distance d the camera shows y <= k (d - z) on a side whose angle
@@ -73,10 +70,11 @@ struct Width {
   /// @pre the eye is farther than the extent, or rays are parallel.
   Width(const Seen& seen, double d) {
     double leftSlope = 0, rightSlope = 0;
-    if (seen.ballRadius > 0) {
-      const Edge one = ballEdge(seen, d, 1), other = ballEdge(seen, d, -1);
-      right = one.tangent, rightSlope = one.slope;
-      left = other.tangent, leftSlope = other.slope;
+    const double r = seen.ballRadius;
+    if (r > 0) {
+      const double beyond = d * d - (seen.parallel ? 0 : r * r);
+      left = right = r / std::sqrt(beyond);
+      leftSlope = rightSlope = -d * left / beyond;
     }
     for (const Vector3d& p : seen.points_C) {
       const double away = seen.parallel ? d : d - p.z(), tangent = p.x() / away;
@@ -84,17 +82,6 @@ struct Width {
       if (-tangent > left) left = -tangent, leftSlope = tangent / away;
     }
     slope = leftSlope + rightSlope;
-  }
-
-  struct Edge {
-    double tangent, slope;
-  };
-  /// Of the ball, to the right (sign 1) or the left: where a line from the eye touches it.
-  static Edge ballEdge(const Seen& seen, double d, double sign) {
-    const double r = seen.ballRadius, c = sign * seen.ballX;
-    if (seen.parallel) return {(c + r) / d, -(c + r) / (d * d)};
-    const double beyond = d * d - r * r, along = std::sqrt(c * c + beyond), across = c * d + r * along;
-    return {across / beyond, (c + r * d / along) / beyond - 2 * d * across / (beyond * beyond)};
   }
 
   double sum() const { return left + right; }
@@ -126,7 +113,6 @@ struct Fit {
   Vector3d right, up, backward;
   Seen seen;
   Upright upright;
-  double aside = 0;      // of the eye, to the right
   double across;         // tangents of what the picture shows, without its margins
   double freeMiddle_px;  // between the margins
 
@@ -145,17 +131,6 @@ struct Fit {
     across = 2 * tanX * (1 - margins.left - margins.right);
     freeMiddle_px = 0.5 * static_cast<double>(size_px.x) * (1 + margins.left - margins.right);
     upright = Upright{tanY * (1 - 2 * margins.bottom), tanY * (1 - 2 * margins.top)};
-    if (!seen.parallel) stepAside(kMostAside * tanX);
-  }
-
-  /// Moves the eye where its picture would have to be moved by more than `most`, a tangent: far from its axis a
-  /// camera draws things out.
-  void stepAside(double most) {
-    const double distance = distanceAcross(seen, across), middle = Width(seen, distance).middle();
-    aside = distance * (middle - std::clamp(middle, -most, most));
-    if (aside == 0) return;
-    seen.ballX = -aside;
-    for (Vector3d& p : seen.points_C) p.x() -= aside;
   }
 
   double needed() const { return std::max(distanceAcross(seen, across), upright.distance(seen)); }
@@ -179,7 +154,7 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   const Seen& seen = fit.seen;
   const double needed = std::max(fit.needed(), focal_px(fit, size_px) / mostUnit_px);
   const double distance = needed / camera.zoom;
-  const Vector3d target = fit.upright.shift(seen, needed) * fit.up + fit.aside * fit.right;
+  const Vector3d target = fit.upright.shift(seen, needed) * fit.up;
   const Depths depths(seen);
   const double slack = depths.slack();
   // With parallel rays the eye may stand anywhere: here far enough for all to be before it.

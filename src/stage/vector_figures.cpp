@@ -12,6 +12,8 @@ constexpr double kRadius = 0.019;
 constexpr double kNameSize = 1.15;  // in ordinary labels
 constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
+constexpr double kFarRight = 0.9;     // of L, in type: from here on its name is on its right
+constexpr double kFading = 0.5;  // about there
 
 /// Right of an arrow that is upright in the picture, and square to the others, but beyond the tip of those that
 /// lie: there it goes from one side to the other.
@@ -51,15 +53,21 @@ void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   addName(canvas, scale_ * state.omega_V);
 }
 
-// In the construction always on the left, of the shaft or of L where that is farther left: it never changes sides.
-// Else over the tip, leaning outwards: it glides from side to side as the tip goes round.
+// In the construction on the left, of the shaft or of L where that is farther left; where the shaft is well to the
+// right of L, on its right, or it would be read as L's name: it fades from one place to the other. Else over the
+// tip, leaning outwards: it glides from side to side as the tip goes round.
 void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
   using enum scene::LabelName;
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
   const double gap = 0.35 / kNameSize;
   if (inConstruction_) {
     const glm::vec2 beside = canvas.at_px(kAlongShaft * tip_V);
-    canvas.labelAt(kOmega, {std::min(beside.x, centre.x), beside.y}, {-1, 0}, canvas.colors.omega, kNameSize, gap);
+    const double off = (beside.x - centre.x) / canvas.type_px;
+    const bool right = off > kFarRight;
+    const glm::vec2 place(right ? beside.x : std::min(beside.x, centre.x), beside.y);
+    canvas.labelAt(kOmega, place, {right ? 1 : -1, 0}, canvas.colors.omega, kNameSize, gap);
+    if (!canvas.names[kOmega].empty())
+      canvas.labels.back().opacity = static_cast<float>(std::min(1.0, std::abs(off - kFarRight) / kFading));
     return;
   }
   const glm::vec2 tip = canvas.at_px(tip_V);

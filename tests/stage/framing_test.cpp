@@ -70,8 +70,7 @@ TEST(Framing, HoldsABall) {
   EXPECT_NEAR(box.bottom, 470, 0.1);
 }
 
-// What hangs over the centre is upright in the picture, wherever the rest of it is; but for what is far to one
-// side.
+// What hangs over the centre is upright in the picture, wherever the rest of it is.
 TEST(Framing, KeepsTheVerticalThroughTheCentreUpright) {
   const auto lean_px = [](const std::vector<Vector3d>& points) {
     const draw::Camera camera = frameAll(view(), {points, 0.5}, {}, {1000, 500});
@@ -79,10 +78,10 @@ TEST(Framing, KeepsTheVerticalThroughTheCentreUpright) {
   };
   EXPECT_NEAR(lean_px(kWide), 0, 1e-3);
   EXPECT_NEAR(lean_px({{0, 2.5, 0}, {1, 3, 0}, {-2, -1, 0}}), 0, 1e-3);
-  EXPECT_GT(std::abs(lean_px({{0, 20, 0}})), 1);
+  EXPECT_NEAR(lean_px({{0, 20, 0}}), 0, 1e-3);
 }
 
-// A ball, and points to one side of it: moved by the camera's film, and where they are far off by the eye too.
+// A ball, and a point far to one side of it.
 TEST(Framing, HoldsABallBesideTheMiddle) {
   for (const double aside : {3.0, 20.0}) {
     std::vector<Vector3d> all = ball(0.8);
