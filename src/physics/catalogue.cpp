@@ -72,11 +72,13 @@ CatalogueBody phone() {
 
 CatalogueBody football() {
   const double mass_kg = 14.5 * kOunce, half = 11.125 * kInch / 2, radius = 21.125 * kInch / (2 * kPi);
+  const Vector3d semiAxes(radius, radius, half);
+  const Eigen::Matrix3d hull_B = massProperties(EllipsoidShell{semiAxes}, mass_kg).inertia_B();
   return {"football",
           "American football",
           mass_kg,
-          {whole(EllipsoidShell{{radius, radius, half}}, mass_kg)},
-          {},
+          {whole(Ellipsoid{semiAxes}, mass_kg)},  // a shell would be drawn open
+          PrincipalMoments(Vector3d(hull_B.diagonal())),
           "Published: NFL Playing Rules, rule 2, the middle of each range: long axis 11 to 11 1/4 in, short "
           "circumference "
           "21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar ellipsoids; a real ball has "

@@ -17,7 +17,8 @@ struct CatalogueBody {
   std::string title;  ///< for people
   double mass_kg = 0;
   std::vector<SolidPart> parts;             ///< what it is made of; with `moments`, only what it looks like
-  std::optional<PrincipalMoments> moments;  ///< measured, about its own axes, origin at the centre of mass
+  std::optional<PrincipalMoments> moments;  ///< measured, or of a hull that is closed; about its own axes,
+                                            ///< origin at the centre of mass
   std::string source;  ///< where each number is from: published, computed from what, or assumed
 };
 

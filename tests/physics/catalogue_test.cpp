@@ -57,6 +57,15 @@ TEST(Catalogue, Explorer1) {
                  2e-15);  // measured 9.2e-16
 }
 
+// A hull between similar ellipsoids: m (b² + c²)/3 about a. It is drawn closed.
+TEST(Catalogue, Football) {
+  const double inch = 0.0254, b = 21.125 * inch / (2 * M_PI), c = 11.125 * inch / 2, m = 14.5 * 0.028349523125;
+  const Vector3d expected = m / 3 * Vector3d(b * b + c * c, b * b + c * c, 2 * b * b);
+  expectResidual("football", (momentsOf("football") - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(),
+                 2e-15);  // measured 0
+  EXPECT_TRUE(std::holds_alternative<Ellipsoid>(named("football").parts.at(0).solid));
+}
+
 // H = 0.0032737949 gives a period of 304.46 sidereal days (PHYSICS, eq 29); the moments carry 4 digits more than
 // C.
 TEST(Catalogue, EarthHasItsDynamicalFlattening) {
