@@ -33,4 +33,6 @@ void addArrow(draw::DrawList& list, const Eigen::Vector3d& from_V, const Eigen::
       {toPicture(neck_V), toPicture(to_V), static_cast<float>(kHeadRadius * radius), 0.0f, material});
 }
 
+double headRadius(double shaftRadius) { return kHeadRadius * shaftRadius; }
+
 }  // namespace poinsot::stage

@@ -12,4 +12,7 @@ namespace poinsot::stage {
 void addArrow(draw::DrawList& list, const Eigen::Vector3d& from_V, const Eigen::Vector3d& to_V, double shaftRadius,
               const draw::Color& color);
 
+/// Radius of the head of an arrow that is long enough for it.
+double headRadius(double shaftRadius);
+
 }  // namespace poinsot::stage

@@ -119,11 +119,10 @@ struct Fit {
   Fit(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px)
       : tanY(std::tan(0.5 * camera.fov_rad)) {
     POINSOT_EXPECT(!extent.points_V.empty() || extent.ballRadius > 0);
-    const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
-    const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
-    backward = Vector3d(ca * ce, sa * ce, se);
-    right = Vector3d(-sa, ca, 0);
-    up = backward.cross(right);
+    const Eigen::Matrix3d axes_V = cameraAxes_V(camera);
+    right = axes_V.col(0);
+    up = axes_V.col(1);
+    backward = axes_V.col(2);
     seen.ballRadius = extent.ballRadius;
     seen.parallel = camera.projection == scene::Projection::kOrthographic;
     for (const Vector3d& p : extent.points_V) seen.points_C.emplace_back(right.dot(p), up.dot(p), backward.dot(p));
@@ -141,6 +140,13 @@ struct Fit {
 double focal_px(const Fit& fit, glm::vec2 size_px) { return 0.5 * static_cast<double>(size_px.y) / fit.tanY; }
 
 }  // namespace
+
+Eigen::Matrix3d cameraAxes_V(const scene::Camera& camera) {
+  const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
+  const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
+  const Vector3d right(-sa, ca, 0), nearer(ca * ce, sa * ce, se);
+  return (Eigen::Matrix3d() << right, nearer.cross(right), nearer).finished();
+}
 
 double fittingUnit_px(const scene::Camera& camera, const Extent& extent, const Margins& margins,
                       glm::vec2 size_px) {

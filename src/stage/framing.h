@@ -23,6 +23,9 @@ struct Extent {
   double ballRadius = 0;
 };
 
+/// The axes of a camera that stands in the scene's direction: columns to the right, up and nearer.
+Eigen::Matrix3d cameraAxes_V(const scene::Camera& camera);
+
 /// A camera in the scene's direction, as near as it can be with all of `extent` inside the margins. It depends on
 /// the whole motion and not on the time: nothing breathes.
 ///

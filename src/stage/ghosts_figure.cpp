@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/ghosts_figure.h"
 
-#include <cmath>
+#include "stage/framing.h"
 
 namespace poinsot::stage {
 namespace {
@@ -21,14 +21,6 @@ Palette pale(const Palette& colors, double strength) {
   Palette all = colors;
   for (draw::Color* color : {&all.body, &all.bodyEdge, &all.rod}) *color = mixed(*color, colors.paper, strength);
   return all;
-}
-
-/// Columns: to the right, up and nearer.
-Eigen::Matrix3d cameraAxes_V(const scene::Camera& camera) {
-  const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
-  const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
-  const Vector3d right(-sa, ca, 0), nearer(ca * ce, sa * ce, se);
-  return (Eigen::Matrix3d() << right, nearer.cross(right), nearer).finished();
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "stage/arrow.h"
+#include "stage/to_picture.h"
+
 namespace poinsot::stage {
 namespace {
 
@@ -13,7 +16,12 @@ constexpr double kNameSize = 1.15;  // in ordinary labels
 constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
 constexpr double kFarRight = 0.9;     // of L, in type: from here on its name is on its right
-constexpr double kFading = 0.5;  // about there
+constexpr double kFading = 0.5;       // about there
+
+float headRadius_px(const Canvas& canvas, const Vector3d& tip_V) {
+  const draw::Camera& camera = canvas.list.camera;
+  return static_cast<float>(headRadius(kRadius)) * camera.scale_px(depthOf(camera, toPicture(tip_V)));
+}
 
 /// Right of an arrow that is upright in the picture, and square to the others, but beyond the tip of those that
 /// lie: there it goes from one side to the other.
@@ -65,7 +73,9 @@ void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V)
     const double off = (beside.x - centre.x) / canvas.type_px;
     const bool right = off > kFarRight;
     const glm::vec2 place(right ? beside.x : std::min(beside.x, centre.x), beside.y);
-    canvas.labelAt(kOmega, place, {right ? 1 : -1, 0}, canvas.colors.omega, kNameSize, gap);
+    const float head_px = headRadius_px(canvas, tip_V);
+    canvas.labelAt(kOmega, place + glm::vec2(right ? head_px : -head_px, 0), {right ? 1 : -1, 0},
+                   canvas.colors.omega, kNameSize, 0.5 * gap);
     if (!canvas.names[kOmega].empty())
       canvas.labels.back().opacity = static_cast<float>(std::min(1.0, std::abs(off - kFarRight) / kFading));
     return;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/scene_request.h"
 #include "core/error.h"
 #include "docs/pages.h"
 #include "scene/scene_file.h"
@@ -25,15 +26,6 @@ using ::testing::SizeIs;
 
 const fs::path kRoot = POINSOT_SOURCE_DIR;
 
-std::string texProblem(std::string_view tex) {
-  try {
-    text::setTex(tex);
-    return "";
-  } catch (const core::Error& error) {
-    return error.message();
-  }
-}
-
 bool isWhole(const std::string& toml) {
   return toml.find("[body]\n") != std::string::npos && toml.find("[motion]\n") != std::string::npos;
 }
@@ -47,7 +39,7 @@ std::string madeWhole(const std::string& part) {
 /// Says what is wrong with the scene, or nothing. Files that it names are looked for in scenes/.
 std::string problem(const std::string& toml) {
   try {
-    scene::parseScene(toml, kRoot / "scenes/page.toml", {}, texProblem);
+    app::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
     return "";
   } catch (const std::exception& error) {
     return error.what();

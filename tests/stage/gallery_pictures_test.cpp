@@ -195,6 +195,37 @@ TEST_P(ConstructionPictures, TheContactIsOnThePlaneAndOnTheEllipsoid) {
   });
 }
 
+/// Points of the outline of an arrow's head, across the picture.
+std::vector<vec2> outlineOf(const draw::Frustum& head, const draw::Camera& camera) {
+  std::vector<vec2> points;
+  for (int i = 0; i <= 10; ++i) {
+    const float share = 0.1f * static_cast<float>(i);
+    const vec3 middle_W = head.from_W + share * (head.to_W - head.from_W);
+    const float radius_px = (1 - share) * head.fromRadius * camera.scale_px(depthOf(camera, middle_W));
+    for (const float side : {-1.0f, 0.0f, 1.0f})
+      points.push_back(project(camera, middle_W) + vec2(side * radius_px, 0));
+  }
+  return points;
+}
+
+// The name of omega is beside its arrow, not on it.
+TEST_P(ConstructionPictures, OmegasNameIsClearOfItsHead) {
+  const draw::Color red = palette(stage_.scene().style).omega;
+  atEachInstant([&](const draw::Picture& picture) {
+    const DrawList& list = picture.panels.at(0).list;
+    const auto head = std::ranges::find_if(
+        list.frustums, [&](const draw::Frustum& f) { return f.material.color == red && f.toRadius == 0; });
+    const auto name =
+        std::ranges::find(list.texts, stage_.scene().labels[scene::LabelName::kOmega], &draw::Text::tex);
+    ASSERT_TRUE(head != list.frustums.end() && name != list.texts.end());
+    const PixelBox ink = inkOf(*name);
+    for (const vec2& p : outlineOf(*head, list.camera)) {
+      const glm::dvec2 q(p);
+      EXPECT_FALSE(q.x > ink.left && q.x < ink.right && q.y > ink.top && q.y < ink.bottom);
+    }
+  });
+}
+
 std::string nameOf(const testing::TestParamInfo<std::string>& name) { return name.param; }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GalleryPictures, testing::ValuesIn(namesWhere([](const auto&) { return true; })),
