@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/main_axis_figure.h"
 
+#include "stage/principal_axes_figure.h"
 #include "stage/symmetric_top.h"
 
 namespace poinsot::stage {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kRadius = 0.0125;  // as of the principal axes
 
 Vector3d tip(const Setting& setting) {
   const Vector3d k_P = mainAxis_P(setting.motion);
@@ -21,7 +20,7 @@ MainAxisFigure::MainAxisFigure(const Setting& setting) : tip_P_(tip(setting)) {}
 
 void MainAxisFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const Vector3d tip_V = state.R_VP * tip_P_;
-  canvas.arrow(tip_V, kRadius, canvas.colors.axis);
+  canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
   canvas.label(scene::LabelName::kAxis, tip_V, Vector3d::Zero(), canvas.colors.axis);
 }
 

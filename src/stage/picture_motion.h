@@ -46,8 +46,8 @@ struct PathPoint {
   Eigen::Vector3d L_W;
 };
 
-/// What of a path has been travelled and what is to come, in played times: [from, recent] a while ago, [recent, now]
-/// just now, [now, end] soon. Where a film repeats, all of it has been travelled once before it begins.
+/// What of a path has been travelled and what is to come, in played times: [from, recent] a while ago, [recent,
+/// now] just now, [now, end] soon. Where a film repeats, all of it has been travelled once before it begins.
 struct Trail {
   double from, recent, now, end;
 };

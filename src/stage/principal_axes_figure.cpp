@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector3d;
 
 // In picture lengths.
-constexpr double kRadius = 0.0125;
 constexpr double kInEllipsoid = 0.88, kBeyondBody = 1.3, kClear = 0.12;
 constexpr double kLeast = 0.3;  // of half the body's longest extent: for an axis that leads away from it
 // Of an axis this much is framed: labels keep themselves inside, and few axes point outwards.
@@ -45,7 +44,7 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d tip_V = lengths_[axis] * state.R_VP.col(axis);
-    canvas.arrow(tip_V, kRadius, canvas.colors.axis);
+    canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
     const scene::LabelName name = kNames[static_cast<std::size_t>(axis)];
     if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
     // An axis that points at the eye has no direction in the picture: its label leans upwards.

@@ -5,6 +5,9 @@
 
 namespace poinsot::stage {
 
+/// Of the arrows of body axes, in picture lengths.
+inline constexpr double kAxisRadius = 0.0125;
+
 /// The principal axes, arrows with their names. A name behind the body is not shown.
 class PrincipalAxesFigure final : public Actor {
  public:
