@@ -13,8 +13,8 @@ namespace poinsot::text {
 /// space; \textbf{...}, \, \; \quad and "\ " spaces, \$ \% \& \# \_ \{ \} \degree \ldots. Inside $...$: Latin
 /// letters italic, digits upright, Greek by command (\omega, \Omega) or as itself, \mathbf \boldsymbol \mathrm
 /// \mathit, accents \hat \dot \ddot \bar \vec \tilde, scripts _ ^ ', \frac{}{}, \dfrac{}{} with its parts in full
-/// size, \sqrt{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as TeX spaces them; - is the
-/// minus sign.
+/// size, \sqrt{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as TeX spaces them; - is
+/// the minus sign.
 ///
 /// Examples: Poinsot's construction | $\boldsymbol{\omega}$ | $\hat{\mathbf{e}}_1$ | $2T/L$
 /// @throws core::Error(kUsage) with the column (in characters, from 1): unknown command ("did you mean"), braces
