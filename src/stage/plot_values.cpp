@@ -61,7 +61,10 @@ void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& ar
   std::vector<double> wanted;
   for (const PlotValue& value : values)
     wanted.push_back(area.y(std::clamp(value.endShare, 0.0, 1.0)) + kMiddle * em);
-  const std::vector<double> baselines = spread(wanted, kRow * em, panel.top + em, panel.bottom - 0.5 * em);
+  // Beside the axis as far as there is room: below it they would stand at its last number.
+  const double first = panel.top + em, rows = static_cast<double>(values.size() - 1) * kRow * em;
+  const double last = std::min(std::max(area.bottom + kMiddle * em, first + rows), panel.bottom - 0.5 * em);
+  const std::vector<double> baselines = spread(wanted, kRow * em, first, last);
   for (std::size_t i = 0; i < values.size(); ++i) {
     addLine(picture, nameTex(values[i]), names, baselines[i], Align::kLeft, em, values[i].color);
     const std::string digits = fixedDigits(values[i].value, format.decimals);
