@@ -38,8 +38,11 @@ std::string whereLPoints(const scene::Scene& scene) {
 
 std::string constancyOfL(const scene::Scene& scene) {
   const double L = scene::makeMotion(scene, 0, 0)->at(0).L_W.norm();
-  return fmt::format("Nothing acts on the body, so its angular momentum L, of {} kg m²/s, never changes{}.",
-                     numberWords(L), whereLPoints(scene));
+  const bool falls = scene.motion.flight && !scene.motion.flight->gravity_W.isZero(0);
+  return fmt::format(
+      "{}, so its angular momentum L{}, of {} kg m²/s, never changes{}.",
+      falls ? "Only its weight acts on the body, at the centre of mass" : "Nothing acts on the body",
+      falls ? " about that point" : "", numberWords(L), whereLPoints(scene));
 }
 
 std::string steadySentence(const scene::Scene& scene) {
@@ -209,10 +212,27 @@ Sentences drivenSentences(const scene::Scene& scene) {
   return sentences;
 }
 
+// ---- Flight
+
+Sentences flightSentences(const scene::Flight& flight) {
+  const std::string speed = fmt::format("{} m/s", numberWords(flight.velocity_W.norm()));
+  if (flight.gravity_W.isZero(0)) return {fmt::format("Its centre of mass flies straight on at {}.", speed)};
+  const physics::FlightTop top = flight.top();
+  const std::string rise =
+      top.t_s > 0 ? fmt::format(", highest after {} and {} m", timeWords(top.t_s), numberWords(top.rise_m)) : "";
+  return {
+      fmt::format("It is thrown at {}: its centre of mass flies on a parabola{}, while it turns about it as if it "
+                  "did not fall.",
+                  speed, rise)};
+}
+
 }  // namespace
 
 Sentences motionSentences(const scene::Scene& scene) {
-  return scene.motion.forcing.none() ? freeSentences(scene) : drivenSentences(scene);
+  Sentences sentences = scene.motion.forcing.none() ? freeSentences(scene) : drivenSentences(scene);
+  if (scene.motion.flight)
+    for (const std::string& sentence : flightSentences(*scene.motion.flight)) sentences.push_back(sentence);
+  return sentences;
 }
 
 }  // namespace poinsot::app

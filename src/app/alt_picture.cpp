@@ -69,6 +69,8 @@ const std::vector<Thing>& thingsOfL() {
       {"the invariable plane at right angles to it", [](const scene::Show& s) { return s.plane.visible; }},
       {"the height 2T/L of the centre", [](const scene::Show& s) { return s.plane.visible && s.height.visible; }},
       {"the space cone, which ω goes round", [](const scene::Show& s) { return s.figures.cones.visible; }},
+      {"the angular momentum about the origin, with R × P and L as its parts",
+       [](const scene::Show& s) { return s.figures.totalL.visible; }},
       {"the sphere on which the tip of L stays", [](const scene::Show& s) { return s.figures.binet.visible; }}};
   return things;
 }
@@ -144,14 +146,28 @@ std::string headingWords(const scene::View& view) {
   return title + ": " + below;
 }
 
+/// ", with the path of its centre of mass, ..." of a thrown body that moves along.
+std::string flightWords(const scene::Scene& scene, const scene::View& view) {
+  if (!scene::movesAlong(scene.motion, view.camera, view.show)) return "";
+  std::vector<std::string> things{"the path of its centre of mass"};
+  const auto& flight = view.show.figures.flight;
+  if (flight.position) things.emplace_back("an arrow from the origin to where it is");
+  if (flight.velocity) things.emplace_back("an arrow for its velocity");
+  if (flight.weight) things.emplace_back("an arrow for its weight");
+  return ", with " + listWords(things);
+}
+
 Sentences viewSentences(const scene::Scene& scene) {
+  const auto words = [&](const scene::View& view) {
+    return observerWords(view.camera.frame) + flightWords(scene, view);
+  };
   if (scene.views.size() == 1)
-    return {fmt::format("The picture shows the motion {}.", observerWords(scene.views.front().camera.frame))};
+    return {fmt::format("The picture shows the motion {}.", words(scene.views.front()))};
   Sentences sentences{fmt::format("The picture has {} panels, all at the same instant.", scene.views.size())};
   for (std::size_t i = 0; i < scene.views.size(); ++i) {
     const std::string heading = headingWords(scene.views[i]);
     sentences.push_back(fmt::format("Panel {}{}: {}.", i + 1, heading.empty() ? "" : ", “" + heading + "”",
-                                    observerWords(scene.views[i].camera.frame)));
+                                    words(scene.views[i])));
   }
   return sentences;
 }

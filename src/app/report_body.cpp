@@ -1,23 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/report_sections.h"
-#include "physics/flight.h"
 #include "scene/make_motion.h"
 
 namespace poinsot::app {
-namespace {
-
-void addFlight(Section& section, const physics::FlightQuantities& q) {
-  section.add("P_W", "momentum P, in W", q.P_W, "kg m/s", "eq 1");
-  section.add("L_orbital_W", "orbital part of L_tot, in W", q.orbital_W, "kg m^2/s", "eq 5");
-  section.add("L_total_W", "L_tot about the origin, in W", q.total_W, "kg m^2/s", "eq 5");
-  section.add("force_W", "force dP/dt, in W", q.force_W, "N", "eq 1");
-  section.add("torque_about_origin_W", "torque dL_tot/dt, in W", q.torque_W, "N m", "eq 1, 8");
-  section.add("T_translation", "kinetic energy of translation", q.translationalEnergy, "J", "eq 10");
-  section.add("T_total", "kinetic energy in all", q.kineticEnergy(), "J", "eq 10");
-}
-
-}  // namespace
-
 Section bodySection(const scene::Scene& scene) {
   const scene::Body& body = scene.body;
   Section section{"Body (components along the axes B of the scene)", {}};
@@ -47,8 +32,6 @@ Section startSection(const scene::Scene& scene) {
   section.add("L_W", "angular momentum L, in W", s.L_W, "kg m^2/s", "eq 2, 6");
   section.add("L", "|L|", s.L_W.norm(), "kg m^2/s", "eq 18");
   section.add("T", "kinetic energy of rotation T", s.kineticEnergy, "J", "eq 12");
-  if (scene.motion.flight && scene.body.mass)
-    addFlight(section, physics::flightQuantities(scene.body.mass->mass_kg(), *scene.motion.flight, s));
   return section;
 }
 

@@ -15,8 +15,10 @@ struct ReportSpan {
 
 /// Mass, centre, tensor, principal axes (eq 13 to 17).
 Section bodySection(const scene::Scene& scene);
-/// State at motion time 0 and, of a body that flies, its momenta and energies (eq 1 to 12).
+/// State at motion time 0 (eq 2, 6, 12).
 Section startSection(const scene::Scene& scene);
+/// Of a body that flies: its path and, where it has a mass, momenta and energies (eq 1 to 10).
+Section flightSection(const scene::Scene& scene);
 /// Poinsot's construction, polhode, herpolhode, flips (eq 38 to 40): free motion.
 Section constructionSection(const scene::Scene& scene);
 /// Cones and rates of a free symmetric top (eq 19 to 37), Chandler's period.

@@ -25,6 +25,12 @@ Camera lookAt(glm::vec3 eye_W, glm::vec3 target_W, glm::vec3 up_W, float fovY_ra
   return camera;
 }
 
+Camera moved(const Camera& camera, glm::vec3 by_W) {
+  Camera other = camera;
+  other.eye_W += by_W;
+  return other;
+}
+
 Camera orthographic(const Camera& camera, glm::vec3 target_W) {
   const float depth = depthOf(camera, target_W);
   POINSOT_EXPECT(depth > 0);

@@ -29,6 +29,9 @@ struct Camera {
 /// @pre eye and target differ; up is not along the view.
 Camera lookAt(glm::vec3 eye_W, glm::vec3 target_W, glm::vec3 up_W, float fovY_rad, glm::vec2 size_px);
 
+/// The same camera elsewhere, farther by `by_W`.
+Camera moved(const Camera& camera, glm::vec3 by_W);
+
 /// The same view with parallel rays, as large as it is at `target_W`. @pre depthOf(camera, target_W) > 0.
 Camera orthographic(const Camera& camera, glm::vec3 target_W);
 

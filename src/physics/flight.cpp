@@ -11,6 +11,12 @@ Eigen::Vector3d Flight::positionAt(double t_s) const {
 
 Eigen::Vector3d Flight::velocityAt(double t_s) const { return velocity_W + t_s * gravity_W; }
 
+FlightTop Flight::top() const {
+  if (gravity_W.isZero(0)) return {};
+  const double g = gravity_W.norm(), up = -dotProduct(velocity_W, gravity_W) / g;
+  return {up / g, 0.5 * up * up / g};
+}
+
 FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const RigidBodyState& state) {
   const Eigen::Vector3d position_W = flight.positionAt(state.t_s), velocity_W = flight.velocityAt(state.t_s);
   FlightQuantities q;

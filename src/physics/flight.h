@@ -7,6 +7,12 @@
 
 namespace poinsot::physics {
 
+/// The highest point of a flight, against gravity.
+struct FlightTop {
+  double t_s = 0;     ///< motion time; not after 0 where it does not rise
+  double rise_m = 0;  ///< above its place at motion time 0
+};
+
 /// Flight of the centre of mass under uniform gravity, which has no torque about it (eq 1 to 10): the rotation is
 /// as free as without.
 struct Flight {
@@ -17,6 +23,8 @@ struct Flight {
   /// position + velocity t + gravity t²/2.
   Eigen::Vector3d positionAt(double t_s) const;
   Eigen::Vector3d velocityAt(double t_s) const;
+  /// Where V has no part along gravity. Without gravity there is none: time and height are 0.
+  FlightTop top() const;
 };
 
 /// Momenta and energies of a body that flies and turns, at one time, and what changes them. Points and axes of W.

@@ -212,4 +212,8 @@ std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const S
   return BodyAssembly(draft, findings, folder).run();
 }
 
+bool massIsUnknown(const Findings& findings) {
+  return findings.has("body.principal_moments") || findings.has("body.inertia");
+}
+
 }  // namespace poinsot::scene

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -19,6 +20,11 @@ namespace {
 void checkCanRepeat(const Scene& scene, double speed) {
   if (!scene.motion.forcing.none())
     refuse("what acts on the body never lets the whole motion come back: only free motion can be made to repeat");
+  if (std::ranges::any_of(scene.views,
+                          [&](const View& view) { return movesAlong(scene.motion, view.camera, view.show); }))
+    refuse(
+        "a thrown body does not come back to where it was; with show.flight = false the picture goes with its "
+        "centre of mass, and can repeat");
   if (speed == 0) refuse("nothing moves at speed 0: there is no period");
 }
 

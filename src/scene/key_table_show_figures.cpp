@@ -60,13 +60,13 @@ class FigureKeys {
             .put = put(place)};
   }
 
-  /// On unless it is set to false.
+  /// On unless it is set to false, or the other way round.
   template <class Place>
-  Key flag(std::string_view name, std::string_view help, Place place) const {
+  Key flag(std::string_view name, bool fallback, std::string_view help, Place place) const {
     return {.path = path_ + "." + std::string(name),
             .type = kBool,
-            .fallback = "true",
-            .example = "false",
+            .fallback = fallback ? "true" : "false",
+            .example = fallback ? "false" : "true",
             .help = help,
             .put = put(place)};
   }
@@ -190,7 +190,7 @@ std::vector<Key> traceKeys(const ShowTable& table) {
       key.opacity(
           "0.06", [](ShownFigures & f) -> auto& { return f.trace.opacity; }),
       key.flag(
-          "future", "Whether the part not yet travelled is drawn too, faint.",
+          "future", true, "Whether the part not yet travelled is drawn too, faint.",
           [](ShownFigures & f) -> auto& { return f.trace.future; }),
   };
 }
@@ -268,8 +268,43 @@ std::vector<Key> ghostKeys(const ShowTable& table) {
       key.shift(
           "step", "[1.1, 0, 0]",
           "Where each pose stands from the one before, to the right, up and nearer, in the "
-          "body's longest extents; the body itself stands first.",
+          "body's longest extents; the body itself stands first. Not of a body that flies, which is where it is "
+          "then.",
           [](ShownFigures & f) -> auto& { return f.ghosts.step; }),
+  };
+}
+
+std::vector<Key> flightKeys(const ShowTable& table) {
+  const FigureKeys key(table, "flight"), total(table, "total_L");
+  return {
+      key.flag(
+          "visible", true,
+          "Of a thrown body ([motion.flight]), in views at rest in space: the body moves along, on the path of "
+          "its "
+          "centre of mass, which is drawn. Without it a picture goes with the centre of mass.",
+          [](ShownFigures & f) -> auto& { return f.flight.visible; }),
+      key.scale(
+          "Factor on the lengths of the path; other than 1, it is not to the scale of the body.",
+          [](ShownFigures & f) -> auto& { return f.flight.scale; }),
+      key.flag(
+          "position", true, "The arrow R from the origin to the centre of mass.",
+          [](ShownFigures & f) -> auto& { return f.flight.position; }),
+      key.flag(
+          "velocity", true, "The velocity V of the centre of mass.",
+          [](ShownFigures & f) -> auto& { return f.flight.velocity; }),
+      key.flag(
+          "weight", false, "The force of gravity M g; only its direction counts.",
+          [](ShownFigures & f) -> auto& { return f.flight.weight; }),
+      total.visible(
+          "Of a thrown body with a mass: its angular momentum about the origin and the two parts of it, R x P of "
+          "the centre of mass and L, at the origin, in the scale of L.",
+          [](ShownFigures & f) -> auto& { return f.totalL.visible; }),
+      total.scale(
+          "Factor on their length; other than 1, they are not in the scale of L.",
+          [](ShownFigures & f) -> auto& { return f.totalL.scale; }),
+      total.flag(
+          "torque", false, "The torque of gravity about the origin, R x M g.",
+          [](ShownFigures & f) -> auto& { return f.totalL.torque; }),
   };
 }
 
@@ -277,7 +312,7 @@ std::vector<Key> ghostKeys(const ShowTable& table) {
 
 std::vector<Key> figureKeys(const ShowTable& table) {
   return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), axesKeys(table), polhodeKeys(table),
-                 traceKeys(table), vectorKeys(table), ghostKeys(table)});
+                 traceKeys(table), vectorKeys(table), ghostKeys(table), flightKeys(table)});
 }
 
 }  // namespace poinsot::scene

@@ -25,6 +25,16 @@ const std::array<LabelDefault, kLabelCount>& labelDefaults() {
       {"omega_1", "'$\\omega_1$'", "'$\\omega_x$'", "At the first component of omega, of show.components."},
       {"omega_2", "'$\\omega_2$'", "'$\\omega_y$'", "At the second component of omega."},
       {"omega_3", "'$\\omega_3$'", "'$\\omega_z$'", "At the third component of omega."},
+      {"R", "'$\\mathbf{R}$'", "'$\\vec R_\\mathrm{cm}$'",
+       "At the position of the centre of mass, of show.flight."},
+      {"V", "'$\\mathbf{V}$'", "'$\\mathbf{P}$'", "At its velocity."},
+      {"weight", "'$M\\mathbf{g}$'", "'$\\mathbf{F}$'", "At the force of gravity."},
+      {"origin", "'$O$'", "'hand'", "At the origin."},
+      {"orbital_L", "'$\\mathbf{R}\\times\\mathbf{P}$'", "'orbital'",
+       "At the part R x P of the angular momentum about the origin, of show.total_L."},
+      {"total_L", "'$\\mathbf{L}_\\mathrm{tot}$'", "'$\\mathbf{J}$'", "At the whole of it."},
+      {"torque_about_origin", "'$\\mathbf{R}\\times M\\mathbf{g}$'", "'$\\mathbf{N}$'",
+       "At the torque of gravity about the origin."},
   }};
   return kDefaults;
 }

@@ -28,6 +28,13 @@ enum class LabelName {
   kOmega1,
   kOmega2,
   kOmega3,
+  kR,
+  kV,
+  kWeight,
+  kOrigin,
+  kOrbitalL,
+  kTotalL,
+  kTorqueAboutOrigin,
   kCount
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "scene/body_assembly.h"
 #include "scene/state_quantity.h"
 
 namespace poinsot::scene {
@@ -22,6 +23,18 @@ void require(const std::string& path, const char* example, Findings& findings) {
 }
 
 // ---- plots ----
+
+/// A quantity that this motion does not have.
+void checkExists(int quantity, const std::string& path, const Scene& scene, Findings& findings) {
+  const StateQuantity& q = stateQuantity(quantity);
+  if (q.needs == QuantityNeeds::kNothing) return;
+  if (!scene.motion.flight)
+    findings.refuse(path, fmt::format("\"{}\" is of a thrown body; give [motion.flight]", q.name));
+  else if (q.needs == QuantityNeeds::kFlightAndMass && massIsUnknown(findings))
+    findings.refuse(path, fmt::format("\"{}\" needs a body with a mass (a shape, one of the catalogue, parts or "
+                                      "point masses)",
+                                      q.name));
+}
 
 void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {
   const auto unit = [](int q) { return stateQuantity(q).unit; };
@@ -60,6 +73,8 @@ void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scen
     const PlotDraft given = elementOrNone(draft.plots, i);
     Plot plot = given.plot;
     require(path + ".quantities", "[\"omega_1\", \"omega_2\"]", findings);
+    for (const int quantity : plot.quantities) checkExists(quantity, path + ".quantities", scene, findings);
+    if (plot.x) checkExists(*plot.x, path + ".x", scene, findings);
     checkUnits(plot, path, findings);
     checkPortrait(plot, path, findings);
     if (given.range) plot.range = PlotRange{(*given.range)[0], (*given.range)[1]};
@@ -71,8 +86,10 @@ void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scen
 
 void assembleNotes(const Draft& draft, Findings& findings, Scene& scene) {
   for (std::size_t i = 0; i < findings.count("readout"); ++i) {
-    require(fmt::format("readout[{}].quantity", i), "\"t\"", findings);
+    const std::string path = fmt::format("readout[{}].quantity", i);
+    require(path, "\"t\"", findings);
     scene.readouts.push_back(elementOrNone(draft.readouts, i));
+    checkExists(scene.readouts.back().quantity, path, scene, findings);
   }
   for (std::size_t i = 0; i < findings.count("note"); ++i) {
     require(fmt::format("note[{}].text", i), "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'",

@@ -139,6 +139,11 @@ struct View {
   GridPlace place;
 };
 
+/// Whether a thrown body moves along in a view; else the picture goes with its centre of mass.
+inline bool movesAlong(const Motion& motion, const Camera& camera, const Show& show) {
+  return motion.flight && show.figures.flight.visible && camera.frame == CameraFrame::kSpace;
+}
+
 enum class Theme { kLight, kDark, kPrint };
 
 enum class DecimalSign { kPoint, kComma };

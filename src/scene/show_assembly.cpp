@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "scene/body_assembly.h"
 #include "scene/shape_reader.h"
 
 namespace poinsot::scene {
@@ -61,6 +62,18 @@ physics::Solid proportions(const Draft& draft) {
   return kind.make(drawn);
 }
 
+/// What is asked for of a body that is not thrown, or has no mass.
+void checkThrown(const Scene& scene, const std::string& prefix, Findings& findings, const Show& show) {
+  const std::string flight = prefix + "show.flight", total = prefix + "show.total_L";
+  if (!scene.motion.flight && findings.hasBelow(flight) && show.figures.flight.visible)
+    findings.refuse(flight, "nothing is thrown: give [motion.flight], or leave it out");
+  const bool asked = show.figures.totalL.visible && (prefix.empty() || findings.hasBelow(total));
+  if (asked && !scene.motion.flight)
+    findings.refuse(total, "is drawn of a thrown body: give [motion.flight], or leave it out");
+  else if (asked && massIsUnknown(findings))
+    findings.refuse(total, "needs a body with a mass (a shape, one of the catalogue, parts or point masses)");
+}
+
 }  // namespace
 
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show) {
@@ -72,8 +85,10 @@ void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolde
     show.body.parts = {asPart(*figure)};
 }
 
-void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, const std::string& prefix,
+void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, Show& show) {
+  const Motion& motion = scene.motion;
+  checkThrown(scene, prefix, findings, show);
   if (!momentumIsConstant(motion.forcing)) withoutConstruction(prefix, findings, show);
   const std::string shown = rest ? needingRotation(prefix, show) : "";
   if (!shown.empty())

@@ -16,7 +16,7 @@ void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolde
 
 /// Leaves out of `show` what this motion does not have, and refuses what the user asks for of that. `prefix`: what
 /// stands before "show" in the paths of its keys ("", "view[1].").
-void assembleVisible(const Motion& motion, const std::optional<Rest>& rest, const std::string& prefix,
+void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, Show& show);
 
 }  // namespace poinsot::scene

@@ -50,6 +50,12 @@ struct ShownFigures {
     double opacity = 0;                      ///< of the sphere
     bool future = true;                      ///< the part not yet travelled, faint
   } trace;                                   ///< path of a point of the body
+  struct : Drawn {                           ///< its scale is that of lengths on the path
+    bool position = true, velocity = true, weight = false;
+  } flight;  ///< of a thrown body: the body moves along in the views at rest in space
+  struct : Extra {
+    bool torque = false;  ///< about the origin
+  } totalL;               ///< of a thrown body about the origin, with its parts
 };
 
 }  // namespace poinsot::scene

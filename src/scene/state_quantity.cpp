@@ -66,8 +66,50 @@ double size(const Vector3d& v) { return v.norm(); }
 
 double omegaSize(const RigidBodyState& s, const Basis&) { return size(s.omega_W); }
 double LSize(const RigidBodyState& s, const Basis&) { return size(s.L_W); }
+
+// ---- of a thrown body
+
+/// Zero where the body does not fly, besides L; NaN where it has no mass.
+physics::FlightQuantities flightOf(const RigidBodyState& s, const Basis& b) {
+  static const ThrownBody still{.flight = {.gravity_W = Vector3d::Zero()}, .mass_kg = 0};
+  const ThrownBody& thrown = b.thrown() ? *b.thrown() : still;
+  return physics::flightQuantities(thrown.mass_kg, thrown.flight, s);
+}
+
+template <int axis>
+double position(const RigidBodyState& s, const Basis& b) {
+  return b.thrown() ? b.thrown()->flight.positionAt(s.t_s)[axis] : kMissing;
+}
+template <int axis>
+double velocity(const RigidBodyState& s, const Basis& b) {
+  return b.thrown() ? b.thrown()->flight.velocityAt(s.t_s)[axis] : kMissing;
+}
+template <int axis>
+double orbitalL(const RigidBodyState& s, const Basis& b) {
+  return flightOf(s, b).orbital_W[axis];
+}
+template <int axis>
+double totalL(const RigidBodyState& s, const Basis& b) {
+  return flightOf(s, b).total_W[axis];
+}
+double totalLSize(const RigidBodyState& s, const Basis& b) { return size(flightOf(s, b).orbital_W) + size(s.L_W); }
+
+// ---- energies: of a body without mass those of its flight are not known, and left out
+
+double orZero(double value) { return std::isnan(value) ? 0 : value; }
+double kineticEnergy(const RigidBodyState& s, const Basis&) { return s.kineticEnergy; }
+double energyOfFlight(const RigidBodyState& s, const Basis& b) { return flightOf(s, b).translationalEnergy; }
+double wholeKineticEnergy(const RigidBodyState& s, const Basis& b) { return flightOf(s, b).kineticEnergy(); }
+double potentialEnergy(const RigidBodyState& s, const Basis& b) {
+  return physics::potentialEnergy(b.forcing(), s.q_WB) + orZero(flightOf(s, b).potentialEnergy);
+}
+double energy(const RigidBodyState& s, const Basis& b) {
+  return s.kineticEnergy + orZero(energyOfFlight(s, b)) + potentialEnergy(s, b);
+}
 double energySize(const RigidBodyState& s, const Basis& b) {
-  return s.kineticEnergy + size(b.forcing().gravity_B);
+  const physics::FlightQuantities flight = flightOf(s, b);
+  return s.kineticEnergy + size(b.forcing().gravity_B) + orZero(flight.translationalEnergy) +
+         std::abs(orZero(flight.potentialEnergy));
 }
 
 template <int axis>
@@ -86,12 +128,6 @@ template <int axis>
 double LInSpace(const RigidBodyState& s, const Basis&) {
   return s.L_W[axis];
 }
-
-double kineticEnergy(const RigidBodyState& s, const Basis&) { return s.kineticEnergy; }
-double potentialEnergy(const RigidBodyState& s, const Basis& b) {
-  return physics::potentialEnergy(b.forcing(), s.q_WB);
-}
-double energy(const RigidBodyState& s, const Basis& b) { return s.kineticEnergy + potentialEnergy(s, b); }
 
 double theta(const RigidBodyState& s, const Basis& b) { return angle(toW(s, b, b.k_P()), s.L_W); }
 double thetaVertical(const RigidBodyState& s, const Basis& b) {
@@ -127,6 +163,7 @@ double qz(const RigidBodyState& s, const Basis&) { return s.q_WB.z(); }
 
 using enum QuantityUnit;
 using enum QuantityBranch;
+using enum QuantityNeeds;
 using F = QuantityFamily;
 
 constexpr StateQuantity kQuantities[] = {
@@ -153,9 +190,9 @@ constexpr StateQuantity kQuantities[] = {
     {"L_z", "L_z", "L along the world's z axis", kAction, F::kL, kSmooth, LInSpace<2>, LSize},
     {"L", "|\\mathbf{L}|", "length of L", kAction, F::kL, kSmooth, LSize, LSize},
     {"T", "T", "kinetic energy of the rotation", kJoule, F::kEnergy, kSmooth, kineticEnergy, energySize},
-    {"V", "V", "potential energy, above the fixed point", kJoule, F::kEnergy, kSmooth, potentialEnergy,
-     energySize},
-    {"E", "E", "kinetic and potential energy", kJoule, F::kEnergy, kSmooth, energy, energySize},
+    {"V", "V", "potential energy, above the fixed point; of a thrown body with a mass, above the origin", kJoule,
+     F::kEnergy, kSmooth, potentialEnergy, energySize},
+    {"E", "E", "kinetic and potential energy, all that there is", kJoule, F::kEnergy, kSmooth, energy, energySize},
     {"theta", "\\theta", "angle between k, the axis of symmetry or of the main spin, and L", kAngle, F::kBody,
      kSmooth, theta},
     {"theta_vertical", "\\theta_z", "angle between k and the vertical", kAngle, F::kBody, kSmooth, thetaVertical},
@@ -171,13 +208,42 @@ constexpr StateQuantity kQuantities[] = {
     {"q_x", "q_x", "x part of the attitude's quaternion", kBare, F::kBody, kSign, qx},
     {"q_y", "q_y", "y part of the attitude's quaternion", kBare, F::kBody, kSign, qy},
     {"q_z", "q_z", "z part of the attitude's quaternion", kBare, F::kBody, kSign, qz},
+    {"R_x", "R_x", "position of the centre of mass of a thrown body along the world's x axis", kMetre, F::kFlight,
+     kSmooth, position<0>, nullptr, kFlight},
+    {"R_y", "R_y", "position of the centre of mass of a thrown body along the world's y axis", kMetre, F::kFlight,
+     kSmooth, position<1>, nullptr, kFlight},
+    {"R_z", "R_z", "position of the centre of mass of a thrown body along the world's z axis", kMetre, F::kFlight,
+     kSmooth, position<2>, nullptr, kFlight},
+    {"V_x", "V_x", "its velocity along x", kMetrePerSecond, F::kFlight, kSmooth, velocity<0>, nullptr, kFlight},
+    {"V_y", "V_y", "its velocity along y", kMetrePerSecond, F::kFlight, kSmooth, velocity<1>, nullptr, kFlight},
+    {"V_z", "V_z", "its velocity along z", kMetrePerSecond, F::kFlight, kSmooth, velocity<2>, nullptr, kFlight},
+    {"L_orbital_x", "(\\mathbf{R}\\times\\mathbf{P})_x", "R x P of a thrown body about the origin, along x",
+     kAction, F::kL, kSmooth, orbitalL<0>, totalLSize, kFlightAndMass},
+    {"L_orbital_y", "(\\mathbf{R}\\times\\mathbf{P})_y", "R x P of a thrown body about the origin, along y",
+     kAction, F::kL, kSmooth, orbitalL<1>, totalLSize, kFlightAndMass},
+    {"L_orbital_z", "(\\mathbf{R}\\times\\mathbf{P})_z", "R x P of a thrown body about the origin, along z",
+     kAction, F::kL, kSmooth, orbitalL<2>, totalLSize, kFlightAndMass},
+    {"L_total_x", "L_{\\mathrm{tot},x}", "all its angular momentum about the origin, R x P + L, along x", kAction,
+     F::kL, kSmooth, totalL<0>, totalLSize, kFlightAndMass},
+    {"L_total_y", "L_{\\mathrm{tot},y}", "all its angular momentum about the origin, R x P + L, along y", kAction,
+     F::kL, kSmooth, totalL<1>, totalLSize, kFlightAndMass},
+    {"L_total_z", "L_{\\mathrm{tot},z}", "all its angular momentum about the origin, R x P + L, along z", kAction,
+     F::kL, kSmooth, totalL<2>, totalLSize, kFlightAndMass},
+    {"T_cm", "T_\\mathrm{cm}", "kinetic energy of its centre of mass, M V^2/2", kJoule, F::kEnergy, kSmooth,
+     energyOfFlight, energySize, kFlightAndMass},
+    {"T_total", "T_\\mathrm{tot}", "its kinetic energy in all, T_cm + T", kJoule, F::kEnergy, kSmooth,
+     wholeKineticEnergy, energySize, kFlightAndMass},
 };
 
 }  // namespace
 
 QuantityBasis::QuantityBasis(const physics::PrincipalAxes& axes, const physics::Forcing& forcing,
-                             const Vector3d& startOmega_P)
-    : axes_(axes), forcing_(forcing), k_P_(figureAxis(*this, startOmega_P)), across_P_(nextAxis(k_P_)) {}
+                             const Vector3d& startOmega_P, std::optional<ThrownBody> thrown)
+    : axes_(axes),
+      forcing_(forcing),
+      thrown_(std::move(thrown)),
+      k_P_(figureAxis(*this, startOmega_P)),
+      across_P_(nextAxis(k_P_)) {}
 
 Vector3d QuantityBasis::pole_W(const RigidBodyState& state) const {
   if (!forcing_.gravity_B.isZero(0) || state.L_W.isZero(0)) return Vector3d::UnitZ();
@@ -188,6 +254,10 @@ std::string_view unitText(QuantityUnit unit) {
   switch (unit) {
     case kSecond:
       return "a time";
+    case kMetre:
+      return "a length";
+    case kMetrePerSecond:
+      return "in m/s";
     case kRadianPerSecond:
       return "in rad/s";
     case kAction:

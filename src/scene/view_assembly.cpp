@@ -107,7 +107,7 @@ std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::o
     const ViewDraft given = i < draft.views.size() ? draft.views[i] : ViewDraft();
     View view = viewOf(given, path + ".", findings, scene);
     view.place = grid.take(path, given.at, given.span);
-    assembleVisible(scene.motion, rest, path + ".", findings, view.show);
+    assembleVisible(scene, rest, path + ".", findings, view.show);
     const bool own = findings.has(path + ".camera.frame");
     checkFrame(view, own ? path + ".camera.frame" : "camera.frame", scene, rest, findings);
     views.push_back(std::move(view));
@@ -133,7 +133,7 @@ void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings
   const std::size_t count = findings.count("view");
   // What the scene shows itself is only where the views start, where there are any, and nothing without views.
   const bool start = count > 0 || draft.noViews;
-  assembleVisible(scene.motion, start ? std::nullopt : rest, "", findings, scene.show);
+  assembleVisible(scene, start ? std::nullopt : rest, "", findings, scene.show);
   if (count > 0) scene.views = givenViews(draft, count, rest, findings, grid, scene);
   if (start) return;
   scene.views = viewsOf(draft.frames.value_or(std::vector{scene.camera.frame}), grid, scene);

@@ -8,6 +8,7 @@
 #include "stage/cones_figure.h"
 #include "stage/construction_figures.h"
 #include "stage/decomposition_figure.h"
+#include "stage/flight_figures.h"
 #include "stage/ghosts_figure.h"
 #include "stage/main_axis_figure.h"
 #include "stage/named_figures.h"
@@ -63,6 +64,10 @@ std::vector<ShownActor> makeActors(const Setting& setting) {
   addIf(figures.binet.visible, "binet", kA<BinetFigure>);
   addIf(figures.torque.visible, "torque", kA<TorqueFigure>);
   addIf(figures.planeOfL.visible, "plane_of_L", kA<PlaneOfLFigure>);
+  if (setting.motion.flight()) {
+    addIf(true, "flight", kA<FlightFigure>);
+    addIf(figures.totalL.visible, "total_L", kA<TotalAngularMomentumFigure>);
+  }
   addIf(figures.ghosts.visible, "ghosts", kA<GhostsFigure>);
   for (const scene::NamedVector& vector : setting.scene.vectors)
     actors.push_back({"vectors", std::make_unique<NamedVectorFigure>(setting, vector)});

@@ -3,7 +3,8 @@
 
 namespace poinsot::stage {
 
-BodyActor::BodyActor(const Setting& setting) : body_(setting.body), scale_(setting.scales.body) {
+BodyActor::BodyActor(const Setting& setting)
+    : body_(setting.body), scale_(setting.scales.body), movesAlong_(setting.motion.flight()) {
   if (standsOnPivot(setting.scene)) stand_.emplace(setting.scene, setting.motion, body_, scale_);
 }
 
@@ -12,11 +13,12 @@ void BodyActor::add(const Canvas& canvas, double /*filmTime_s*/, const PictureSt
   if (stand_) stand_->add(canvas.list, state, canvas.colors);
 }
 
-// A body about its centre of mass turns in a ball; one on a pivot takes the place that it sweeps.
+// A body about its centre of mass turns in a ball; one on a pivot or on its way takes the place that it sweeps.
 std::vector<Eigen::Vector3d> BodyActor::outermostPoints(const PictureState& state) const {
-  return stand_ ? stand_->outermostPoints(state) : std::vector<Eigen::Vector3d>();
+  if (stand_) return stand_->outermostPoints(state);
+  return movesAlong_ ? body_.outermostPoints({state.R_VB, scale_}) : std::vector<Eigen::Vector3d>();
 }
 
-double BodyActor::ballRadius() const { return stand_ ? 0 : scale_ * body_.radius(); }
+double BodyActor::ballRadius() const { return stand_ || movesAlong_ ? 0 : scale_ * body_.radius(); }
 
 }  // namespace poinsot::stage

@@ -20,6 +20,7 @@ class BodyActor final : public Actor {
  private:
   const BodyFigure& body_;
   double scale_;
+  bool movesAlong_;
   std::optional<StandFigure> stand_;
 };
 

@@ -107,6 +107,13 @@ Vector3d BodyFigure::supportPoint(const Vector3d& direction_B) const {
   return best;
 }
 
+std::vector<Vector3d> BodyFigure::outermostPoints(const Placement& place) const {
+  std::vector<Vector3d> points;
+  for (const Vector3d& direction_B : cubeDirections())
+    points.push_back(place.origin_V + place.scale * (place.R_VB * supportPoint(direction_B)));
+  return points;
+}
+
 double BodyFigure::gauge(const Vector3d& p_B) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Piece& piece : figure_.pieces) least = std::min(least, stage::gauge(piece, p_B));

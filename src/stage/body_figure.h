@@ -29,6 +29,9 @@ class BodyFigure {
   /// The farthest point in a direction of B, in m.
   Eigen::Vector3d supportPoint(const Eigen::Vector3d& direction_B) const;
 
+  /// The farthest points in 26 directions, in the picture.
+  std::vector<Eigen::Vector3d> outermostPoints(const Placement& place) const;
+
   /// How far out a point in metres lies: 1 on the body's surface, less inside, infinite where it hides nothing.
   double gauge(const Eigen::Vector3d& p_B) const;
 

@@ -2,9 +2,12 @@
 #include "stage/ghosts_figure.h"
 
 #include "stage/framing.h"
+#include "stage/to_picture.h"
 
 namespace poinsot::stage {
 namespace {
+
+constexpr double kApart = 0.006;  // picture lengths
 
 using Eigen::Vector3d;
 
@@ -26,27 +29,43 @@ Palette pale(const Palette& colors, double strength) {
 }  // namespace
 
 GhostsFigure::GhostsFigure(const Setting& setting)
-    : body_(setting.body), scale_(setting.scales.body), strength_(setting.scene.show.figures.ghosts.strength) {
+    : body_(setting.body),
+      scale_(setting.scales.body),
+      strength_(setting.scene.show.figures.ghosts.strength),
+      moves_(setting.motion.flight()),
+      flightScale_(setting.scales.flight) {
   const Vector3d step_V = 2 * scale_ * body_.halfExtents().maxCoeff() *
                           (cameraAxes_V(setting.scene.camera) * setting.scene.show.figures.ghosts.step);
   for (const double time_s : timesOf(setting)) {
     const PictureState state = setting.motion.at(time_s);
     const auto places = static_cast<double>(poses_.size() + 1);
-    poses_.push_back({state.R_VW.transpose() * state.R_VB, places * step_V});
+    const Vector3d place_V = moves_ ? Vector3d(setting.scales.flight * state.centre_V) : Vector3d(places * step_V);
+    poses_.push_back({time_s, state.R_VW.transpose() * state.R_VB, place_V});
   }
 }
 
-void GhostsFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+Vector3d GhostsFigure::place_V(const Pose& pose, const PictureState& state) const {
+  return moves_ ? Vector3d(pose.place_V - flightScale_ * state.centre_V) : pose.place_V;
+}
+
+// Where a body moves along, the picture has only what has been, as a stroboscope leaves it; older poses are a
+// little farther from the eye, or faces in one plane would be seen through one another.
+void GhostsFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   const Palette colors = pale(canvas.colors, strength_);
-  for (const Pose& pose : poses_)
-    body_.add(canvas.list, {state.R_VW * pose.R_WB, scale_, pose.place_V}, colors, canvas.line_px);
+  const Vector3d away_V = -kApart * fromPicture(canvas.list.camera.R_WC[2]);
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    if (moves_ && poses_[i].filmTime_s > filmTime_s) continue;
+    Vector3d place = place_V(poses_[i], state);
+    if (moves_) place += static_cast<double>(poses_.size() - i) * away_V;
+    body_.add(canvas.list, {state.R_VW * poses_[i].R_WB, scale_, place}, colors, canvas.line_px);
+  }
 }
 
 std::vector<Vector3d> GhostsFigure::outermostPoints(const PictureState& state) const {
   std::vector<Vector3d> points;
   for (const Pose& pose : poses_)
-    for (const Vector3d& direction_B : cubeDirections())
-      points.push_back(pose.place_V + scale_ * (state.R_VW * pose.R_WB * body_.supportPoint(direction_B)));
+    for (const Vector3d& point_V : body_.outermostPoints({state.R_VW * pose.R_WB, scale_, place_V(pose, state)}))
+      points.push_back(point_V);
   return points;
 }
 

@@ -5,8 +5,8 @@
 
 namespace poinsot::stage {
 
-/// The body as it is at other times of the film, pale, each pose a step from the one before: a stroboscopic
-/// picture.
+/// The body as it is at other times of the film, pale, each pose a step from the one before, or where a
+/// thrown body was then: a stroboscopic picture.
 class GhostsFigure final : public Actor {
  public:
   explicit GhostsFigure(const Setting& setting);
@@ -15,14 +15,21 @@ class GhostsFigure final : public Actor {
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
   struct Pose {
+    double filmTime_s;
     Eigen::Matrix3d R_WB;
-    Eigen::Vector3d place_V;  ///< from the body, as the camera stands at the film's start
+    /// From the body, as the camera stands at the film's start; of one that moves along, from the origin of space.
+    Eigen::Vector3d place_V;
   };
   const std::vector<Pose>& poses() const { return poses_; }
 
  private:
   const BodyFigure& body_;
+  /// From the body as it is now.
+  Eigen::Vector3d place_V(const Pose& pose, const PictureState& state) const;
+
   double scale_, strength_;
+  bool moves_;  // along: each pose is where it was
+  double flightScale_;
   std::vector<Pose> poses_;
 };
 

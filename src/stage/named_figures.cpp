@@ -16,7 +16,6 @@ constexpr double kArrowRadius = 0.016;
 constexpr double kArcShare = 0.72;  // of the shorter of the two arrows
 constexpr double kVertical = 1.5;   // length of the vertical, as of L where it is longest
 constexpr double kBeyond = 1.15;    // of a space axis, in the ball that holds body and ellipsoid
-constexpr double kVelocity = 0.7;   // length of a point's velocity where it is longest
 constexpr int kArcPoints = 48;
 
 draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
@@ -76,16 +75,12 @@ struct MakeArrow {
   }
 
   ArrowOf operator()(const scene::VelocityVector& vector) const {
-    const Vector3d r_B = place_B(vector.point_B);
-    double fastest = 0;
-    for (const PathPoint& p : setting.motion.outline()) {
-      const PictureState state = setting.motion.atPlayed(p.played_s);
-      fastest = std::max(fastest, state.omega_V.cross(state.R_VB * r_B).norm());
-    }
-    const double factor = fastest > 0 ? scale * kVelocity / fastest : 0;
-    return [r_B, factor](const PictureState& state) {
-      const Vector3d r_V = state.R_VB * r_B;
-      return Arrow{r_V, r_V + factor * state.omega_V.cross(r_V)};
+    const Vector3d r_B = vector.point_B - setting.scene.body.fixedPoint_B();
+    return [r_B, body = setting.scales.body, factor = scale * setting.scales.velocity](const PictureState& state) {
+      const Vector3d place_V = body * (state.R_VB * r_B);
+      Arrow arrow{place_V, place_V + factor * state.velocityAt(r_B)};
+      if (!state.velocity_V.isZero(0)) arrow.corner_V = place_V + factor * state.velocity_V;
+      return arrow;
     };
   }
 };
@@ -155,11 +150,16 @@ void NamedVectorFigure::add(const Canvas& canvas, double /*filmTime_s*/, const P
   const Arrow now = arrow(state);
   const draw::Color color = colorOf(canvas.colors, vector_.color);
   canvas.arrowFrom(now.from_V, now.tip_V, kArrowRadius, color);
+  if (now.corner_V) {
+    canvas.dashes(now.from_V, *now.corner_V, color);
+    canvas.dashes(*now.corner_V, now.tip_V, color);
+  }
   canvas.label(vector_.name, now.tip_V, now.from_V, color);
 }
 
 std::vector<Vector3d> NamedVectorFigure::outermostPoints(const PictureState& state) const {
-  return {arrow(state).tip_V};
+  const Arrow now = arrow(state);
+  return {now.tip_V, now.corner_V.value_or(now.tip_V)};
 }
 
 // ---- angles

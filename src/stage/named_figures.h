@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "stage/actor.h"
 
@@ -32,6 +33,8 @@ class NamedVectorFigure final : public Actor {
 
   struct Arrow {
     Eigen::Vector3d from_V, tip_V;
+    /// Of a velocity while the body moves along: from there, it is V to the corner and omega × r to the tip.
+    std::optional<Eigen::Vector3d> corner_V = {};
   };
   Arrow arrow(const PictureState& state) const { return arrow_(state); }
 

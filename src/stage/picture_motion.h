@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "physics/motion.h"
@@ -14,7 +15,8 @@ namespace poinsot::stage {
 
 /// The motion as the picture shows it. V: the picture's axes, z up: inertial axes, or the body's turned so that
 /// the axis it spins about points up, or those in which the axis k of a symmetric body and L stand still (k to the
-/// right, as most cameras see it). Still in rad/s and kg·m²/s; scaling comes later (scales.h).
+/// right, as most cameras see it). V's origin is the point that the body turns about: where a thrown body moves
+/// along, it is space that goes the other way, with the camera. Still in SI units; scaling comes later (scales.h).
 struct PictureState {
   Eigen::Matrix3d R_VB;
   Eigen::Matrix3d R_VP;  ///< principal axes
@@ -23,8 +25,12 @@ struct PictureState {
   Eigen::Vector3d omega_P;
   Eigen::Vector3d L_V;
   Eigen::Vector3d L_W;
-  Eigen::Vector3d torque_V;  ///< N·m
+  Eigen::Vector3d torque_V;    ///< N·m
+  Eigen::Vector3d centre_V;    ///< the centre of mass from the origin of space, m; zero unless it moves along
+  Eigen::Vector3d velocity_V;  ///< of the centre of mass, m/s; zero unless it moves along
 
+  /// Of a point of the body, m from the fixed point, m/s: V + omega × r of one that moves along.
+  Eigen::Vector3d velocityAt(const Eigen::Vector3d& r_B) const { return velocity_V + omega_V.cross(R_VB * r_B); }
   bool atRest() const { return omega_P.isZero(0); }
 };
 
@@ -85,6 +91,8 @@ class PictureMotion {
 
   const physics::PrincipalAxes& axes() const { return motion_->axes(); }
   const physics::PrincipalMoments& moments() const { return axes().moments(); }
+  /// Of a body that moves along in the picture; else none.
+  const std::optional<physics::Flight>& flight() const { return flight_; }
   /// Nothing acts on the body: L and the energy are constant.
   bool isFree() const { return forcing_.none(); }
   /// Seconds of motion per second of played time.
@@ -103,6 +111,7 @@ class PictureMotion {
   double length_s_;  // of played time
   bool repeats_;
   physics::Forcing forcing_;
+  std::optional<physics::Flight> flight_;
   scene::CameraFrame frame_;
   Eigen::Matrix3d R_VB_;   // where the body stands, when it does
   Precession precession_;  // of the picture's axes, when they precess

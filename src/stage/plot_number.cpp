@@ -56,6 +56,10 @@ WrittenUnit writtenUnit(QuantityUnit unit, double largest) {
   switch (unit) {
     case QuantityUnit::kSecond:
       return timeUnit(largest);
+    case QuantityUnit::kMetre:
+      return scaled("\\mathrm{m}", 1, largest);
+    case QuantityUnit::kMetrePerSecond:
+      return scaled("\\mathrm{m/s}", 1, largest);
     case QuantityUnit::kRadianPerSecond:
       return scaled("\\mathrm{rad/s}", 1, largest);
     case QuantityUnit::kAction:

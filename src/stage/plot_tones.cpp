@@ -10,8 +10,9 @@ namespace {
 // Towards ink and towards paper, in linear light: farther, the hue or the type's contrast would be lost.
 constexpr float kDarkest = 0.75f, kLightest = 0.16f;
 
-/// `place` from 0, the darkest, to 1.
+/// `place` from 0, the darkest, to 1. Nothing is darker than ink.
 draw::Color tone(const Palette& colors, const draw::Color& color, float place) {
+  if (color == colors.ink) return glm::mix(color, colors.paper, kLightest * place);
   if (place < 0.5f) return glm::mix(color, colors.ink, kDarkest * (1 - 2 * place));
   return glm::mix(color, colors.paper, kLightest * (2 * place - 1));
 }
@@ -26,6 +27,8 @@ draw::Color familyColor(const Palette& colors, scene::QuantityFamily family) {
       return colors.L;
     case scene::QuantityFamily::kBody:
       return colors.axis;
+    case scene::QuantityFamily::kFlight:
+      return colors.vector;
     case scene::QuantityFamily::kTime:
     case scene::QuantityFamily::kEnergy:
       break;
@@ -41,7 +44,8 @@ std::vector<draw::Color> quantityColors(const Palette& colors, const std::vector
     const auto first = quantities.begin(), here = first + static_cast<std::ptrdiff_t>(i);
     const auto place = static_cast<float>(std::count_if(first, here, alike));
     const auto others = static_cast<float>(std::count_if(first, quantities.end(), alike) - 1);
-    all.push_back(tone(colors, familyColor(colors, familyOf(quantities[i])), others > 0 ? place / others : 0.5f));
+    const draw::Color color = familyColor(colors, familyOf(quantities[i]));
+    all.push_back(others > 0 ? tone(colors, color, place / others) : color);
   }
   return all;
 }

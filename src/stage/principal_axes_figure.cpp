@@ -38,7 +38,7 @@ PrincipalAxesFigure::PrincipalAxesFigure(const Setting& setting)
       bodyScale_(setting.scales.body),
       insideEllipsoid_(setting.construction && setting.scene.show.ellipsoid.visible &&
                        setting.scene.show.principalAxes.scale <= 1),
-      onPivot_(standsOnPivot(setting.scene)) {}
+      inBall_(!standsOnPivot(setting.scene) && !setting.motion.flight()) {}
 
 void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
@@ -69,15 +69,15 @@ float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& p
   return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
 }
 
-// A body about its centre of mass turns in a ball; one on a pivot takes the place that it sweeps.
+// As of the body (body_actor.cpp).
 std::vector<Vector3d> PrincipalAxesFigure::outermostPoints(const PictureState& state) const {
-  if (insideEllipsoid_ || !onPivot_) return {};
+  if (insideEllipsoid_ || inBall_) return {};
   const Eigen::Matrix3d tips = state.R_VP * lengths_.asDiagonal();
   return {tips.col(0), tips.col(1), tips.col(2)};
 }
 
 double PrincipalAxesFigure::ballRadius() const {
-  return insideEllipsoid_ || onPivot_ ? 0 : kFramed * lengths_.maxCoeff();
+  return !insideEllipsoid_ && inBall_ ? kFramed * lengths_.maxCoeff() : 0;
 }
 
 }  // namespace poinsot::stage

@@ -24,7 +24,7 @@ class PrincipalAxesFigure final : public Actor {
   Eigen::Vector3d lengths_;
   const BodyFigure* body_;  // null where it is not shown
   double bodyScale_;
-  bool insideEllipsoid_, onPivot_;
+  bool insideEllipsoid_, inBall_;
 };
 
 /// How long the principal axes are drawn, from the fixed point to inside the ellipsoid or beyond the body.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "stage/picture_motion.h"
 
@@ -41,6 +42,13 @@ void widen(QuantityRange& range, double value, double size) {
   range.size = std::max(range.size, size);
 }
 
+std::optional<scene::ThrownBody> thrownBody(const scene::Scene& scene) {
+  if (!scene.motion.flight) return std::nullopt;
+  scene::ThrownBody thrown{.flight = *scene.motion.flight};
+  if (scene.body.mass) thrown.mass_kg = scene.body.mass->mass_kg();
+  return thrown;
+}
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr double kRounding = 1e-11;  // of a quantity's size: what integration to 1e-12 may leave
@@ -67,7 +75,7 @@ QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const ph
       clock_(filmClock(scene)),
       duration_s_(scene.time.duration_s),
       basis_(motion_->axes(), scene.motion.forcing,
-             motion_->axes().toP(motion_->at(clock_.motionTime_s(0)).omega_B)) {
+             motion_->axes().toP(motion_->at(clock_.motionTime_s(0)).omega_B), thrownBody(scene)) {
   chooseTimes(scene);
   sampleAll();
 }

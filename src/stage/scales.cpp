@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "physics/poinsot_construction.h"
 
@@ -14,6 +15,7 @@ constexpr double kBodyInEllipsoid =
 constexpr double kBodyAlone = 0.8;     // half the body's longest extent where no ellipsoid is shown,
 constexpr double kRadiusAlone = 1.05;  // and the most of its radius: of a top, or a cube to its corners
 constexpr double kOmegaAlone = 1.25;   // longest omega where no ellipsoid is shown
+constexpr double kVelocity = 0.7;      // of a point, where it is fastest
 constexpr double kLAbove = 1.5, kLBelowPlane = 0.42;
 
 // Longest omega (rad/s) and L (kg·m²/s) of the film.
@@ -26,6 +28,19 @@ struct Longest {
     }
   }
 };
+
+// Of the centre of mass and of the points whose velocities are drawn, over the film, m/s.
+double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
+  double fastest = 0;
+  for (const PathPoint& p : motion.outline()) {
+    const PictureState state = motion.atPlayed(p.played_s);
+    fastest = std::max(fastest, state.velocity_V.norm());
+    for (const scene::NamedVector& vector : scene.vectors)
+      if (const auto* of = std::get_if<scene::VelocityVector>(&vector.what))
+        fastest = std::max(fastest, state.velocityAt(of->point_B - scene.body.fixedPoint_B()).norm());
+  }
+  return fastest;
+}
 
 }  // namespace
 
@@ -50,6 +65,8 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
     scales.ellipsoid = longest.omega > 0 ? kOmegaAlone / longest.omega : 1;
     scales.reach = scales.body * body.radius();
   }
+  scales.flight = scales.body * show.figures.flight.scale;
+  if (const double fastest = fastestShown(scene, motion); fastest > 0) scales.velocity = kVelocity / fastest;
   scales.omega = scales.ellipsoid * show.omega.scale;
   if (longest.L > 0) scales.L = show.L.scale * lengthOfL / longest.L;
   return scales;

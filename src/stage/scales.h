@@ -11,6 +11,8 @@ namespace poinsot::stage {
 struct Scales {
   double body = 1;       ///< per metre
   double ellipsoid = 1;  ///< per rad/s: ellipsoid, plane, polhode, herpolhode, contact point
+  double flight = 1;     ///< per metre of the path of a thrown body
+  double velocity = 1;   ///< per m/s: of the centre of mass and of points of the body
   double omega = 1;      ///< per rad/s: the arrow; the ellipsoid's unless the scene says otherwise
   double L = 1;          ///< per kg·m²/s: the arrow, of a fixed length where L is longest
   double reach =

@@ -39,13 +39,14 @@ double stepOf(const PictureMotion& motion, const Vector3d& point_B) {
 TraceFigure::TraceFigure(const Setting& setting)
     : motion_(setting.motion),
       point_B_(tracedPoint_B(setting)),
-      opacity_(setting.scene.show.figures.trace.opacity),
+      flightScale_(setting.scales.flight),
+      opacity_(setting.motion.flight() ? 0 : setting.scene.show.figures.trace.opacity),
       future_(setting.scene.show.figures.trace.future),
       step_s_(stepOf(setting.motion, point_B_)) {}
 
 Vector3d TraceFigure::at_W(double played_s) const {
   const PictureState state = motion_.atPlayed(played_s);
-  return state.R_VW.transpose() * (state.R_VB * point_B_);
+  return state.R_VW.transpose() * (flightScale_ * state.centre_V + state.R_VB * point_B_);
 }
 
 // The inner points are at times that are the same for every picture, so that the curve does not crawl.
@@ -61,7 +62,8 @@ void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, doubl
                           const draw::Color& color, double width, double lift) const {
   if (!(to_s > from_s)) return;
   std::vector<Vector3d> points;
-  for (const Vector3d& p_W : path_W(from_s, to_s)) points.emplace_back(state.R_VW * p_W);
+  for (const Vector3d& p_W : path_W(from_s, to_s))
+    points.emplace_back(state.R_VW * p_W - flightScale_ * state.centre_V);
   canvas.line(points, false, color, width, lift);
 }
 

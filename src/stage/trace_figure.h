@@ -6,7 +6,8 @@
 namespace poinsot::stage {
 
 /// The path of a point of the body on a sphere about the fixed point: of a heavy top's axis, the loops of its
-/// nutation. The travelled part is strong, the part to come faint.
+/// nutation. Of a body that moves along, the path in space, without a sphere. The travelled part is strong, the
+/// part to come faint.
 class TraceFigure final : public Actor {
  public:
   explicit TraceFigure(const Setting& setting);
@@ -28,7 +29,7 @@ class TraceFigure final : public Actor {
 
   const PictureMotion& motion_;
   Eigen::Vector3d point_B_;  // from the fixed point, in the picture's lengths
-  double opacity_;
+  double flightScale_, opacity_;
   bool future_;
   double step_s_;  // of played time
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/view_stage.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 
@@ -16,22 +17,35 @@
 #include "stage/presence.h"
 #include "stage/principal_axes_figure.h"
 #include "stage/scales.h"
+#include "stage/to_picture.h"
 
 namespace poinsot::stage {
 namespace {
 
-// The whole film at once, so that nothing breathes.
+using Eigen::Vector3d;
+
+// The whole film at once, so that nothing breathes. From the origin of space where a body moves along.
 Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& motion, const Scales& scales) {
   Extent whole;
   for (const ShownActor& shown : actors) whole.ballRadius = std::max(whole.ballRadius, shown.actor->ballRadius());
   for (const PathPoint& p : motion.outline()) {
     const PictureState state = motion.atPlayed(p.played_s);
+    const Vector3d centre_V = scales.flight * state.centre_V;
     for (const ShownActor& shown : actors)
-      for (const Eigen::Vector3d& point_V : shown.actor->outermostPoints(state)) whole.points_V.push_back(point_V);
+      for (const Vector3d& point_V : shown.actor->outermostPoints(state))
+        whole.points_V.push_back(centre_V + point_V);
   }
   if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
-  whole.points_V.push_back(Eigen::Vector3d::Zero());  // where arrows begin
+  if (!motion.flight()) whole.points_V.push_back(Vector3d::Zero());  // where arrows begin
   return whole;
+}
+
+// Puts the extent about the origin; returns where its middle was.
+Vector3d centre(Extent& extent) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point_V : extent.points_V) box.extend(point_V);
+  for (Vector3d& point_V : extent.points_V) point_V -= box.center();
+  return box.center();
 }
 
 }  // namespace
@@ -45,6 +59,7 @@ struct ViewStage::Plan {
   std::optional<Construction> construction;
   std::vector<ShownActor> actors;
   Extent extent;
+  Vector3d middle_V = Vector3d::Zero();  // of the extent from the origin of space, where a body moves along
   CameraPath path;
   PathFraming framing;
   PresencePlan presence;
@@ -63,14 +78,19 @@ struct ViewStage::Plan {
     const Eigen::Vector3d axisLengths = principalAxisLengths(scene, body, scales, made);
     actors = makeActors({scene, motion, body, scales, made, axisLengths});
     extent = wholeExtent(actors, motion, scales);
+    if (motion.flight()) middle_V = centre(extent);
   }
 
-  draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame) const;
+  draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame, const PictureState& state) const;
   void addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const;
 };
 
-draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame) const {
-  return framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
+// It stands still in space.
+draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame,
+                                       const PictureState& state) const {
+  const draw::Camera camera =
+      framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
+  return draw::moved(camera, toPicture(Vector3d(middle_V - scales.flight * state.centre_V)));
 }
 
 void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
@@ -95,14 +115,15 @@ draw::DrawList ViewStage::compose(double filmTime_s, const PanelFrame& frame) co
   const Plan& plan = *plan_;
   const scene::Style& style = plan.scene.style;
   draw::DrawList list;
-  list.camera = plan.cameraAt(filmTime_s, frame);
+  const PictureState state = plan.motion.at(filmTime_s);
+  list.camera = plan.cameraAt(filmTime_s, frame, state);
   list.background = plan.colors.paper;
   const double line_px = frame.line_px * style.lineWidth;
   const double label_px = plan.scene.show.labels ? kLabelSize * frame.type_px * style.textSize : 0;
   std::vector<Label> labels;
   const Canvas canvas{list,    labels,          plan.colors, plan.scene.labels,
                       line_px, style.lineWidth, label_px,    frame.least_px * style.textSize};
-  plan.addActors(canvas, filmTime_s, plan.motion.at(filmTime_s));
+  plan.addActors(canvas, filmTime_s, state);
   addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px), frame.taken);
   return list;
 }

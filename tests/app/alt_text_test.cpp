@@ -111,6 +111,26 @@ TEST(AltText, OfTorquesAndPlots) {
   EXPECT_THAT(text, HasSubstr("A plot shows ω₂ against ω₁, with a cursor at the instant of the picture."));
 }
 
+// By hand: 5 m/s; up at 4 m/s against 9.80665 m/s² for 0.408 s, 0.816 m.
+TEST(AltText, OfAThrownBody) {
+  const std::string top =
+      "body.shape='box'\nbody.size=[3, 2, 1]\nbody.mass=1\nmotion.omega_body=[1, 2, 3]\n[motion.flight]\n";
+  const std::string thrown = altText(sceneOf(top + "velocity=[3, 0, 4]\n"));
+  EXPECT_THAT(thrown,
+              HasSubstr("Only its weight acts on the body, at the centre of mass, so its angular momentum L "
+                        "about that point, "));
+  EXPECT_THAT(thrown, HasSubstr("It is thrown at 5 m/s: its centre of mass flies on a parabola, highest after "
+                                "0.408 s and 0.816 m, while"));
+  EXPECT_THAT(thrown,
+              HasSubstr("at rest in space, with the path of its centre of mass, an arrow from the origin to "
+                        "where it is and an arrow for its velocity."));
+  const std::string drifts =
+      altText(sceneOf(top + "velocity=[0, 3, 4]\ngravity=[0, 0, 0]\n[show]\nflight=false\n"));
+  EXPECT_THAT(drifts, HasSubstr("Nothing acts on the body, so"));
+  EXPECT_THAT(drifts, HasSubstr("Its centre of mass flies straight on at 5 m/s."));
+  EXPECT_THAT(drifts, HasSubstr("at rest in space."));
+}
+
 TEST(AltText, OfLosses) {
   const scene::Scene scene = galleryScene("explorer_1");
   const json info = numbersOf(scene);

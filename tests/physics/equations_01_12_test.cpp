@@ -191,6 +191,15 @@ TEST(Equation01, ThrownBody) {
               2e-14);
 }
 
+// Up at 3 m/s against 4 m/s², by hand: 0.75 s, 1.125 m; along any axis.
+TEST(Flight, HasATop) {
+  const FlightTop top = Flight{.velocity_W = {3, 7, 0}, .gravity_W = {-4, 0, 0}}.top();
+  EXPECT_EQ(top.t_s, 0.75);
+  EXPECT_EQ(top.rise_m, 1.125);
+  EXPECT_LT((Flight{.velocity_W = {0, 0, -1}}.top().t_s), 0);
+  EXPECT_EQ((Flight{.velocity_W = {1, 2, 3}, .gravity_W = Vector3d::Zero()}.top().t_s), 0);
+}
+
 // The same flight, its masses one by one: where they are and how fast, from the attitude and omega alone.
 TEST(Equation01To10, ThrownBodyIsItsMasses) {
   const FiveMasses five;

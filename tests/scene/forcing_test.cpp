@@ -136,6 +136,36 @@ TEST(Flight, IsThrownFromWhereTheSceneSays) {
             "motion.flight: a thrown body turns about its centre of mass, and body.pivot holds it at a point\n");
 }
 
+TEST(Flight, IsDrawnOfABodyThatIsThrown) {
+  const std::string thrown = "[motion.flight]\nvelocity=[1, 0, 2]\n";
+  EXPECT_EQ(problems(kBare + "[show]\nflight=false\n"), "");
+  EXPECT_EQ(problems(kBare + "[show.flight]\nweight=true\n"),
+            "show.flight: nothing is thrown: give [motion.flight], or leave it out\n");
+  EXPECT_EQ(problems(kBare + "[show]\ntotal_L=true\n"),
+            "show.total_L: is drawn of a thrown body: give [motion.flight], or leave it out\n");
+  EXPECT_EQ(problems(kBare + thrown + "[[view]]\nshow.total_L=true\n"),
+            "view[0].show.total_L: needs a body with a mass (a shape, one of the catalogue, parts or point "
+            "masses)\n");
+}
+
+TEST(Flight, HasQuantitiesOfItsOwn) {
+  const std::string thrown = "[motion.flight]\nvelocity=[1, 0, 2]\n";
+  EXPECT_EQ(problems(kBare + "[[plot]]\nquantities=['R_x', 'R_z']\n"),
+            "plot[0].quantities: \"R_x\" is of a thrown body; give [motion.flight]\n"
+            "plot[0].quantities: \"R_z\" is of a thrown body; give [motion.flight]\n");
+  EXPECT_EQ(problems(kBare + thrown + "[[plot]]\nquantities=['R_x', 'R_z']\n"), "");
+  EXPECT_THAT(problems(kBare + thrown + "[[readout]]\nquantity='T_cm'\n"),
+              HasSubstr("readout[0].quantity: \"T_cm\" needs a body with a mass"));
+}
+
+// The picture can, where it goes with the body.
+TEST(Flight, DoesNotRepeat) {
+  const std::string thrown = "[motion.flight]\nvelocity=[1, 0, 2]\n[time]\nloop=true\n";
+  EXPECT_THAT(problems(kBare + thrown), HasSubstr("time.loop: a thrown body does not come back"));
+  EXPECT_EQ(problems(kBare + thrown + "[show]\nflight=false\n"), "");
+  EXPECT_EQ(problems(kBare + thrown + "[camera]\nframe='body'\n"), "");
+}
+
 TEST(Construction, IsShownWhereLIsConstant) {
   const Show free = sceneWith(kBare).show, lossy = sceneWith(kBare + "[motion.dissipation]\nalpha=0.01").show;
   const Show dragged = sceneWith(kBare + "[motion.drag]\nrate=0.1").show;
