@@ -9,6 +9,7 @@ function(poinsot_layer name)
   add_library(poinsot::${name} ALIAS poinsot_${name})
   target_include_directories(poinsot_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE poinsot_flags ${ARG_PRIVATE})
+  poinsot_use_headers(poinsot_${name} poinsot_layer_headers)
 endfunction()
 
 # poinsot_test(NAME SOURCES ... LINKS ... LABELS unit|gl|golden|video|cli|slow...)
@@ -18,6 +19,7 @@ function(poinsot_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} poinsot_flags GTest::gtest GTest::gmock GTest::gtest_main)
+  poinsot_use_headers(${name} poinsot_test_headers)
   target_compile_definitions(${name} PRIVATE
     POINSOT_SOURCE_DIR="${CMAKE_SOURCE_DIR}" POINSOT_BINARY_DIR="${CMAKE_BINARY_DIR}"
     POINSOT_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/poinsot")

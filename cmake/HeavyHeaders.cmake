@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+# What takes most of a compiler's time here is reading the headers of Eigen, fmt, CLI11 and GoogleTest: they are read
+# once. Every file includes what it uses all the same; POINSOT_PCH=OFF builds without, and shows it.
+option(POINSOT_PCH "Precompile the headers of third parties" ON)
+
+set(heavy_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
+  <string> <string_view> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/Geometry>)
+
+# A target of its own carries them, as flags must be those of its users: libraries or programs.
+function(poinsot_heavy_headers carrier)
+  target_link_libraries(${carrier} PRIVATE poinsot_flags Eigen3::Eigen fmt::fmt)
+  target_precompile_headers(${carrier} PRIVATE ${heavy_headers} ${ARGN})
+endfunction()
+
+if(POINSOT_PCH)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/heavy_headers.cpp CONTENT "int main() {}\n")
+  add_library(poinsot_layer_headers OBJECT ${CMAKE_BINARY_DIR}/heavy_headers.cpp)
+  poinsot_heavy_headers(poinsot_layer_headers)
+endif()
+
+# After find_package(GTest).
+function(poinsot_test_headers)
+  if(POINSOT_PCH)
+    add_executable(poinsot_test_headers ${CMAKE_BINARY_DIR}/heavy_headers.cpp)
+    target_link_libraries(poinsot_test_headers PRIVATE GTest::gtest GTest::gmock)
+    poinsot_heavy_headers(poinsot_test_headers <gtest/gtest.h> <gmock/gmock.h>)
+  endif()
+endfunction()
+
+# Lets a target use what its kind's carrier has read.
+function(poinsot_use_headers target carrier)
+  if(POINSOT_PCH)
+    target_precompile_headers(${target} REUSE_FROM ${carrier})
+  endif()
+endfunction()
