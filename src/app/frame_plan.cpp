@@ -17,7 +17,7 @@ std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
   std::int64_t k = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), k);
   const bool whole = status == std::errc() && end == text.data() + text.size();
-  return whole && text.front() != '-' ? std::optional(k) : std::nullopt;
+  return whole && !text.empty() && text.front() != '-' ? std::optional(k) : std::nullopt;
 }
 
 [[noreturn]] void refuse(std::string_view frames, std::string_view why) {
@@ -44,14 +44,35 @@ FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>
   return frames;
 }
 
-std::vector<FrameRange> segmentsOf(const FrameRange& frames) {
+std::vector<FrameRange> segmentsOf(const FrameRange& frames, std::int64_t segmentFrames) {
+  POINSOT_EXPECT(segmentFrames > 0);
   std::vector<FrameRange> segments;
   for (std::int64_t first = frames.first; first <= frames.last;) {
-    const std::int64_t border = (first / kSegmentFrames + 1) * kSegmentFrames;
+    const std::int64_t border = (first / segmentFrames + 1) * segmentFrames;
     segments.push_back({first, std::min(border - 1, frames.last)});
     first = border;
   }
   return segments;
+}
+
+Shard parseShard(std::string_view text) {
+  const auto slash = text.find('/');
+  const auto k = parseFrameNumber(text.substr(0, slash));
+  const auto n = slash == std::string_view::npos ? std::nullopt : parseFrameNumber(text.substr(slash + 1));
+  constexpr std::int64_t kMost = 100'000;
+  if (!k || !n || *k < 1 || *k > *n || *n > kMost)
+    throw core::Error(
+        core::ErrorKind::kUsage,
+        fmt::format("--shard '{}': a shard is k/n, such as 2/7: the k-th of n, from 1/n to n/n, at most {}",
+                    core::printable(text), kMost));
+  return {static_cast<int>(*k), static_cast<int>(*n)};
+}
+
+std::vector<FrameRange> segmentsOf(const Shard& shard, const std::vector<FrameRange>& segments) {
+  std::vector<FrameRange> own;
+  for (auto i = static_cast<std::size_t>(shard.k - 1); i < segments.size(); i += static_cast<std::size_t>(shard.n))
+    own.push_back(segments[i]);
+  return own;
 }
 
 }  // namespace poinsot::app

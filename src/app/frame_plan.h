@@ -17,9 +17,10 @@ struct FrameRange {
   friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
-/// The unit of work. Its borders lie at absolute frame numbers, so that workers, shards and resume never move
-/// them: each is encoded by itself. 30 frames are a second at 30 fps: short enough that workers end together, long
-/// enough that the one key frame per segment costs little (films measured 0.9 % larger than with 60).
+/// Frames of a segment, the unit of work, unless the user says otherwise. Its borders lie at absolute frame
+/// numbers, so that workers, shards and resume never move them: each is encoded by itself. 30 frames are a second
+/// at 30 fps: short enough that workers end together, long enough that the one key frame per segment costs little
+/// (films measured 0.9 % larger than with 60).
 inline constexpr std::int64_t kSegmentFrames = 30;
 
 /// "A-B" or "A", as written after --frames.
@@ -31,6 +32,17 @@ FrameRange parseFrameRange(std::string_view text);
 FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>& asked);
 
 /// The segments that hold `frames`, in order; the first and the last may be cut short by the range.
-std::vector<FrameRange> segmentsOf(const FrameRange& frames);
+std::vector<FrameRange> segmentsOf(const FrameRange& frames, std::int64_t segmentFrames = kSegmentFrames);
+
+/// Which part of the work a process does: the k-th of n, from 1.
+struct Shard {
+  int k = 1, n = 1;
+};
+
+/// "k/n". @throws core::Error(kUsage).
+Shard parseShard(std::string_view text);
+
+/// The shard's own: every n-th, so that shards are of one size wherever the film is costly.
+std::vector<FrameRange> segmentsOf(const Shard& shard, const std::vector<FrameRange>& segments);
 
 }  // namespace poinsot::app

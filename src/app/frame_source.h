@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/sha256.h"
 #include "image/image.h"
 
 namespace poinsot::app {
@@ -25,6 +26,8 @@ class FrameSource {
   virtual ~FrameSource() = default;
   /// @throws core::Error
   virtual image::Image frame(std::int64_t k) = 0;
+  /// Of all that decides the frame's bytes; far cheaper than the frame. @throws core::Error
+  virtual core::Digest digest(std::int64_t k) = 0;
   virtual FrameTimes times() const { return {}; }
 };
 

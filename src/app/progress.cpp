@@ -82,24 +82,25 @@ Progress::Progress(ProgressStyle style, std::int64_t totalFrames, int columns, W
   if (style == ProgressStyle::kBar || style == ProgressStyle::kJson) shownAt_s_ = -interval_s(style);
 }
 
-double Progress::rate(std::int64_t done, double elapsed_s) const {
+double Progress::rate(std::int64_t made, bool last, double elapsed_s) const {
   // At the end nothing is left to foretell: the rate is what the whole run came to.
-  if (done == total_) return elapsed_s > 0 ? static_cast<double>(done) / elapsed_s : 0;
+  if (last) return elapsed_s > 0 ? static_cast<double>(made) / elapsed_s : 0;
   const double since_s = elapsed_s - firstAt_s_;
-  return since_s > 0 ? static_cast<double>(done - firstDone_) / since_s : 0;
+  return since_s > 0 ? static_cast<double>(made - firstMade_) / since_s : 0;
 }
 
-void Progress::update(std::int64_t done, double elapsed_s) {
-  if (firstDone_ == 0) {
+void Progress::update(std::int64_t done, std::int64_t reused, double elapsed_s) {
+  const std::int64_t made = done - reused;
+  if (firstMade_ == 0) {
     // Before the first frame the driver compiles shaders: seconds that say nothing about the rest.
-    firstDone_ = done;
+    firstMade_ = made;
     firstAt_s_ = elapsed_s;
   }
   const bool last = done == total_ && style_ != ProgressStyle::kNone && shown_ != done;
   if (!last && elapsed_s - shownAt_s_ < interval_s(style_)) return;
   shownAt_s_ = elapsed_s;
   shown_ = done;
-  const ProgressState state{done, total_, elapsed_s, rate(done, elapsed_s)};
+  const ProgressState state{done, total_, elapsed_s, rate(made, done == total_, elapsed_s)};
   if (style_ == ProgressStyle::kJson) return write_(jsonLine(state) + "\n");
   if (style_ == ProgressStyle::kPlain) return write_("poinsot: " + plainLine(state) + "\n");
   // Carriage return, line, erase to its end: no flicker, nothing left of a longer line.

@@ -51,8 +51,9 @@ class Progress {
 
   Progress(ProgressStyle style, std::int64_t totalFrames, int columns, Writer write);
 
-  /// Call after every frame, with the time since the start.
-  void update(std::int64_t done, double elapsed_s);
+  /// Call after every frame, with the time since the start. `reused`: those of `done` that were there already,
+  /// which says nothing about how long the others take.
+  void update(std::int64_t done, std::int64_t reused, double elapsed_s);
   /// Ends the line, so that what follows on the terminal starts a new one. Called again it does nothing.
   void end();
 
@@ -61,9 +62,9 @@ class Progress {
   std::int64_t total_;
   int columns_;
   Writer write_;
-  double rate(std::int64_t done, double elapsed_s) const;
+  double rate(std::int64_t made, bool last, double elapsed_s) const;
 
-  std::int64_t firstDone_ = 0;  // at the first update
+  std::int64_t firstMade_ = 0;  // at the first update with one
   double firstAt_s_ = 0;
   double shownAt_s_ = 0;
   std::int64_t shown_ = -1;  // frames done at the last showing

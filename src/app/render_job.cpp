@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "app/assembly.h"
 #include "app/interrupt.h"
 #include "core/error.h"
 #include "core/expect.h"
-#include "output/film.h"
 
 namespace poinsot::app {
 namespace {
@@ -29,6 +29,11 @@ constexpr double kPatience_s = 1.5;
   throw core::Error(core::ErrorKind::kGraphics, fmt::format("a worker process {} {}", how, task));
 }
 
+WorkFolderUse useOf(const RenderRequest& request) {
+  if (request.shard) return WorkFolderUse::kShared;
+  return request.resume ? WorkFolderUse::kResumed : WorkFolderUse::kFresh;
+}
+
 }  // namespace
 
 int availableCpus() {
@@ -42,10 +47,11 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
     : request_(std::move(request)),
       listener_(std::move(listener)),
       start_(std::chrono::steady_clock::now()),
-      folder_(request_.target.path),
-      segments_(segmentsOf(request_.frames)),
+      folder_(request_.target.path, useOf(request_)),
+      segments_(segmentsOf(request_.shard.value_or(Shard()), segmentsOf(request_.frames, request_.segmentFrames))),
       waiting_(segments_.begin(), segments_.end()) {
   POINSOT_EXPECT(request_.jobs > 0);
+  if (request_.job) writeJobFile(folder_.path(), *request_.job);
 }
 
 RenderJob::~RenderJob() { stopWorkers(); }
@@ -60,11 +66,14 @@ RenderSummary RenderJob::run() {
 
 void RenderJob::startWorkers() {
   const int count = std::min<int>(request_.jobs, static_cast<int>(segments_.size()));
+  if (count == 0) return;  // of more shards than segments, some have nothing to do
   // With fewer segments than CPUs the rasteriser's threads use the rest; they do not change a pixel.
   const int perWorker = request_.jobs / count;
-  const WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
-                      folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0,
-                      request_.form};
+  WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
+                folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0,
+                request_.form};
+  job.resume = request_.resume || request_.shard;
+  if (request_.job) job.job = request_.job->job;
   for (int i = 0; i < count; ++i) {
     throwIfInterrupted();
     workers_.push_back(std::make_unique<WorkerProcess>(job));
@@ -89,8 +98,14 @@ void RenderJob::awaitReports() {
 }
 
 void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
-  if (std::holds_alternative<FrameDone>(report)) listener_(++framesDone_, elapsed_s());
-  if (std::holds_alternative<SegmentDone>(report)) handOut(worker);
+  if (const auto* done = std::get_if<FrameDone>(&report)) {
+    summary_.reused += done->reused ? 1 : 0;
+    listener_(++framesDone_, summary_.reused, elapsed_s());
+  }
+  if (const auto* done = std::get_if<SegmentDone>(&report)) {
+    segmentFramesDone_ += done->frames.count();
+    handOut(worker);
+  }
   if (const auto* finished = std::get_if<WorkerFinished>(&report)) {
     summary_.spent += finished->spent;
     worker.setFinished();
@@ -104,12 +119,13 @@ void RenderJob::handOut(WorkerProcess& worker) {
   waiting_.pop_front();
 }
 
-void RenderJob::publish() const {
-  if (request_.target.kind != OutputKind::kFilm) return;
-  std::vector<std::filesystem::path> files;
-  for (const FrameRange& segment : segments_) files.push_back(segmentFile(folder_.path(), segment));
-  output::joinSegments(files, request_.target.path);
+void RenderJob::publish() {
+  if (request_.shard) return;
+  if (request_.job) assemble(folder_.path(), *request_.job, request_.target.path);
+  if (!request_.keepWork) folder_.discard();
 }
+
+std::int64_t RenderJob::framesKept() const { return request_.job ? segmentFramesDone_ : 0; }
 
 void RenderJob::stopWorkers() {
   for (const auto& worker : workers_) worker->askToStop();

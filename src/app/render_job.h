@@ -6,9 +6,9 @@
 #include <deque>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include "app/render_request.h"
 #include "app/statistics.h"
 #include "app/work_folder.h"
 #include "app/worker_process.h"
@@ -16,32 +16,22 @@
 
 namespace poinsot::app {
 
-/// One render, ready to run: everything was checked.
-struct RenderRequest {
-  SceneRequest scene;
-  OutputTarget target;
-  FrameRange frames;
-  std::optional<double> time_s;  ///< of a still: film time in place of the frame's own
-  int jobs = 1;                  ///< most worker processes
-  gl::Backend backend = gl::Backend::kAuto;
-  bool reproducible = false;
-  PictureForm form = {};
-};
-
 struct RenderSummary {
   Statistics spent;
   double wall_s = 0;
+  std::int64_t reused = 0;  ///< frames that were there already
 };
 
-/// Called after every frame with how many are done and the time since the start.
-using FrameListener = std::function<void(std::int64_t done, double elapsed_s)>;
+/// Called after every frame with how many are done, how many of them were there already, and the time since the
+/// start.
+using FrameListener = std::function<void(std::int64_t done, std::int64_t reused, double elapsed_s)>;
 
 /// CPUs this process may use.
 int availableCpus();
 
 /// Hands the segments of a film to worker processes and joins what they made. The bytes of the result do not
-/// depend on how many there are. Opens no GL itself. A render that throws leaves no target and no work folder
-/// behind (of a sequence the frames that were complete).
+/// depend on how many there are. Opens no GL itself. A render that throws leaves no target behind, and of its work
+/// the segments that were complete, for another to go on with.
 class RenderJob {
  public:
   /// @throws core::Error(kIo) if the work folder cannot be made.
@@ -53,12 +43,15 @@ class RenderJob {
   /// @throws core::Error of a worker, or (kGraphics) if one died; Interrupted.
   RenderSummary run();
 
+  /// Frames of the segments that are complete, for another render to go on with. None of a still.
+  std::int64_t framesKept() const;
+
  private:
   void startWorkers();
   void awaitReports();
   void handle(WorkerProcess& worker, const WorkerReport& report);
   void handOut(WorkerProcess& worker);
-  void publish() const;
+  void publish();
   void stopWorkers();
   double elapsed_s() const;
 
@@ -70,6 +63,7 @@ class RenderJob {
   std::deque<FrameRange> waiting_;
   std::vector<std::unique_ptr<WorkerProcess>> workers_;  // those still at work
   std::int64_t framesDone_ = 0;
+  std::int64_t segmentFramesDone_ = 0;  // of whole segments
   RenderSummary summary_;
 };
 

@@ -8,20 +8,24 @@
 namespace poinsot::app {
 
 SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
-                         const PictureForm& form, std::optional<output::FigureMedium> medium)
+                         const PictureForm& form, std::optional<output::FigureMedium> medium,
+                         const std::string& settings)
     : size_{scene.output.width, scene.output.height},
       fps_(scene.time.fps),
       time_s_(time_s),
       form_(form),
       medium_(medium),
       stage_(scene),
-      renderer_(context) {}
+      renderer_(context),
+      digestOf_(settings, context.renderer()) {}
+
+core::Digest SceneFrames::digest(std::int64_t k) {
+  compose(k);
+  return digestOf_(picture_);
+}
 
 image::Image SceneFrames::frame(std::int64_t k) {
-  const double before_s = processCpu_s();
-  const double time_s = time_s_.value_or(filmTime_s(k, fps_));
-  picture_ = composed(time_s);
-  compose_s_ += processCpu_s() - before_s;
+  compose(k);
   render::RenderOptions options;
   options.transparent = form_.transparent;
   image::Image image = renderer_.render(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, options);
@@ -29,10 +33,15 @@ image::Image SceneFrames::frame(std::int64_t k) {
   return image;
 }
 
-draw::Picture SceneFrames::composed(double time_s) const {
+void SceneFrames::compose(std::int64_t k) {
+  if (composed_ == k) return;
+  const double before_s = processCpu_s();
+  const double time_s = time_s_.value_or(filmTime_s(k, fps_));
   const glm::ivec2 size_px(size_.width, size_.height);
-  if (!form_.print) return stage_.compose(time_s, size_px);
-  return stage_.compose(time_s, size_px, stage::printSizing(form_.print->dpi));
+  picture_ = form_.print ? stage_.compose(time_s, size_px, stage::printSizing(form_.print->dpi))
+                         : stage_.compose(time_s, size_px);
+  composed_ = k;
+  compose_s_ += processCpu_s() - before_s;
 }
 
 FrameTimes SceneFrames::times() const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/frame_source.h"
+#include "app/job_identity.h"
 #include "app/picture_form.h"
 #include "core/rational.h"
 #include "gl/offscreen_context.h"
@@ -18,17 +19,21 @@ class SceneFrames : public FrameSource {
  public:
   /// @param time_s  film time of every frame, in place of its own: for a still between two frames.
   /// @param medium  of a figure: a frame is then only what the figure holds as an image.
+  /// @param settings  renderSettings(), of which digests are.
   /// @throws core::Error(kPhysics, kGraphics)
   SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
-              const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt);
+              const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
+              const std::string& settings = "");
 
   image::Image frame(std::int64_t k) override;
+  core::Digest digest(std::int64_t k) override;
   /// What the last frame was drawn from, whole.
   const draw::Picture& picture() const { return picture_; }
   FrameTimes times() const override;
 
  private:
-  draw::Picture composed(double time_s) const;
+  /// Leaves the frame's picture in picture_.
+  void compose(std::int64_t k);
 
   image::PixelSize size_;
   core::Rational fps_;
@@ -36,8 +41,10 @@ class SceneFrames : public FrameSource {
   PictureForm form_;
   std::optional<output::FigureMedium> medium_;
   draw::Picture picture_;
+  std::optional<std::int64_t> composed_;  // whose picture that is
   stage::Stage stage_;
   render::Renderer renderer_;
+  FrameDigester digestOf_;
   double compose_s_ = 0;
 };
 

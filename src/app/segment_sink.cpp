@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/job_file.h"
 #include "app/picture_words.h"
 #include "output/figure.h"
 #include "output/png_sequence.h"
@@ -35,10 +36,13 @@ class FilmSegment : public output::FrameSink {
 /// The one file of a single picture.
 class SinglePicture : public output::FrameSink {
  public:
-  SinglePicture(std::filesystem::path target, std::vector<image::PngText> texts, double dpi)
-      : target_(std::move(target)), texts_(std::move(texts)), dpi_(dpi) {}
-  void write(const image::Image& picture, std::int64_t) override {
-    output::writePng(target_, picture, texts_, dpi_);
+  SinglePicture(std::filesystem::path target, std::vector<image::PngText> texts, double dpi,
+                output::FrameDigestText digestOf)
+      : target_(std::move(target)), texts_(std::move(texts)), dpi_(dpi), digestOf_(std::move(digestOf)) {}
+  void write(const image::Image& picture, std::int64_t k) override {
+    std::vector<image::PngText> texts = texts_;
+    texts.push_back(output::digestText(digestOf_(k)));
+    output::writePng(target_, picture, texts, dpi_);
   }
   void finish() override {}
 
@@ -46,6 +50,7 @@ class SinglePicture : public output::FrameSink {
   std::filesystem::path target_;
   std::vector<image::PngText> texts_;
   double dpi_;
+  output::FrameDigestText digestOf_;
 };
 
 /// A picture that is more than its pixels.
@@ -70,6 +75,7 @@ class TimedPictures : public output::FrameSink {
   TimedPictures(std::unique_ptr<output::FrameSink> sink, EncodingTimes& times)
       : sink_(std::move(sink)), times_(times) {}
 
+  bool has(std::int64_t k) const override { return sink_->has(k); }
   void write(const image::Image& picture, std::int64_t k) override {
     timed([&] { sink_->write(picture, k); });
   }
@@ -90,22 +96,24 @@ class TimedPictures : public output::FrameSink {
 };
 
 std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene::Scene& scene,
-                                               const SceneFrames& frames) {
+                                               SceneFrames& frames) {
   const auto& path = job.target.path;
   const auto [title, description] = pictureWords(scene);
   const PrintSize print = job.form.print.value_or(PrintSize{});
   if (job.target.kind == OutputKind::kFigure)
     return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames);
   auto texts = output::pngTexts(title, description);
+  auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
   if (job.target.kind == OutputKind::kPicture)
-    return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0);
-  return std::make_unique<output::PngSequence>(output::FramePattern(path.string()), std::move(texts));
+    return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0, digestOf);
+  return std::make_unique<output::PngSequence>(
+      output::FramePattern(path.string()),
+      output::SequenceOptions{std::move(texts), digestOf, job.resume, job.workFolder});
 }
 
 }  // namespace
 
-SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, const SceneFrames& frames,
-                    EncodingTimes& times) {
+SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames, EncodingTimes& times) {
   return [&](const FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
     if (job.target.kind != OutputKind::kFilm)
       return std::make_unique<TimedPictures>(pictureSink(job, scene, frames), times);

@@ -15,7 +15,6 @@ struct EncodingTimes {
 
 /// Sinks for the job's kind of target: a segment of film in the work folder, or pictures and figures under their
 /// final names. All four must outlive the sinks; `times` grows by what they spend.
-SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, const SceneFrames& frames,
-                    EncodingTimes& times);
+SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames, EncodingTimes& times);
 
 }  // namespace poinsot::app

@@ -38,7 +38,7 @@ class Batch {
  private:
   static std::optional<core::Error> failureOf(const RenderRequest& request) {
     try {
-      RenderJob(request, [](std::int64_t, double) {}).run();
+      RenderJob(request, [](std::int64_t, std::int64_t, double) {}).run();
       return std::nullopt;
     } catch (const core::Error& error) {
       return error;

@@ -33,36 +33,49 @@ bool stillThere(int fd, const std::filesystem::path& folder) {
          opened.st_ino == named.st_ino;
 }
 
-core::FileHandle openLocked(const std::filesystem::path& folder) {
+core::FileHandle openLocked(const std::filesystem::path& folder, WorkFolderUse use) {
+  const int lock = use == WorkFolderUse::kShared ? LOCK_SH : LOCK_EX;
   for (;;) {
     if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) failWithErrno(folder);
     core::FileHandle handle(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (!handle && errno == ENOENT) continue;
     if (!handle) failWithErrno(folder);
-    if (flock(handle.get(), LOCK_EX | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now");
+    if (flock(handle.get(), lock | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now");
     if (stillThere(handle.get(), folder)) return handle;
   }
 }
 
 }  // namespace
 
-WorkFolder::WorkFolder(const std::filesystem::path& target)
-    : path_(output::folderOf(target) / ("." + target.filename().string() + ".poinsot")), lock_(openLocked(path_)) {
-  removeContents();
+std::filesystem::path workFolderOf(const std::filesystem::path& target) {
+  return output::folderOf(target) / ("." + target.filename().string() + ".poinsot");
+}
+
+WorkFolder::WorkFolder(const std::filesystem::path& target, WorkFolderUse use)
+    : path_(workFolderOf(target)), lock_(openLocked(path_, use)), shared_(use == WorkFolderUse::kShared) {
+  if (use == WorkFolderUse::kFresh) removeContents();
 }
 
 WorkFolder::~WorkFolder() {
+  if (!discarded_ && (shared_ || holdsSegments())) return;  // others may have only begun
   removeContents();
   std::error_code ignored;  // whatever else lies in it is not ours to remove
   std::filesystem::remove(path_, ignored);
 }
 
+bool WorkFolder::holdsSegments() const {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
+    if (entry.path().filename().string().starts_with("segment-")) return true;
+  return false;
+}
+
+// Also what a killed process had begun: temporary files begin with a dot.
 void WorkFolder::removeContents() const {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {
     const std::string name = entry.path().filename().string();
-    const bool ours =
-        name.starts_with("segment-") || name.starts_with(".segment-");  // the latter: not yet complete
+    const bool ours = name.starts_with("segment-") || name == "job.json" || name.ends_with(".tmp");
     if (ours) std::filesystem::remove(entry.path(), ignored);
   }
 }

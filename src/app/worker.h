@@ -7,6 +7,7 @@
 #include "app/frame_plan.h"
 #include "app/frame_source.h"
 #include "app/line_channel.h"
+#include "app/segment_keeper.h"
 #include "app/statistics.h"
 #include "output/frame_sink.h"
 
@@ -16,8 +17,11 @@ namespace poinsot::app {
 using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const FrameRange& segment)>;
 
 /// Makes segments as they come in, one after the other, and reports each frame and segment, until no more come.
+/// Those that the keeper has, and frames that a sink has, are not made again; without a keeper nothing is taken
+/// down.
 /// @throws core::Error of the source or a sink; Interrupted.
-Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf);
+Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
+                        const SegmentKeeper* keeper = nullptr);
 
 /// The life of a worker process: reads its job and segments from `jobs`, reports to `reports`. Opens the one GL
 /// context of this process.

@@ -1,49 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/worker_protocol.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
+#include "app/json_text.h"
 
 namespace poinsot::app {
 namespace {
 
 using Json = nlohmann::json;
 
-// Paths and names are bytes, not always UTF-8, which JSON demands: each byte travels as one code point below 256.
-std::string widened(const std::string& bytes) {
-  std::string utf8;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += static_cast<char>(0xc0 | byte >> 6);
-      utf8 += static_cast<char>(0x80 | (byte & 0x3f));
-    }
-  }
-  return utf8;
-}
-
-std::string narrowed(const std::string& utf8) {
-  std::string bytes;
-  for (std::size_t i = 0; i < utf8.size(); ++i) {
-    const auto lead = static_cast<unsigned char>(utf8[i]);
-    bytes += lead < 0x80 ? utf8[i]
-                         : static_cast<char>((lead & 0x03) << 6 | (static_cast<unsigned char>(utf8[++i]) & 0x3f));
-  }
-  return bytes;
-}
-
-std::string textOf(const Json& json) { return narrowed(json.get<std::string>()); }
+std::string textOf(const Json& json) { return bytesFromUtf8(json.get<std::string>()); }
 
 Json toJson(const FrameRange& frames) { return Json{frames.first, frames.last}; }
 
 FrameRange rangeOf(const Json& json) { return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()}; }
 
 Json toJson(const SceneRequest& scene) {
-  Json json{{"file", widened(scene.fileName)}, {"text", widened(scene.text)}, {"overrides", Json::array()}};
-  for (const std::string& override : scene.overrides) json["overrides"].push_back(widened(override));
+  Json json{
+      {"file", utf8FromBytes(scene.fileName)}, {"text", utf8FromBytes(scene.text)}, {"overrides", Json::array()}};
+  for (const std::string& override : scene.overrides) json["overrides"].push_back(utf8FromBytes(override));
   if (scene.size) json["size"] = {scene.size->width, scene.size->height};
   return json;
 }
@@ -93,13 +69,15 @@ struct Overloaded : Each... {
 std::string toLine(const WorkerJob& job) {
   return Json{
       {"scene", toJson(job.scene)},
-      {"target", {{"kind", static_cast<int>(job.target.kind)}, {"path", widened(job.target.path.string())}}},
+      {"target", {{"kind", static_cast<int>(job.target.kind)}, {"path", utf8FromBytes(job.target.path.string())}}},
       {"frames", toJson(job.frames)},
       {"time", job.time_s ? Json(*job.time_s) : Json()},
-      {"work_folder", widened(job.workFolder.string())},
+      {"work_folder", utf8FromBytes(job.workFolder.string())},
       {"backend", static_cast<int>(job.backend)},
       {"reproducible", job.reproducible},
       {"raster_threads", job.rasterThreads},
+      {"resume", job.resume},
+      {"job", job.job},
       {"form", toJson(job.form)}}
       .dump();
 }
@@ -115,7 +93,9 @@ WorkerJob jobFromLine(std::string_view line) {
           static_cast<gl::Backend>(json.at("backend").get<int>()),
           json.at("reproducible").get<bool>(),
           json.at("raster_threads").get<int>(),
-          formOf(json.at("form"))};
+          formOf(json.at("form")),
+          json.at("resume").get<bool>(),
+          json.at("job").get<std::string>()};
 }
 
 std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
@@ -125,7 +105,7 @@ FrameRange segmentFromLine(std::string_view line) { return rangeOf(Json::parse(l
 std::string toLine(const WorkerReport& report) {
   const Json json = std::visit(
       Overloaded{[](const FrameDone& done) {
-                   return Json{{"frame", done.k}};
+                   return Json{{"frame", done.k}, {"reused", done.reused}};
                  },
                  [](const SegmentDone& done) {
                    return Json{{"segment", toJson(done.frames)}};
@@ -134,7 +114,7 @@ std::string toLine(const WorkerReport& report) {
                    return Json{{"finished", toJson(finished.spent)}};
                  },
                  [](const WorkerFailed& failed) {
-                   return Json{{"failed", widened(failed.message)}, {"kind", static_cast<int>(failed.kind)}};
+                   return Json{{"failed", utf8FromBytes(failed.message)}, {"kind", static_cast<int>(failed.kind)}};
                  }},
       report);
   return json.dump();
@@ -142,14 +122,11 @@ std::string toLine(const WorkerReport& report) {
 
 WorkerReport reportFromLine(std::string_view line) {
   const Json json = Json::parse(line);
-  if (json.contains("frame")) return FrameDone{json.at("frame").get<std::int64_t>()};
+  if (json.contains("frame"))
+    return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>()};
   if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
   if (json.contains("finished")) return WorkerFinished{statisticsOf(json.at("finished"))};
   return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed"))};
-}
-
-std::filesystem::path segmentFile(const std::filesystem::path& workFolder, const FrameRange& segment) {
-  return workFolder / fmt::format("segment-{:09}-{:09}.mp4", segment.first, segment.last);
 }
 
 }  // namespace poinsot::app

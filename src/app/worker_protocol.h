@@ -31,10 +31,13 @@ struct WorkerJob {
   bool reproducible = false;
   int rasterThreads = 0;  ///< llvmpipe's; 0 rasterises in the worker itself
   PictureForm form = {};
+  bool resume = false;   ///< what is there and is the same is not made again
+  std::string job = {};  ///< jobDigest() of a film or a sequence, of the scene as the render read it
 };
 
 struct FrameDone {
   std::int64_t k = 0;
+  bool reused = false;  ///< it was there, and is what would have been made
 };
 /// Every file of the segment is complete under its name.
 struct SegmentDone {
@@ -56,8 +59,5 @@ std::string toLine(const WorkerReport& report);
 WorkerJob jobFromLine(std::string_view line);
 FrameRange segmentFromLine(std::string_view line);
 WorkerReport reportFromLine(std::string_view line);
-
-/// File of a film's segment in the work folder.
-std::filesystem::path segmentFile(const std::filesystem::path& workFolder, const FrameRange& segment);
 
 }  // namespace poinsot::app

@@ -16,6 +16,7 @@ namespace {
 
 struct FilmOptions : RenderOptions {
   std::string frames;
+  PartsOptions parts;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
@@ -32,6 +33,26 @@ void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& fra
                   core::printable(target.path.string()), frames.count(), frames.first));
 }
 
+void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
+  if (!parts.shard.empty()) app::parseShard(parts.shard);
+  if (target.kind != app::OutputKind::kPicture) return;
+  if (!parts.shard.empty()) refuse("--shard: one picture is made by one process");
+}
+
+void addPartsOptions(CLI::App& command, PartsOptions& parts) {
+  command.add_flag("--resume", parts.resume,
+                   "go on where a render of this output stopped; what has changed is made again");
+  command.add_flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
+  command.add_option("--segment", parts.segmentFrames, "frames of a segment (default: 30)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000));
+  command
+      .add_option("--shard", parts.shard,
+                  "only the segments of the k-th of n processes; then join them with assemble")
+      ->type_name("k/n")
+      ->check(notEmpty());
+}
+
 int render(const FilmOptions& options) {
   const auto asked = askedFrames(options);
   if (!options.output.empty()) app::parseTarget(options.output);  // a wrong name is said before all else
@@ -39,7 +60,8 @@ int render(const FilmOptions& options) {
   const auto target = requestedTarget(options, scene.name, ".mp4");
   const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
   checkFrameCount(target, frames);
-  return renderTo(options, target, std::move(request), scene, frames);
+  checkParts(options.parts, target);
+  return renderTo(options, target, std::move(request), scene, frames, std::nullopt, {}, options.parts);
 }
 
 }  // namespace
@@ -48,6 +70,7 @@ void addRender(CLI::App& program, Action& chosen) {
   auto options = std::make_shared<FilmOptions>();
   CLI::App* command = program.add_subcommand("render", "make a film, a frame or a numbered sequence from a scene");
   addRenderOptions(*command, *options);
+  addPartsOptions(*command, options->parts);
   command
       ->add_option("-o,--output", options->output,
                    "NAME.mp4, NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")

@@ -38,6 +38,8 @@ void declare(CLI::App& program, Action& chosen) {
   addRender(program, chosen);
   addStill(program, chosen);
   addGallery(program, chosen);
+  addStatus(program, chosen);
+  addAssemble(program, chosen);
   addInfo(program, chosen);
   addTrajectory(program, chosen);
   addGrade(program, chosen);

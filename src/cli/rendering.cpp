@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/interrupt.h"
+#include "app/job_identity.h"
 #include "app/loop_text.h"
 #include "app/progress.h"
 #include "app/subtitles.h"
@@ -90,19 +91,50 @@ class LineEnd {
   app::Progress& progress_;
 };
 
+void sayHowToGoOn(std::int64_t kept, std::int64_t total) {
+  writeErr(fmt::format("poinsot: {} of {} frames are kept; the same command with --resume goes on from there\n",
+                       kept, total));
+}
+
 app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequest request) {
+  const std::int64_t total = request.frames.count();
   app::Progress progress(styleOf(options, request.frames), request.frames.count(), errColumns(), writeErr);
   const LineEnd lineEnd(progress);
-  app::RenderJob job(std::move(request),
-                     [&](std::int64_t done, double elapsed_s) { progress.update(done, elapsed_s); });
-  return job.run();
+  app::RenderJob job(std::move(request), [&](std::int64_t done, std::int64_t reused, double elapsed_s) {
+    progress.update(done, reused, elapsed_s);
+  });
+  try {
+    return job.run();
+  } catch (...) {
+    progress.end();
+    if (job.framesKept() > 0 && !options.quiet) sayHowToGoOn(job.framesKept(), total);
+    throw;
+  }
+}
+
+bool isMadeInParts(const app::OutputTarget& target) {
+  return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
+}
+
+/// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
+std::string readyText(const PartsOptions& parts, const app::OutputTarget& target, const app::FrameRange& frames,
+                      const app::RenderSummary& summary) {
+  const std::string what = core::printable(target.path.string());
+  const std::string reused =
+      summary.reused > 0 ? fmt::format(", {} of them were there already", summary.reused) : "";
+  if (!parts.shard.empty())
+    return fmt::format("shard {} of {} is done ({:.1f} s{}); `poinsot assemble` joins the shards", parts.shard,
+                       what, summary.wall_s,
+                       reused.empty() ? "" : fmt::format(", {} frames were there already", summary.reused));
+  return fmt::format("{} is ready ({} frame{}{}, {:.1f} s)", what, frames.count(), frames.count() == 1 ? "" : "s",
+                     reused, summary.wall_s);
 }
 
 }  // namespace
 
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
              const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
-             const app::PictureForm& form) {
+             const app::PictureForm& form, const PartsOptions& parts) {
   if (target.kind == OutputKind::kFilm) checkFilmSize(scene.output);
   if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
   app::RenderRequest render{std::move(request),
@@ -112,20 +144,25 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             options.jobs > 0 ? options.jobs : app::availableCpus(),
                             requestedBackend(options),
                             options.reproducible,
-                            form};
-  const auto subtitles =
-      target.kind == OutputKind::kFilm ? app::subtitlesOf(scene, frames) : std::vector<app::Subtitle>();
-  if (!subtitles.empty()) app::checkSubtitleFiles(target.path, options.force);
+                            form,
+                            parts.segmentFrames,
+                            parts.resume,
+                            parts.keep};
+  if (!parts.shard.empty()) {
+    render.shard = app::parseShard(parts.shard);
+    render.reproducible = true;  // the machines of a cluster differ
+  }
+  if (target.kind == OutputKind::kFilm && !app::subtitlesOf(scene, frames).empty())
+    app::checkSubtitleFiles(target.path, options.force);
   if (scene.time.loop && !options.quiet && options.progress != "json")
     writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (options.dryRun) return describe(render, scene);
   prepareFolder(target);
+  if (isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
-  if (!subtitles.empty()) app::writeSubtitles(subtitles, target.path);
   if (!options.quiet && options.progress != "json")
-    writeErr(fmt::format("poinsot: {} is ready ({} frame{}, {:.1f} s)\n", core::printable(target.path.string()),
-                         frames.count(), frames.count() == 1 ? "" : "s", summary.wall_s));
+    writeErr("poinsot: " + readyText(parts, target, frames, summary) + "\n");
   if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
   return kDone;
 }

@@ -8,11 +8,18 @@
 
 namespace poinsot::cli {
 
+/// How a film or a sequence is made in parts, as typed.
+struct PartsOptions {
+  bool resume = false, keep = false;
+  std::int64_t segmentFrames = app::kSegmentFrames;
+  std::string shard;
+};
+
 /// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be
 /// made), showing progress and what was asked for besides.
 /// @throws core::Error, app::Interrupted
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
              const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s = std::nullopt,
-             const app::PictureForm& form = {});
+             const app::PictureForm& form = {}, const PartsOptions& parts = {});
 
 }  // namespace poinsot::cli

@@ -249,8 +249,9 @@ std::vector<std::uint8_t> encodePng(const Image& picture, const std::vector<PngT
   return std::move(writer.bytes());
 }
 
-Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name) {
-  Reader reader(bytes);
+namespace {
+
+Image decoded(Reader& reader, std::string_view name) {
   const auto check = [&](bool done) {
     if (done) return;
     throw Error(ErrorKind::kIo, fmt::format("{}: not a readable PNG: {}", core::printable(name),
@@ -266,7 +267,27 @@ Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name) {
   return picture;
 }
 
+}  // namespace
+
+Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name) {
+  Reader reader(bytes);
+  return decoded(reader, name);
+}
+
 Image readPng(const std::filesystem::path& path) { return decodePng(asBytes(fileBytes(path)), path.native()); }
+
+std::optional<std::vector<PngText>> textsOfWholePng(const std::filesystem::path& path) try {
+  const std::string bytes = fileBytes(path);
+  Reader reader(asBytes(bytes));
+  decoded(reader, path.native());
+  png_textp chunks = nullptr;
+  const png_uint_32 count = png_get_text(reader.png(), reader.info(), &chunks, nullptr);
+  std::vector<PngText> texts;
+  for (png_uint_32 i = 0; i < count; ++i) texts.push_back({chunks[i].key, chunks[i].text});
+  return texts;
+} catch (const Error&) {
+  return std::nullopt;
+}
 
 bool isOwnPng(const std::filesystem::path& path) try {
   constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes

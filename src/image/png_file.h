@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,10 @@ Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name);
 
 /// @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
 Image readPng(const std::filesystem::path& path);
+
+/// The texts of a PNG file that is whole: every checksum right, every pixel there. Nothing of one that is damaged,
+/// truncated, no PNG or cannot be read.
+std::optional<std::vector<PngText>> textsOfWholePng(const std::filesystem::path& path);
 
 /// Whether the file is a PNG written by encodePng. False for whatever cannot be read; never throws for content.
 bool isOwnPng(const std::filesystem::path& path);

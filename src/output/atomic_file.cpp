@@ -46,12 +46,13 @@ void syncPath(const std::filesystem::path& path, int flags, std::string_view doi
   if (code != 0) fail(path, doing, code);
 }
 
-/// `.name.PID-N.tmp`: hidden, beside the target (a rename must not cross file systems), free of leftovers of a
+/// `.name.PID-N.tmp`: hidden, free of leftovers of a
 /// killed process with our number. A long name is cut, as 255 bytes are all a name may have.
-std::filesystem::path temporaryName(const std::filesystem::path& target, int attempt) {
+std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
+                                    int attempt) {
   constexpr std::size_t kLongestStem = 200;
   const std::string stem = target.filename().native().substr(0, kLongestStem);
-  return folderOf(target) / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), attempt);
+  return folder / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), attempt);
 }
 
 }  // namespace
@@ -70,10 +71,13 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) noexcept {
   return 0;
 }
 
-AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
+AtomicFile::AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder)
+    : target_(std::move(target)) {
+  // A rename must not cross file systems.
+  const auto folder = temporaryFolder.empty() ? folderOf(target_) : temporaryFolder;
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts && descriptor_ < 0; ++attempt) {
-    temporary_ = temporaryName(target_, attempt);
+    temporary_ = temporaryName(folder, target_, attempt);
     descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) fail(target_, "cannot be created", errno);
   }

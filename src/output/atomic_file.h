@@ -13,13 +13,14 @@ enum class Durability {
   kRenamed,  ///< survives the end of the process; the caller syncs later with syncFile and syncFolder
 };
 
-/// A file that appears under its name only when complete: written under a temporary name in the same folder,
+/// A file that appears under its name only when complete: written under a temporary name on the same file system,
 /// synced, renamed. Without commit() nothing is left behind and what was there before stays.
 class AtomicFile {
  public:
-  /// Creates the temporary file.
+  /// Creates the temporary file, in `temporaryFolder` (on the target's file system) where that is given: there
+  /// others find what a killed process leaves.
   /// @throws core::Error(kIo) with the target's path and the system's reason; so do all members below.
-  explicit AtomicFile(std::filesystem::path target);
+  explicit AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder = {});
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

@@ -103,8 +103,9 @@ std::string ownMark() { return fmt::format("poinsot {}", core::version()); }
 // ---- writing
 
 Mp4Writer::Mp4Writer(const std::filesystem::path& target, const AVCodecParameters& parameters,
-                     const FrameClock& clock, Index index, const std::vector<FilmText>& texts)
-    : file_(target), io_(openIo(file_)), format_(allocateFormat()), clock_(clock) {
+                     const FrameClock& clock, Index index, const std::vector<FilmText>& texts,
+                     const std::filesystem::path& temporaryFolder)
+    : file_(target, temporaryFolder), io_(openIo(file_)), format_(allocateFormat()), clock_(clock) {
   format_->pb = io_.get();
   // To put the index first, libav reads the file again by name.
   format_->url = checkAlloc(av_strdup(fileUrl(file_.temporary()).c_str()));

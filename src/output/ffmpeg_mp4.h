@@ -34,7 +34,7 @@ class Mp4Writer {
 
   /// @throws core::Error(kIo) with the path, as do the members below.
   Mp4Writer(const std::filesystem::path& target, const AVCodecParameters& parameters, const FrameClock& clock,
-            Index index, const std::vector<FilmText>& texts);
+            Index index, const std::vector<FilmText>& texts, const std::filesystem::path& temporaryFolder = {});
   Mp4Writer(const Mp4Writer&) = delete;
   Mp4Writer& operator=(const Mp4Writer&) = delete;
 

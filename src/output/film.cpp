@@ -93,10 +93,11 @@ std::int64_t append(Segment& segment, std::int64_t start, Mp4Writer& film) {
 
 }  // namespace
 
-void joinSegments(const std::vector<path>& segments, const path& target, const std::vector<FilmText>& texts) {
+void joinSegments(const std::vector<path>& segments, const path& target, const std::vector<FilmText>& texts,
+                  const path& temporaryFolder) {
   POINSOT_EXPECT(!segments.empty());
   const Segment first(segments.front());
-  Mp4Writer film(target, first.parameters(), first.clock(), Mp4Writer::Index::kAtStart, texts);
+  Mp4Writer film(target, first.parameters(), first.clock(), Mp4Writer::Index::kAtStart, texts, temporaryFolder);
   std::int64_t frames = 0;
   for (const path& file : segments) {
     Segment segment(file);

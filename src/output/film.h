@@ -19,8 +19,9 @@ struct FilmText {
 /// @throws core::Error(kIo) naming the file: unreadable or damaged, or made with other settings than the first
 /// (size,
 ///         frame rate, encoder header); or the film cannot be written.
+/// `temporaryFolder`: as of AtomicFile.
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
-                  const std::vector<FilmText>& texts = {});
+                  const std::vector<FilmText>& texts = {}, const std::filesystem::path& temporaryFolder = {});
 
 /// Whether the file is an MP4 written by this program. False for whatever cannot be read.
 bool isOwnFilm(const std::filesystem::path& path);

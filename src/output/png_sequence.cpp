@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -12,6 +13,8 @@
 
 namespace poinsot::output {
 namespace {
+
+constexpr const char* kDigestKey = "Frame-SHA256";
 
 void createFolder(const std::filesystem::path& folder) {
   std::error_code failure;
@@ -25,19 +28,34 @@ void createFolder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+image::PngText digestText(const std::string& digest) { return {kDigestKey, digest}; }
+
 void writePng(const std::filesystem::path& target, const image::Image& picture,
               const std::vector<image::PngText>& texts, double dpi) {
   writeFileAtomically(target, image::encodePng(picture, texts, dpi));
 }
 
-PngSequence::PngSequence(FramePattern pattern, std::vector<image::PngText> texts)
-    : pattern_(std::move(pattern)), texts_(std::move(texts)) {
+PngSequence::PngSequence(FramePattern pattern, SequenceOptions options)
+    : pattern_(std::move(pattern)), options_(std::move(options)) {
   createFolder(folderOf(pattern_.path(0)));
+}
+
+bool PngSequence::has(std::int64_t k) const {
+  if (!options_.resume || !options_.digestOf) return false;
+  const auto texts = image::textsOfWholePng(pattern_.path(k));
+  const auto said = [&](const image::PngText& text) {
+    return text.key == kDigestKey && text.value == options_.digestOf(k);
+  };
+  return texts && std::ranges::any_of(*texts, said);
 }
 
 void PngSequence::write(const image::Image& picture, std::int64_t k) {
   const auto target = pattern_.path(k);
-  writeFileAtomically(target, image::encodePng(picture, texts_), Durability::kRenamed);
+  std::vector<image::PngText> texts = options_.texts;
+  if (options_.digestOf) texts.push_back(digestText(options_.digestOf(k)));
+  AtomicFile file(target, options_.temporaryFolder);
+  file.write(image::encodePng(picture, texts));
+  file.commit(Durability::kRenamed);
   unsynced_.push_back(target);
 }
 

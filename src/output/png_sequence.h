@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "image/png_file.h"
@@ -14,21 +16,35 @@ namespace poinsot::output {
 void writePng(const std::filesystem::path& target, const image::Image& picture,
               const std::vector<image::PngText>& texts = {}, double dpi = 0);
 
+/// What a frame's file says of its own digest: hexadecimal.
+image::PngText digestText(const std::string& digest);
+
+/// Of a frame, in hexadecimal: equal for frames of equal bytes.
+using FrameDigestText = std::function<std::string(std::int64_t k)>;
+
+struct SequenceOptions {
+  std::vector<image::PngText> texts;      ///< of every frame
+  FrameDigestText digestOf;               ///< each frame's file carries it; empty: none
+  bool resume = false;                    ///< a whole file with the frame's digest is the frame
+  std::filesystem::path temporaryFolder;  ///< for what is not complete; empty: beside the frames
+};
+
 /// Frames as numbered PNG files, each appearing under its name only when complete.
 /// Frames already written stay if the sink is destroyed without finish(): each is whole, and a resumed run keeps
 /// it.
 class PngSequence : public FrameSink {
  public:
   /// Creates the pattern's folder if its parent exists. @throws core::Error(kIo).
-  explicit PngSequence(FramePattern pattern, std::vector<image::PngText> texts = {});
+  explicit PngSequence(FramePattern pattern, SequenceOptions options = {});
 
+  bool has(std::int64_t k) const override;
   void write(const image::Image& picture, std::int64_t k) override;
   /// Syncs files and folder once: a sync per frame would wait for the disk each time.
   void finish() override;
 
  private:
   FramePattern pattern_;
-  std::vector<image::PngText> texts_;
+  SequenceOptions options_;
   std::vector<std::filesystem::path> unsynced_;
 };
 

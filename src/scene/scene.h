@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/rational.h"
+#include "core/sha256.h"
 #include "geometry/mesh.h"
 #include "physics/flight.h"
 #include "physics/forcing.h"
@@ -162,8 +163,15 @@ struct Output {
   int crf = 18;  ///< x264 constant rate factor, 0 (lossless) to 51
 };
 
+/// A file that the scene names.
+struct InputFile {
+  std::string path;  ///< as the scene has it
+  core::Digest digest{};
+};
+
 struct Scene {
-  std::string name;  ///< the file's name without folder and extension
+  std::string name;               ///< the file's name without folder and extension
+  std::vector<InputFile> inputs;  ///< that were read, in the order they were
   Body body;
   Motion motion;
   Time time;

@@ -153,6 +153,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   closeIfAsked(scene, findings);  // of a scene without other problems
   problems.throwIfAny();
   scene.name = path.stem().string();
+  scene.inputs = folder.filesRead();
   return scene;
 }
 

@@ -54,6 +54,7 @@ std::string SceneFolder::read(const std::string& relativePath) const {
     refuse(path, error.message());
   }
   if (text.size() > kMostFileBytes) refuse(path, fmt::format("it has more than {} MiB", kMostFileBytes >> 20));
+  read_.push_back({relativePath, core::sha256(text)});
   return text;
 }
 

@@ -51,7 +51,7 @@ TEST(Progress, StyleFollowsTheTerminal) {
 std::vector<std::string> tenSeconds(ProgressStyle style) {
   std::vector<std::string> written;
   Progress progress(style, 10, 80, [&](std::string_view text) { written.emplace_back(text); });
-  for (int done = 1; done <= 10; ++done) progress.update(done, done + 1);
+  for (int done = 1; done <= 10; ++done) progress.update(done, 0, done + 1);
   progress.end();
   progress.end();
   return written;
@@ -84,8 +84,8 @@ TEST(Progress, NoneIsSilentAndJsonIsLines) {
 TEST(Progress, LastFrameIsAlwaysShown) {
   std::vector<std::string> written;
   Progress progress(ProgressStyle::kPlain, 2, 80, [&](std::string_view text) { written.emplace_back(text); });
-  progress.update(1, 0.1);
-  progress.update(2, 0.25);
+  progress.update(1, 0, 0.1);
+  progress.update(2, 0, 0.25);
   EXPECT_EQ(written, std::vector<std::string>{"poinsot: 2 of 2 frames (100 %), 8.0 frames/s, 0:00 left\n"});
 }
 

@@ -18,6 +18,7 @@ struct GreySource : FrameSource {
     ++made;
     return picture;
   }
+  core::Digest digest(std::int64_t k) override { return core::sha256(std::to_string(k)); }
   /// Each frame costs 1, 2, 3 and 4 s.
   FrameTimes times() const override { return {made * 1.0, made * 2.0, made * 3.0, made * 4.0}; }
   int made = 0;
@@ -82,7 +83,9 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
                       gl::Backend::kEgl,
                       true,
                       2,
-                      {PrintSize{86.25, 599.9}, true}};
+                      {PrintSize{86.25, 599.9}, true},
+                      true,
+                      "0123"};
   const std::string line = toLine(job);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const WorkerJob read = jobFromLine(line);
@@ -102,6 +105,8 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_EQ(read.form.print->width_mm, 86.25);
   EXPECT_EQ(read.form.print->dpi, 599.9);
   EXPECT_TRUE(read.form.transparent);
+  EXPECT_TRUE(read.resume);
+  EXPECT_EQ(read.job, job.job);
 }
 
 TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {

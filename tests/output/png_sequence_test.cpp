@@ -22,7 +22,7 @@ image::Image grey(std::uint8_t value) {
 class PngSequenceTest : public ScratchFolder {};
 
 TEST_F(PngSequenceTest, WritesEachFrameUnderItsNumber) {
-  PngSequence sink(FramePattern(in("frames/f_{frame:04}.png")), {{"Title", "Polhode"}});
+  PngSequence sink(FramePattern(in("frames/f_{frame:04}.png")), {{{"Title", "Polhode"}}, {}, false, {}});
   sink.write(grey(10), 8);
   EXPECT_EQ(image::readPng(in("frames/f_0008.png")), grey(10));  // at once, not only at the end
   sink.write(grey(20), 9);

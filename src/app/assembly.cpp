@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+#include "output/film.h"
+
+namespace poinsot::app {
+namespace {
+
+using std::filesystem::path;
+
+/// Neighbours joined.
+std::vector<FrameRange> joined(const std::vector<FrameRange>& segments) {
+  std::vector<FrameRange> ranges;
+  for (const FrameRange& segment : segments)
+    if (!ranges.empty() && ranges.back().last + 1 == segment.first)
+      ranges.back().last = segment.last;
+    else
+      ranges.push_back(segment);
+  return ranges;
+}
+
+[[noreturn]] void refuse(const path& target, const JobStatus& status) {
+  std::string why;
+  const auto add = [&](SegmentState state, const char* word) {
+    const auto segments = status.in(state);
+    if (!segments.empty())
+      why += fmt::format("{}frames {} are {}", why.empty() ? "" : "; ", framesText(segments), word);
+  };
+  add(SegmentState::kMissing, "missing");
+  add(SegmentState::kStale, "of another scene or of other settings");
+  add(SegmentState::kCorrupt, "damaged");
+  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(target.native()), why));
+}
+
+std::vector<output::FilmText> textsOf(const JobFile& job, const std::string& renderer) {
+  return {{"title", job.title},
+          {"description", job.description},
+          {"comment", fmt::format("scene sha256 {}; {}", job.scene, renderer)}};
+}
+
+}  // namespace
+
+bool JobStatus::complete() const {
+  return std::ranges::all_of(states, [](SegmentState state) { return state == SegmentState::kDone; });
+}
+
+std::vector<FrameRange> JobStatus::in(SegmentState state) const {
+  std::vector<FrameRange> those;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (states[i] == state) those.push_back(segments[i]);
+  return those;
+}
+
+JobStatus statusOf(const path& workFolder, const JobFile& job) {
+  JobStatus status{job.segments(), {}};
+  const SegmentRecords records(workFolder);
+  for (const FrameRange& segment : status.segments) status.states.push_back(records.stateOf(segment, job.job));
+  return status;
+}
+
+std::string framesText(const std::vector<FrameRange>& segments, std::size_t most) {
+  const std::vector<FrameRange> ranges = joined(segments);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(ranges.size(), most); ++i)
+    text += fmt::format("{}{}-{}", i == 0 ? "" : ", ", ranges[i].first, ranges[i].last);
+  if (ranges.size() > most) text += fmt::format(" and {} more", ranges.size() - most);
+  return text;
+}
+
+void assemble(const path& workFolder, const JobFile& job, const path& target) {
+  const JobStatus status = statusOf(workFolder, job);
+  if (!status.complete()) refuse(target, status);
+  if (job.kind != OutputKind::kFilm) return;
+  std::vector<path> files;
+  for (const FrameRange& segment : status.segments) files.push_back(segmentFile(workFolder, segment));
+  const auto first = SegmentRecords(workFolder).find(status.segments.front());
+  const bool beside = output::folderOf(target) == output::folderOf(workFolder);  // elsewhere may be another disk
+  output::joinSegments(files, target, textsOf(job, first->renderer), beside ? workFolder : path());
+  if (!job.subtitles.empty()) writeSubtitles(job.subtitles, target);
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/job_file.h"
+#include "app/segment_record.h"
+
+namespace poinsot::app {
+
+/// How far a render is: the state of each segment, in order.
+struct JobStatus {
+  std::vector<FrameRange> segments;
+  std::vector<SegmentState> states;
+
+  bool complete() const;
+  /// Segments in that state.
+  std::vector<FrameRange> in(SegmentState state) const;
+};
+
+JobStatus statusOf(const std::filesystem::path& workFolder, const JobFile& job);
+
+/// "0-29, 60-89 and 12 more": frames of segments, neighbours joined, at most so many ranges.
+std::string framesText(const std::vector<FrameRange>& segments, std::size_t most = 8);
+
+/// Makes the target of its segments: joins a film's under its final name, with its texts and subtitles. The frames
+/// of a sequence have their names already.
+/// @throws core::Error(kIo) naming the frames that are missing, stale or corrupt; or what cannot be written.
+void assemble(const std::filesystem::path& workFolder, const JobFile& job, const std::filesystem::path& target);
+
+}  // namespace poinsot::app

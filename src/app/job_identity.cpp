@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/job_identity.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "app/picture_words.h"
+#include "core/version.h"
+#include "image/png_file.h"
+#include "output/library_versions.h"
+
+namespace poinsot::app {
+namespace {
+
+/// Texts one after the other, so that no two lists of them look alike.
+void addText(core::Sha256& sum, std::string_view text) {
+  sum.add(fmt::format("{}:", text.size()));
+  sum.add(text);
+}
+
+void addDigest(core::Sha256& sum, const core::Digest& digest) { sum.add(std::as_bytes(std::span(digest))); }
+
+}  // namespace
+
+core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene) {
+  core::Sha256 sum;
+  addText(sum, request.text);
+  addText(sum, fmt::format("{}", request.overrides.size()));
+  for (const std::string& override : request.overrides) addText(sum, override);
+  for (const scene::InputFile& input : scene.inputs) {
+    addText(sum, input.path);
+    addDigest(sum, input.digest);
+  }
+  return sum.finish();
+}
+
+std::string renderSettings(OutputKind kind, const PictureForm& form, bool reproducible,
+                           const scene::Scene& scene) {
+  nlohmann::ordered_json settings{{"poinsot", core::version()},
+                                  {"size", {scene.output.width, scene.output.height}},
+                                  {"reproducible", reproducible}};
+  if (form.transparent) settings["transparent"] = true;
+  if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
+  if (kind != OutputKind::kFilm) {
+    settings["libpng"] = image::libpngVersion();
+    return settings.dump();
+  }
+  settings["fps"] = core::toString(scene.time.fps);
+  settings["crf"] = scene.output.crf;
+  for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
+  return settings.dump();
+}
+
+core::Digest jobDigest(const core::Digest& scene, const std::string& settings) {
+  core::Sha256 sum;
+  addDigest(sum, scene);
+  addText(sum, settings);
+  return sum.finish();
+}
+
+JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
+  const core::Digest sceneSum = sceneDigest(request.scene, scene);
+  const PictureWords words = pictureWords(scene);
+  JobFile job;
+  job.scene = core::toHex(sceneSum);
+  job.settings = renderSettings(request.target.kind, request.form, request.reproducible, scene);
+  job.job = core::toHex(jobDigest(sceneSum, job.settings));
+  job.kind = request.target.kind;
+  job.frames = request.frames;
+  job.segmentFrames = request.segmentFrames;
+  job.shards = request.shard ? request.shard->n : 1;
+  job.title = words.title;
+  job.description = words.description;
+  if (job.kind == OutputKind::kFilm) job.subtitles = subtitlesOf(scene, request.frames);
+  return job;
+}
+
+FrameDigester::FrameDigester(const std::string& settings, const std::string& renderer) {
+  core::Sha256 sum;
+  addText(sum, settings);
+  addText(sum, renderer);
+  basis_ = sum.finish();
+}
+
+core::Digest FrameDigester::operator()(const draw::Picture& picture) {
+  core::Sha256 sum;
+  addDigest(sum, basis_);
+  addDigest(sum, pictureDigest_(picture));
+  return sum.finish();
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/job_file.h"
+#include "app/render_request.h"
+#include "core/sha256.h"
+#include "draw/picture_digest.h"
+
+/// By what a render knows its own work again, so that a later one can go on with it.
+namespace poinsot::app {
+
+/// Of a scene's text, what overrides it, and the files that it names.
+core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene);
+
+/// All that the bytes of a frame depend on besides its picture and what draws it: size, and of a film the rate,
+/// the encoder and its settings; the libraries that write. As text, for people too.
+std::string renderSettings(OutputKind kind, const PictureForm& form, bool reproducible, const scene::Scene& scene);
+
+/// Of both: two renders of one identity may share their segments.
+core::Digest jobDigest(const core::Digest& scene, const std::string& settings);
+
+/// What a render of a film or a sequence says of itself. @throws core::Error(kPhysics) as pictureWords().
+JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene);
+
+/// Digests of frames: of one's picture, the settings and what draws it.
+class FrameDigester {
+ public:
+  /// `renderer`: GL_RENDERER.
+  FrameDigester(const std::string& settings, const std::string& renderer);
+
+  core::Digest operator()(const draw::Picture& picture);
+
+ private:
+  core::Digest basis_;
+  draw::PictureDigester pictureDigest_;
+};
+
+}  // namespace poinsot::app

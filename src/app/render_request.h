@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "app/frame_plan.h"
+#include "app/job_file.h"
+#include "app/output_target.h"
+#include "app/picture_form.h"
+#include "app/scene_request.h"
+#include "gl/offscreen_context.h"
+
+namespace poinsot::app {
+
+/// One render, ready to run: everything was checked.
+struct RenderRequest {
+  SceneRequest scene;
+  OutputTarget target;
+  FrameRange frames;
+  std::optional<double> time_s;  ///< of a still: film time in place of the frame's own
+  int jobs = 1;                  ///< most worker processes
+  gl::Backend backend = gl::Backend::kAuto;
+  bool reproducible = false;
+  PictureForm form = {};
+  std::int64_t segmentFrames = kSegmentFrames;
+  bool resume = false;              ///< what is there and is the same is not made again
+  bool keepWork = false;            ///< leaves the segments when all is done
+  std::optional<Shard> shard = {};  ///< only its segments, and no film of them
+  std::optional<JobFile> job = {};  ///< jobFileOf() this, of a film and a sequence
+};
+
+}  // namespace poinsot::app

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/segment_record.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <system_error>
+
+#include "app/json_text.h"
+#include "core/error.h"
+#include "core/regular_file.h"
+#include "core/sha256.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+
+namespace poinsot::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using std::filesystem::path;
+
+constexpr std::size_t kMostRecordBytes = std::size_t{64} << 20;
+
+[[noreturn]] void cannotRead(const path& file) {
+  throw core::Error(core::ErrorKind::kIo, fmt::format("cannot read {}: {}", core::printable(file.native()),
+                                                      std::generic_category().message(errno)));
+}
+
+// Paths from the work folder, so that both can be moved, or seen from elsewhere.
+Json toJson(const SegmentRecord& record, const path& folder) {
+  Json files = Json::array();
+  for (const RecordedFile& file : record.files)
+    files.push_back({{"path", utf8FromBytes(file.path.lexically_relative(folder).native())},
+                     {"bytes", file.bytes},
+                     {"sha256", file.sha256}});
+  return {{"frames", {record.frames.first, record.frames.last}},
+          {"job", record.job},
+          {"renderer", record.renderer},
+          {"digests", record.digests},
+          {"files", std::move(files)}};
+}
+
+SegmentRecord fromJson(const Json& json, const path& folder) {
+  SegmentRecord record;
+  record.frames = {json.at("frames").at(0).get<std::int64_t>(), json.at("frames").at(1).get<std::int64_t>()};
+  record.job = json.at("job").get<std::string>();
+  record.renderer = json.at("renderer").get<std::string>();
+  record.digests = json.at("digests").get<std::vector<std::string>>();
+  for (const Json& file : json.at("files"))
+    record.files.push_back({folder / bytesFromUtf8(file.at("path").get<std::string>()),
+                            file.at("bytes").get<std::uint64_t>(), file.at("sha256").get<std::string>()});
+  return record;
+}
+
+}  // namespace
+
+RecordedFile recordOf(const path& file) {
+  const core::FileHandle handle = core::openForReading(file);
+  if (!handle) cannotRead(file);
+  core::Sha256 sum;
+  RecordedFile record;
+  record.path = file;
+  std::array<std::byte, 64 << 10> buffer{};
+  for (;;) {
+    const ssize_t count = ::read(handle.get(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) cannotRead(file);
+    if (count == 0) break;
+    sum.add(std::span(buffer).first(static_cast<std::size_t>(count)));
+    record.bytes += static_cast<std::uint64_t>(count);
+  }
+  record.sha256 = core::toHex(sum.finish());
+  return record;
+}
+
+path SegmentRecords::fileOf(const FrameRange& frames) const {
+  return folder_ / fmt::format("segment-{:09}-{:09}.json", frames.first, frames.last);
+}
+
+std::optional<SegmentRecord> SegmentRecords::find(const FrameRange& frames) const try {
+  const SegmentRecord record = fromJson(
+      Json::parse(core::readRegularFile(fileOf(frames), kMostRecordBytes, core::ErrorKind::kIo)), folder_);
+  const bool fits = record.frames == frames &&
+                    static_cast<std::int64_t>(record.digests.size()) == frames.count() && !record.files.empty();
+  return fits ? std::optional(record) : std::nullopt;
+} catch (const core::Error&) {
+  return std::nullopt;
+} catch (const nlohmann::json::exception&) {
+  return std::nullopt;
+}
+
+void SegmentRecords::keep(const SegmentRecord& record) const {
+  const std::string text = toJson(record, folder_).dump() + "\n";
+  output::writeFileAtomically(fileOf(record.frames),
+                              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+bool SegmentRecords::isWhole(const SegmentRecord& record) {
+  for (const RecordedFile& file : record.files) {
+    try {
+      if (recordOf(file.path) != file) return false;
+    } catch (const core::Error&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+SegmentState SegmentRecords::stateOf(const FrameRange& frames, const std::string& job) const {
+  const auto record = find(frames);
+  if (!record) return SegmentState::kMissing;
+  if (!isWhole(*record)) return SegmentState::kCorrupt;
+  return record->job == job ? SegmentState::kDone : SegmentState::kStale;
+}
+
+}  // namespace poinsot::app

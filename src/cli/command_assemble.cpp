@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/assembly.h"
+#include "app/work_folder.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/target_check.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct AssembleOptions {
+  std::string output, film;
+  bool force = false, keep = false, quiet = false;
+};
+
+/// Where the film goes: the output itself unless another name is given.
+app::OutputTarget filmTarget(const AssembleOptions& options, const app::OutputTarget& output) {
+  if (options.film.empty()) return output;
+  const auto film = app::parseTarget(options.film);
+  if (film.kind != output.kind || output.kind != app::OutputKind::kFilm)
+    throw core::Error(core::ErrorKind::kUsage, "-o names another place for a film; frames stay where they are");
+  return film;
+}
+
+int assemble(const AssembleOptions& options) {
+  const auto output = app::parseTarget(options.output), film = filmTarget(options, output);
+  const auto folder = app::workFolderOf(output.path);
+  const auto job = app::readJobFile(folder);
+  if (!job)
+    throw core::Error(core::ErrorKind::kIo,
+                      fmt::format("{}: there are no segments of it here", core::printable(options.output)));
+  if (film.kind == app::OutputKind::kFilm) output::checkTarget(film.path, options.force);
+  app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
+  app::assemble(work.path(), *job, film.path);
+  if (!options.keep) work.discard();
+  if (!options.quiet)
+    writeErr(fmt::format("poinsot: {} is ready ({} frames)\n", core::printable(film.path.string()),
+                         job->frames.count()));
+  return kDone;
+}
+
+}  // namespace
+
+void addAssemble(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<AssembleOptions>();
+  CLI::App* command = program.add_subcommand("assemble", "join the segments that shards have made; refuses gaps");
+  command->add_option("OUTPUT", options->output, "what the shards were told with -o")->required();
+  command->add_option("-o,--output", options->film, "another name for the film")->type_name("FILE");
+  command->add_flag("--force", options->force, "replace a file that this program did not write");
+  command->add_flag("--keep", options->keep, "keep the segments");
+  command->add_flag("--quiet", options->quiet, "say nothing but errors");
+  command->footer(
+      "Example:\n"
+      "  poinsot render scenes/football.toml -o out/football.mp4 --shard 1/2\n"
+      "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    (on another machine, say)\n"
+      "  poinsot assemble out/football.mp4");
+  command->callback([options, &chosen] { chosen = [options] { return assemble(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace poinsot::core {
+
+/// What two equal things have in common and no two others are known to.
+using Digest = std::array<std::uint8_t, 32>;
+
+/// SHA-256 (FIPS 180-4) of bytes that come piece by piece.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(Sha256&&) noexcept;
+
+  void add(std::span<const std::byte> bytes);
+  void add(std::string_view text);
+  /// Of all that was added. Call once.
+  Digest finish();
+
+ private:
+  struct Context;  // keeps OpenSSL's headers out of this one
+  std::unique_ptr<Context> context_;
+};
+
+Digest sha256(std::string_view text);
+
+/// 64 lower-case hexadecimal digits, as sha256sum prints them.
+std::string toHex(const Digest& digest);
+
+}  // namespace poinsot::core
