@@ -106,9 +106,9 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene
   auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
   if (job.target.kind == OutputKind::kPicture)
     return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0, digestOf);
-  return std::make_unique<output::PngSequence>(
-      output::FramePattern(path.string()),
-      output::SequenceOptions{std::move(texts), digestOf, job.resume, job.workFolder});
+  // What is said of the whole film is not said by its frames: they stay as they are when it changes.
+  return std::make_unique<output::PngSequence>(output::FramePattern(path.string()),
+                                               output::SequenceOptions{{}, digestOf, job.resume, job.workFolder});
 }
 
 }  // namespace

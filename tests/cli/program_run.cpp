@@ -42,7 +42,8 @@ const char* const kGoodScene =
     "[output]\n"
     "size = [160, 90]\n";
 
-ProgramRun::ProgramRun(const ScratchFolder& folder, const std::vector<std::string>& arguments, Stdout stdoutTo)
+ProgramRun::ProgramRun(const ScratchFolder& folder, const std::vector<std::string>& arguments, Stdout stdoutTo,
+                       const std::vector<std::string>& environment)
     : out_(folder / kOutName), err_(folder / kErrName) {
   std::vector<char*> words{const_cast<char*>("poinsot")};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -55,6 +56,7 @@ ProgramRun::ProgramRun(const ScratchFolder& folder, const std::vector<std::strin
     dup2(err, STDERR_FILENO);
     dup2(out, STDOUT_FILENO);
     if (stdoutTo == Stdout::kClosed) close(STDOUT_FILENO);
+    for (const std::string& setting : environment) putenv(const_cast<char*>(setting.c_str()));
     if (chdir(folder.path().c_str()) == 0) execv(POINSOT_PROGRAM, words.data());
     _exit(126);
   }
@@ -81,8 +83,9 @@ RunResult ProgramRun::wait() {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), out, bytesOf(err_)};
 }
 
-RunResult run(const ScratchFolder& folder, const std::vector<std::string>& arguments, Stdout stdoutTo) {
-  return ProgramRun(folder, arguments, stdoutTo).wait();
+RunResult run(const ScratchFolder& folder, const std::vector<std::string>& arguments, Stdout stdoutTo,
+              const std::vector<std::string>& environment) {
+  return ProgramRun(folder, arguments, stdoutTo, environment).wait();
 }
 
 std::string bytesOf(const std::filesystem::path& file) {

@@ -24,8 +24,9 @@ enum class Stdout { kFile, kClosed, kBrokenPipe, kFull };
 class ProgramRun {
  public:
   /// Starts it. @param folder  working folder; stdout and stderr are kept in it under hidden names.
+  /// `environment`: "NAME=value", on top of this process's own.
   ProgramRun(const ScratchFolder& folder, const std::vector<std::string>& arguments,
-             Stdout stdoutTo = Stdout::kFile);
+             Stdout stdoutTo = Stdout::kFile, const std::vector<std::string>& environment = {});
   /// Kills it if it still runs.
   ~ProgramRun();
   ProgramRun(const ProgramRun&) = delete;
@@ -44,7 +45,7 @@ class ProgramRun {
 
 /// Runs it to the end.
 RunResult run(const ScratchFolder& folder, const std::vector<std::string>& arguments,
-              Stdout stdoutTo = Stdout::kFile);
+              Stdout stdoutTo = Stdout::kFile, const std::vector<std::string>& environment = {});
 
 /// All bytes of a file; fails the test if it cannot be read.
 std::string bytesOf(const std::filesystem::path& file);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// A disk that is full, broken or slow, at every call: exit 0 means every promised byte is on disk.
+#include <gmock/gmock.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "faults/tiny_film.h"
+
+namespace poinsot::faults {
+namespace {
+
+using testing::HasSubstr;
+
+std::string errnoText(int why) { return std::to_string(why); }
+
+class DiskFault : public testing::TestWithParam<Fault> {
+ protected:
+  /// Fails the n-th call, for every n there is; goes on from some once the disk is well again.
+  void failEach(const Output& output) const {
+    for (int n = 1;; ++n) {
+      const ScratchFolder folder;
+      folder.put("tiny.toml", kTinyScene);
+      const RunResult result =
+          run(folder, renderArguments(output), Stdout::kFile, environmentOf(GetParam(), n, folder));
+      if (!struck(folder)) {
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_GT(n, 1) << "there is no such call";
+        return;
+      }
+      const std::string where = "(call " + std::to_string(n) + ")";
+      EXPECT_EQ(result.exitCode, 4) << result.err << where;
+      EXPECT_THAT(result.err, HasSubstr(std::strerror(std::stoi(GetParam().kind)))) << where;
+      expectAllWhole(folder.path(), where);
+      if (n % 3 != 1) continue;
+      const RunResult again = run(folder, renderArguments(output, {"--resume"}));
+      ASSERT_EQ(again.exitCode, 0) << again.err << where;
+      EXPECT_EQ(filesOf(folder.path()), undisturbed(output)) << where;
+    }
+  }
+};
+
+TEST_P(DiskFault, OfAFilmIsExit4) { failEach(kShortFilm); }
+TEST_P(DiskFault, OfASequenceIsExit4) { failEach(kShortSequence); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, DiskFault,
+    testing::Values(Fault{"write", "worker", errnoText(ENOSPC), true}, Fault{"open", "worker", errnoText(EMFILE)},
+                    Fault{"fsync", "worker", errnoText(EIO)}, Fault{"close", "worker", errnoText(EIO)},
+                    Fault{"rename", "worker", errnoText(EACCES)},
+                    Fault{"write", "parent", errnoText(ENOSPC), true}, Fault{"open", "parent", errnoText(EDQUOT)},
+                    Fault{"fsync", "parent", errnoText(EIO)}, Fault{"close", "parent", errnoText(EIO)},
+                    Fault{"rename", "parent", errnoText(EXDEV)}, Fault{"mkdir", "parent", errnoText(EROFS)}),
+    callOf);
+
+// What is no fault: a signal between two bytes, a write that takes less than all.
+class DiskTrouble : public testing::TestWithParam<Fault> {};
+
+TEST_P(DiskTrouble, ChangesNothing) {
+  for (const Output& output : {kShortFilm, kShortSequence})
+    for (int n = 1; n <= 3; ++n) {
+      const ScratchFolder folder;
+      folder.put("tiny.toml", kTinyScene);
+      const RunResult result =
+          run(folder, renderArguments(output), Stdout::kFile, environmentOf(GetParam(), n, folder));
+      EXPECT_EQ(result.exitCode, 0) << result.err;
+      EXPECT_TRUE(struck(folder) || n > 1);
+      EXPECT_EQ(filesOf(folder.path()), undisturbed(output));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Short, DiskTrouble,
+                         testing::Values(Fault{"write", "worker", "short", true},
+                                         Fault{"write", "parent", "short", true}),
+                         callOf);
+INSTANTIATE_TEST_SUITE_P(Interrupted, DiskTrouble,
+                         testing::Values(Fault{"write", "worker", errnoText(EINTR)},
+                                         Fault{"write", "parent", errnoText(EINTR)},
+                                         Fault{"fsync", "worker", errnoText(EINTR)}),
+                         callOf);
+
+}  // namespace
+}  // namespace poinsot::faults

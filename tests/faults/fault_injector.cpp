@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// A library to be preloaded: makes one system call of the program on files of one folder fail, cut short, or be
+// the last thing that its processes do. Told by the environment:
+//   FAULT_CALL    open, write, fsync, close, rename or mkdir
+//   FAULT_KIND    an errno, "short" (a write takes one byte), "kill" (the process group, before the call) or
+//                 "interrupt" (SIGINT to the parent, a while before the call)
+//   FAULT_AT      which call of that name, from 1, in each process; with a + after it, that and all later ones
+//   FAULT_ROLE    worker or parent: in which processes
+//   FAULT_FOLDER  the folder, absolute; its files whose names begin with ".harness" do not count
+//   FAULT_MARK    a file to create when it has struck
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace {
+
+std::string setting(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+bool isWorker() {
+  std::FILE* file = std::fopen("/proc/self/cmdline", "rb");
+  char text[256] = {};
+  const std::size_t size = file ? std::fread(text, 1, sizeof text - 1, file) : 0;
+  if (file) std::fclose(file);
+  const std::size_t first = std::strlen(text) + 1;
+  return first < size && std::strcmp(text + first, "worker") == 0;
+}
+
+struct Plan {
+  std::string call = setting("FAULT_CALL"), kind = setting("FAULT_KIND"), at = setting("FAULT_AT");
+  std::string folder = setting("FAULT_FOLDER"), mark = setting("FAULT_MARK");
+  bool here = setting("FAULT_ROLE") == (isWorker() ? "worker" : "parent");
+  long number = std::atol(at.c_str());
+  bool onwards = at.ends_with('+');
+};
+
+const Plan& plan() {
+  static const Plan made;
+  return made;
+}
+
+bool concernsPath(std::string_view path) {
+  const Plan& p = plan();
+  std::string whole(path);
+  if (!path.starts_with('/')) {
+    char cwd[4096];
+    if (getcwd(cwd, sizeof cwd)) whole = std::string(cwd) + "/" + whole;
+  }
+  return whole.starts_with(p.folder + "/") && whole.find("/.harness") == std::string::npos;
+}
+
+bool concernsDescriptor(int fd, bool alsoReaders) {
+  if (!alsoReaders && (fcntl(fd, F_GETFL) & O_ACCMODE) == O_RDONLY) return false;
+  char path[4096];
+  const ssize_t size = readlink(("/proc/self/fd/" + std::to_string(fd)).c_str(), path, sizeof path - 1);
+  return size > 0 && path[0] == '/' && concernsPath(std::string_view(path, static_cast<std::size_t>(size)));
+}
+
+std::atomic<long> count{0};
+
+enum class Strike { kNone, kFail, kShort };
+
+/// Whether this call, which concerns us, is the one; sets errno for a failure.
+Strike strike(const char* call) {
+  const Plan& p = plan();
+  if (!p.here || p.call != call) return Strike::kNone;
+  const long now = ++count;
+  if (now < p.number || (now > p.number && !p.onwards)) return Strike::kNone;
+  const long mark = syscall(SYS_open, p.mark.c_str(), O_CREAT | O_WRONLY, 0600);
+  if (mark >= 0) syscall(SYS_close, mark);
+  if (p.kind == "kill") {
+    kill(0, SIGKILL);
+    for (;;) pause();
+  }
+  if (p.kind == "interrupt") {
+    kill(getppid(), SIGINT);
+    usleep(300'000);
+    return Strike::kNone;
+  }
+  if (p.kind == "short") return Strike::kShort;
+  errno = std::atoi(p.kind.c_str());
+  return Strike::kFail;
+}
+
+template <class Function>
+Function* real(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t write(int fd, const void* data, size_t size) {
+  static auto* const next = real<ssize_t(int, const void*, size_t)>("write");
+  if (plan().call == "write" && concernsDescriptor(fd, false)) {
+    const Strike what = strike("write");
+    if (what == Strike::kFail) return -1;
+    if (what == Strike::kShort && size > 1) size = 1;
+  }
+  return next(fd, data, size);
+}
+
+int fsync(int fd) {
+  static auto* const next = real<int(int)>("fsync");
+  if (plan().call == "fsync" && concernsDescriptor(fd, true) && strike("fsync") == Strike::kFail) return -1;
+  return next(fd);
+}
+
+// As on Linux: the descriptor is gone even when close fails.
+int close(int fd) {
+  static auto* const next = real<int(int)>("close");
+  if (plan().call == "close" && concernsDescriptor(fd, false) && strike("close") == Strike::kFail) {
+    const int why = errno;
+    next(fd);
+    errno = why;
+    return -1;
+  }
+  return next(fd);
+}
+
+int rename(const char* from, const char* to) {
+  static auto* const next = real<int(const char*, const char*)>("rename");
+  if (plan().call == "rename" && concernsPath(to) && strike("rename") == Strike::kFail) return -1;
+  return next(from, to);
+}
+
+int mkdir(const char* path, mode_t mode) {
+  static auto* const next = real<int(const char*, mode_t)>("mkdir");
+  if (plan().call == "mkdir" && concernsPath(path) && strike("mkdir") == Strike::kFail) return -1;
+  return next(path, mode);
+}
+
+int open(const char* path, int flags, ...) {
+  static auto* const next = real<int(const char*, int, ...)>("open");
+  mode_t mode = 0;
+  if ((flags & O_CREAT) != 0) {
+    va_list more;
+    va_start(more, flags);
+    mode = va_arg(more, mode_t);
+    va_end(more);
+    if (plan().call == "open" && concernsPath(path) && strike("open") == Strike::kFail) return -1;
+  }
+  return next(path, flags, mode);
+}
+
+}  // extern "C"

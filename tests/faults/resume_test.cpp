@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// A render that goes on where another stopped makes the bytes of one that was never disturbed.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "faults/tiny_film.h"
+
+namespace poinsot::faults {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Resume : public testing::TestWithParam<Output> {
+ protected:
+  Resume() { folder_.put("tiny.toml", kTinyScene); }
+
+  RunResult render(const std::vector<std::string>& more) const {
+    return run(folder_, renderArguments(GetParam(), more));
+  }
+  auto made() const { return filesOf(folder_.path()); }
+  ScratchFolder folder_;
+};
+
+TEST_P(Resume, GoesOnAfterAnInterruption) {
+  // By Ctrl-C while the third segment's record is being written.
+  const auto environment = environmentOf({"rename", "worker", "interrupt"}, GetParam().isFilm() ? 6 : 12, folder_);
+  const RunResult first = run(folder_, renderArguments(GetParam()), Stdout::kFile, environment);
+  EXPECT_TRUE(struck(folder_));
+  EXPECT_EQ(first.exitCode, 130);
+  EXPECT_THAT(first.err, HasSubstr(" of 18 frames are kept; the same command with --resume goes on from there"));
+  const RunResult second = render({"--resume"});
+  EXPECT_EQ(second.exitCode, 0) << second.err;
+  EXPECT_EQ(made(), undisturbed(GetParam()));
+  EXPECT_THAT(namesIn(folder_.path()), testing::Not(testing::Contains(testing::EndsWith(".poinsot"))));
+}
+
+TEST_P(Resume, OfNothingStartsAfresh) {
+  EXPECT_EQ(render({"--resume"}).exitCode, 0);
+  EXPECT_EQ(made(), undisturbed(GetParam()));
+}
+
+TEST_P(Resume, OfWhatIsReadyMakesNothingAgain) {
+  ASSERT_EQ(render({"--keep"}).exitCode, 0);
+  const RunResult again = render({"--resume", "--keep", "--progress", "plain"});
+  EXPECT_EQ(again.exitCode, 0);
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, 18 of them were there already, "));
+  EXPECT_EQ(made(), undisturbed(GetParam()));
+}
+
+// The body goes at 1.15 s: that changes frames 12 to 17 and no other.
+TEST_P(Resume, OfAnEditedSceneMakesOnlyWhatChanged) {
+  const std::string edited = std::string(kTinyScene) + "[[timeline]]\nat = 1.15\nhide = [\"body\"]\n";
+  ASSERT_EQ(render({"--keep"}).exitCode, 0);
+  folder_.put("tiny.toml", edited);
+  const RunResult again = render({"--resume", "--progress", "plain"});
+  EXPECT_EQ(again.exitCode, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, 12 of them were there already, "));
+  const ScratchFolder other;
+  other.put("tiny.toml", edited);
+  ASSERT_EQ(run(other, renderArguments(GetParam())).exitCode, 0);
+  EXPECT_EQ(made(), filesOf(other.path()));
+}
+
+TEST_P(Resume, WithOtherSettingsMakesAllAgain) {
+  ASSERT_EQ(render({"--keep"}).exitCode, 0);
+  const RunResult again = render({"--resume", "--progress", "plain", "--size", "66x36"});
+  EXPECT_EQ(again.exitCode, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, "));
+  EXPECT_THAT(again.err, testing::Not(HasSubstr("already")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Resume, testing::Values(kFilm, kSequence), kindOf);
+
+// ---- segments that are not what they were
+
+class Segments : public testing::Test {
+ protected:
+  Segments() {
+    folder_.put("tiny.toml", kTinyScene);
+    EXPECT_EQ(run(folder_, renderArguments(kFilm, {"--keep"})).exitCode, 0);
+  }
+  std::filesystem::path segment() const { return folder_ / ".t.mp4.poinsot/segment-000000003-000000005.mp4"; }
+  RunResult status(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"status", "t.mp4"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(folder_, words);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Segments, AllAreDone) {
+  const RunResult told = status();
+  EXPECT_EQ(told.exitCode, 0);
+  EXPECT_EQ(told.out, "t.mp4: 6 segments: 6 done\n");
+}
+
+TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
+  std::string bytes = bytesOf(segment());
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  std::ofstream(segment(), std::ios::binary) << bytes;
+  const RunResult told = status();
+  EXPECT_EQ(told.exitCode, 1);
+  EXPECT_EQ(told.out, "t.mp4: 6 segments: 5 done, 1 corrupt\ncorrupt: frames 3-5\n");
+  const RunResult joined = run(folder_, {"assemble", "t.mp4"});
+  EXPECT_EQ(joined.exitCode, 4);
+  EXPECT_THAT(joined.err, HasSubstr("t.mp4: frames 3-5 are damaged"));
+  const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
+  EXPECT_THAT(again.err, HasSubstr("15 of them were there already"));
+  EXPECT_EQ(filesOf(folder_.path()), undisturbed(kFilm));
+}
+
+TEST_F(Segments, AMissingOneIsAGapThatIsNotJoinedOver) {
+  std::filesystem::remove(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json");
+  EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
+  const std::string before = bytesOf(folder_ / "t.mp4");
+  const RunResult joined = run(folder_, {"assemble", "t.mp4", "--quiet"});
+  EXPECT_EQ(joined.exitCode, 4);
+  EXPECT_THAT(joined.err, HasSubstr("frames 3-5 are missing"));
+  EXPECT_EQ(bytesOf(folder_ / "t.mp4"), before);
+}
+
+// What no render of this program leaves there: rubbish in place of a record, or of the job.
+TEST_F(Segments, RubbishIsNoRecord) {
+  std::ofstream(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json") << "{\"frames\": [3, ";
+  EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
+  std::ofstream(folder_ / ".t.mp4.poinsot/job.json") << "[]";
+  EXPECT_EQ(run(folder_, {"assemble", "t.mp4"}).exitCode, 4);
+}
+
+TEST_F(Segments, ThoseOfAnotherSceneAreStale) {
+  ASSERT_EQ(run(folder_, renderArguments(kFilm, {"--shard", "1/2"})).exitCode,
+            0);  // reproducible: other pixels, maybe
+  const RunResult told = status({"--json"});
+  EXPECT_EQ(told.exitCode, 1);
+  EXPECT_THAT(told.out, HasSubstr("\"shards_to_run\": \"2\""));
+  EXPECT_THAT(status().out, HasSubstr("3 done, 3 stale\nstale: frames 3-5, 9-11, 15-17\nshards to run: 2 of 2\n"));
+  EXPECT_THAT(run(folder_, {"assemble", "t.mp4"}).err,
+              HasSubstr("frames 3-5, 9-11, 15-17 are of another scene or of other settings"));
+}
+
+TEST_F(Segments, AreJoinedUnderAnotherName) {
+  EXPECT_EQ(run(folder_, {"assemble", "t.mp4", "-o", "other.mp4", "--keep"}).exitCode, 0);
+  EXPECT_EQ(bytesOf(folder_ / "other.mp4"), bytesOf(folder_ / "t.mp4"));
+  EXPECT_EQ(run(folder_, {"assemble", "t.mp4"}).exitCode, 0);
+  EXPECT_EQ(status().out, "t.mp4: complete\n");
+}
+
+TEST(Status, OfWhatWasNeverBegunIsAnError) {
+  const ScratchFolder folder;
+  const RunResult told = run(folder, {"status", "t.mp4"});
+  EXPECT_EQ(told.exitCode, 4);
+  EXPECT_THAT(told.err, HasSubstr("t.mp4: no render of it is under way here"));
+}
+
+}  // namespace
+}  // namespace poinsot::faults
