@@ -47,8 +47,7 @@ void writeJobFile(const path& workFolder, const JobFile& job) {
                   {"description", job.description},
                   {"subtitles", toJson(job.subtitles)}};
   const std::string text = json.dump(1) + "\n";
-  output::writeFileAtomically(fileIn(workFolder),
-                              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  output::writeFileAtomically(fileIn(workFolder), text);
 }
 
 std::optional<JobFile> readJobFile(const path& workFolder) try {

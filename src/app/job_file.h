@@ -24,6 +24,7 @@ struct JobFile {
   int shards = 1;
   std::string title, description;  ///< of the film
   std::vector<Subtitle> subtitles;
+  std::vector<scene::InputFile> inputs;  ///< files that the scene names
 
   std::vector<FrameRange> segments() const { return segmentsOf(frames, segmentFrames); }
 };

@@ -71,6 +71,7 @@ JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
   job.frames = request.frames;
   job.segmentFrames = request.segmentFrames;
   job.shards = request.shard ? request.shard->n : 1;
+  job.inputs = scene.inputs;
   job.title = words.title;
   job.description = words.description;
   if (job.kind == OutputKind::kFilm) job.subtitles = subtitlesOf(scene, request.frames);

@@ -10,6 +10,7 @@
 
 #include "app/assembly.h"
 #include "app/interrupt.h"
+#include "app/manifest.h"
 #include "core/error.h"
 #include "core/expect.h"
 
@@ -61,6 +62,9 @@ RenderSummary RenderJob::run() {
   while (!workers_.empty()) awaitReports();
   publish();
   summary_.wall_s = elapsed_s();
+  if (request_.manifest)
+    writeManifest(*request_.manifest, folder_.path(), *request_.job, request_.target.path, summary_);
+  if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
 }
 
@@ -119,10 +123,8 @@ void RenderJob::handOut(WorkerProcess& worker) {
   waiting_.pop_front();
 }
 
-void RenderJob::publish() {
-  if (request_.shard) return;
-  if (request_.job) assemble(folder_.path(), *request_.job, request_.target.path);
-  if (!request_.keepWork) folder_.discard();
+void RenderJob::publish() const {
+  if (request_.job && !request_.shard) assemble(folder_.path(), *request_.job, request_.target.path);
 }
 
 std::int64_t RenderJob::framesKept() const { return request_.job ? segmentFramesDone_ : 0; }

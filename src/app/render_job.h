@@ -9,18 +9,12 @@
 #include <vector>
 
 #include "app/render_request.h"
-#include "app/statistics.h"
+#include "app/render_summary.h"
 #include "app/work_folder.h"
 #include "app/worker_process.h"
 #include "app/worker_protocol.h"
 
 namespace poinsot::app {
-
-struct RenderSummary {
-  Statistics spent;
-  double wall_s = 0;
-  std::int64_t reused = 0;  ///< frames that were there already
-};
 
 /// Called after every frame with how many are done, how many of them were there already, and the time since the
 /// start.
@@ -51,7 +45,7 @@ class RenderJob {
   void awaitReports();
   void handle(WorkerProcess& worker, const WorkerReport& report);
   void handOut(WorkerProcess& worker);
-  void publish();
+  void publish() const;
   void stopWorkers();
   double elapsed_s() const;
 

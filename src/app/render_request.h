@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <optional>
 
 #include "app/frame_plan.h"
@@ -23,10 +24,11 @@ struct RenderRequest {
   bool reproducible = false;
   PictureForm form = {};
   std::int64_t segmentFrames = kSegmentFrames;
-  bool resume = false;              ///< what is there and is the same is not made again
-  bool keepWork = false;            ///< leaves the segments when all is done
-  std::optional<Shard> shard = {};  ///< only its segments, and no film of them
-  std::optional<JobFile> job = {};  ///< jobFileOf() this, of a film and a sequence
+  bool resume = false;                                 ///< what is there and is the same is not made again
+  bool keepWork = false;                               ///< leaves the segments when all is done
+  std::optional<Shard> shard = {};                     ///< only its segments, and no film of them
+  std::optional<std::filesystem::path> manifest = {};  ///< of a film or a sequence
+  std::optional<JobFile> job = {};                     ///< jobFileOf() this, of a film and a sequence
 };
 
 }  // namespace poinsot::app

@@ -96,8 +96,7 @@ std::optional<SegmentRecord> SegmentRecords::find(const FrameRange& frames) cons
 
 void SegmentRecords::keep(const SegmentRecord& record) const {
   const std::string text = toJson(record, folder_).dump() + "\n";
-  output::writeFileAtomically(fileOf(record.frames),
-                              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  output::writeFileAtomically(fileOf(record.frames), text);
 }
 
 bool SegmentRecords::isWhole(const SegmentRecord& record) {

@@ -43,9 +43,7 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  output::writeFileAtomically(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
+void write(const std::filesystem::path& file, const std::string& text) { output::writeFileAtomically(file, text); }
 
 }  // namespace
 

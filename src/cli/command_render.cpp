@@ -35,14 +35,22 @@ void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& fra
 
 void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
   if (!parts.shard.empty()) app::parseShard(parts.shard);
+  if (!parts.shard.empty() && !parts.manifest.empty())
+    refuse("--manifest: tells of a whole film, and a shard makes a part of one");
   if (target.kind != app::OutputKind::kPicture) return;
   if (!parts.shard.empty()) refuse("--shard: one picture is made by one process");
+  if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
 }
 
 void addPartsOptions(CLI::App& command, PartsOptions& parts) {
   command.add_flag("--resume", parts.resume,
                    "go on where a render of this output stopped; what has changed is made again");
   command.add_flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
+  command
+      .add_option("--manifest", parts.manifest,
+                  "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
+      ->type_name("FILE")
+      ->check(notEmpty());
   command.add_option("--segment", parts.segmentFrames, "frames of a segment (default: 30)")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000));

@@ -152,12 +152,14 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
     render.shard = app::parseShard(parts.shard);
     render.reproducible = true;  // the machines of a cluster differ
   }
+  if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
   if (target.kind == OutputKind::kFilm && !app::subtitlesOf(scene, frames).empty())
     app::checkSubtitleFiles(target.path, options.force);
   if (scene.time.loop && !options.quiet && options.progress != "json")
     writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (options.dryRun) return describe(render, scene);
   prepareFolder(target);
+  if (!parts.manifest.empty()) render.manifest = parts.manifest;
   if (isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));

@@ -12,7 +12,7 @@ namespace poinsot::cli {
 struct PartsOptions {
   bool resume = false, keep = false;
   std::int64_t segmentFrames = app::kSegmentFrames;
-  std::string shard;
+  std::string shard, manifest;
 };
 
 /// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be

@@ -117,6 +117,10 @@ void writeFileAtomically(const std::filesystem::path& target, std::span<const st
   file.commit(durability);
 }
 
+void writeFileAtomically(const std::filesystem::path& target, std::string_view text) {
+  writeFileAtomically(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 void syncFile(const std::filesystem::path& file) { syncPath(file, 0, "cannot be synced"); }
 
 void syncFolderOf(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 namespace poinsot::output {
 
@@ -44,6 +45,8 @@ class AtomicFile {
 
 void writeFileAtomically(const std::filesystem::path& target, std::span<const std::uint8_t> bytes,
                          Durability durability = Durability::kSynced);
+
+void writeFileAtomically(const std::filesystem::path& target, std::string_view text);
 
 /// Makes a file's content durable. @throws core::Error(kIo).
 void syncFile(const std::filesystem::path& file);

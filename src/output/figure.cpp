@@ -28,9 +28,7 @@ void requireNameForLatex(const std::string& name) {
                                 core::printable(name)));
 }
 
-void write(const std::filesystem::path& target, std::string_view text) {
-  writeFileAtomically(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
+void write(const std::filesystem::path& target, std::string_view text) { writeFileAtomically(target, text); }
 
 // The image first: a .tex that is there can be set.
 void writeTikz(const std::filesystem::path& target, const Figure& figure) {

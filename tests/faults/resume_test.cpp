@@ -2,7 +2,9 @@
 // A render that goes on where another stopped makes the bytes of one that was never disturbed.
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "faults/tiny_film.h"
 
@@ -147,6 +149,28 @@ TEST_F(Segments, AreJoinedUnderAnotherName) {
   EXPECT_EQ(bytesOf(folder_ / "other.mp4"), bytesOf(folder_ / "t.mp4"));
   EXPECT_EQ(run(folder_, {"assemble", "t.mp4"}).exitCode, 0);
   EXPECT_EQ(status().out, "t.mp4: complete\n");
+}
+
+// Its digests are those of the files, by another program; a second run of the same says the same but for the time.
+TEST(Manifest, TellsOfAFilmAndItsFrames) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const auto manifest = [&](const std::string& name) {
+    EXPECT_EQ(run(folder, renderArguments(kFilm, {"--manifest", name})).exitCode, 0);
+    auto json = nlohmann::json::parse(bytesOf(folder / name));
+    EXPECT_EQ(json.at("spent").at("frames_made"), 18);
+    json.erase("spent");
+    return json;
+  };
+  const auto told = manifest("m.json");
+  EXPECT_EQ(told.at("frame_digests").size(), 18u);
+  EXPECT_EQ(told.at("frames"), (nlohmann::json{0, 17}));
+  EXPECT_EQ(told.at("settings").at("size"), (nlohmann::json{64, 36}));
+  const std::string sum = told.at("files").at(0).at("sha256");
+  const std::string check =
+      "cd " + folder.path().string() + " && echo '" + sum + "  t.mp4' | sha256sum -c --status";
+  EXPECT_EQ(std::system(check.c_str()), 0);
+  EXPECT_EQ(manifest("n.json"), told);
 }
 
 TEST(Status, OfWhatWasNeverBegunIsAnError) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/manifest.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/json_text.h"
+#include "app/segment_record.h"
+#include "core/version.h"
+#include "output/atomic_file.h"
+
+namespace poinsot::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using std::filesystem::path;
+
+Json inputsOf(const JobFile& job) {
+  Json inputs = Json::array();
+  for (const scene::InputFile& input : job.inputs)
+    inputs.push_back({{"path", utf8FromBytes(input.path)}, {"sha256", core::toHex(input.digest)}});
+  return inputs;
+}
+
+Json toJson(const RecordedFile& file) {
+  return {{"path", utf8FromBytes(file.path.native())}, {"bytes", file.bytes}, {"sha256", file.sha256}};
+}
+
+Json toJson(const RenderSummary& summary) {
+  const Statistics& s = summary.spent;
+  return {{"wall_s", summary.wall_s},
+          {"cpu_s", s.cpu_s},
+          {"workers", s.workers},
+          {"frames_made", s.frames},
+          {"frames_reused", summary.reused},
+          {"compose_s", s.making.compose_s},
+          {"render_s", s.making.render_s},
+          {"read_s", s.making.read_s},
+          {"text_s", s.making.text_s},
+          {"convert_s", s.convert_s},
+          {"encode_s", s.encode_s},
+          {"peak_memory_bytes", s.peakMemory_bytes}};
+}
+
+}  // namespace
+
+void writeManifest(const path& file, const path& workFolder, const JobFile& job, const path& target,
+                   const RenderSummary& summary) {
+  Json digests = Json::object(), files = Json::array();
+  std::set<std::string> renderers;
+  const SegmentRecords records(workFolder);
+  for (const FrameRange& segment : job.segments()) {
+    const auto record = records.find(segment);
+    if (!record) continue;  // it was whole a moment ago
+    for (std::int64_t k = segment.first; k <= segment.last; ++k)
+      digests[std::to_string(k)] = record->digests[static_cast<std::size_t>(k - segment.first)];
+    renderers.insert(record->renderer);
+    if (job.kind == OutputKind::kSequence)
+      for (const RecordedFile& frame : record->files) files.push_back(toJson(frame));
+  }
+  if (job.kind == OutputKind::kFilm) files.push_back(toJson(recordOf(target)));
+  const Json manifest{{"poinsot", core::version()},
+                      {"title", job.title},
+                      {"scene_sha256", job.scene},
+                      {"inputs", inputsOf(job)},
+                      {"settings", Json::parse(job.settings)},
+                      {"job_sha256", job.job},
+                      {"renderers", renderers},
+                      {"frames", {job.frames.first, job.frames.last}},
+                      {"segment_frames", job.segmentFrames},
+                      {"files", std::move(files)},
+                      {"frame_digests", std::move(digests)},
+                      {"spent", toJson(summary)}};
+  output::writeFileAtomically(file, manifest.dump(1) + "\n");
+}
+
+}  // namespace poinsot::app

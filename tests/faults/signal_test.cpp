@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Asked to end at any moment, a render ends at once, says how to go on, and another goes on to the same bytes.
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <random>
+
+#include "faults/tiny_film.h"
+
+namespace poinsot::faults {
+namespace {
+
+using std::chrono::steady_clock;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+double secondsSince(steady_clock::time_point start) {
+  return std::chrono::duration<double>(steady_clock::now() - start).count();
+}
+
+class Signal : public testing::TestWithParam<int> {};
+
+// Seven moments for each of the three, by a fixed seed.
+TEST_P(Signal, AtAnyMomentEndsItInTwoSecondsAndIsGoneOnFrom) {
+  std::mt19937 random(static_cast<unsigned>(20261121 + GetParam()));
+  std::uniform_real_distribution<double> moment_s(0.1, 1.6);
+  int midway = 0;
+  for (int i = 0; i < 7; ++i) {
+    const ScratchFolder folder;
+    folder.put("tiny.toml", kTinyScene);
+    ProgramRun running(folder, renderArguments(kLongFilm, {"-j", "2"}));
+    usleep(static_cast<useconds_t>(1e6 * moment_s(random)));
+    const auto sent = steady_clock::now();
+    running.signal(GetParam());
+    const RunResult first = running.wait();
+    EXPECT_LT(secondsSince(sent), 2.0);
+    EXPECT_THAT(first.exitCode, AnyOf(128 + GetParam(), 0));
+    if (first.err.find("frames are kept") != std::string::npos) ++midway;
+    expectAllWhole(folder.path(), "after a signal");
+    ASSERT_EQ(run(folder, renderArguments(kLongFilm, {"--resume"})).exitCode, 0);
+    EXPECT_EQ(filesOf(folder.path()), undisturbed(kLongFilm));
+  }
+  EXPECT_GE(midway, 1);  // else the moments were no good
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Signal, testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
+
+}  // namespace
+}  // namespace poinsot::faults
