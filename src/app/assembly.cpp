@@ -39,10 +39,14 @@ std::vector<FrameRange> joined(const std::vector<FrameRange>& segments) {
   throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(target.native()), why));
 }
 
+/// By what a film is known again. What drew it comes after.
+std::string originText(const JobFile& job) {
+  return fmt::format("frames {}-{} of scene sha256 {}; job sha256 {}; ", job.frames.first, job.frames.last,
+                     job.scene, job.job);
+}
+
 std::vector<output::FilmText> textsOf(const JobFile& job, const std::string& renderer) {
-  return {{"title", job.title},
-          {"description", job.description},
-          {"comment", fmt::format("scene sha256 {}; {}", job.scene, renderer)}};
+  return {{"title", job.title}, {"description", job.description}, {"comment", originText(job) + renderer}};
 }
 
 }  // namespace
@@ -72,6 +76,11 @@ std::string framesText(const std::vector<FrameRange>& segments, std::size_t most
     text += fmt::format("{}{}-{}", i == 0 ? "" : ", ", ranges[i].first, ranges[i].last);
   if (ranges.size() > most) text += fmt::format(" and {} more", ranges.size() - most);
   return text;
+}
+
+bool isFinished(const JobFile& job, const path& target) {
+  const auto film = job.kind == OutputKind::kFilm ? output::readFilmFacts(target) : std::nullopt;
+  return film && film->frames == job.frames.count() && film->comment.starts_with(originText(job));
 }
 
 void assemble(const path& workFolder, const JobFile& job, const path& target) {

@@ -24,6 +24,9 @@ JobStatus statusOf(const std::filesystem::path& workFolder, const JobFile& job);
 /// "0-29, 60-89 and 12 more": frames of segments, neighbours joined, at most so many ranges.
 std::string framesText(const std::vector<FrameRange>& segments, std::size_t most = 8);
 
+/// Whether the film stands under its final name already, whole and of this job.
+bool isFinished(const JobFile& job, const std::filesystem::path& target);
+
 /// Makes the target of its segments: joins a film's under its final name, with its texts and subtitles. The frames
 /// of a sequence have their names already.
 /// @throws core::Error(kIo) naming the frames that are missing, stale or corrupt; or what cannot be written.

@@ -36,7 +36,7 @@ core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene)
   return sum.finish();
 }
 
-std::string renderSettings(OutputKind kind, const PictureForm& form, bool reproducible,
+std::string renderSettings(OutputKind kind, const PictureForm& form, bool reproducible, std::int64_t segmentFrames,
                            const scene::Scene& scene) {
   nlohmann::ordered_json settings{{"poinsot", core::version()},
                                   {"size", {scene.output.width, scene.output.height}},
@@ -49,6 +49,7 @@ std::string renderSettings(OutputKind kind, const PictureForm& form, bool reprod
   }
   settings["fps"] = core::toString(scene.time.fps);
   settings["crf"] = scene.output.crf;
+  settings["segment"] = segmentFrames;  // each begins with a key frame
   for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
   return settings.dump();
 }
@@ -65,7 +66,8 @@ JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
   const PictureWords words = pictureWords(scene);
   JobFile job;
   job.scene = core::toHex(sceneSum);
-  job.settings = renderSettings(request.target.kind, request.form, request.reproducible, scene);
+  job.settings =
+      renderSettings(request.target.kind, request.form, request.reproducible, request.segmentFrames, scene);
   job.job = core::toHex(jobDigest(sceneSum, job.settings));
   job.kind = request.target.kind;
   job.frames = request.frames;

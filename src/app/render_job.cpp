@@ -58,14 +58,25 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
 RenderJob::~RenderJob() { stopWorkers(); }
 
 RenderSummary RenderJob::run() {
-  startWorkers();
-  while (!workers_.empty()) awaitReports();
-  publish();
+  if (isFinished()) {
+    summary_.reused = request_.frames.count();
+    if (!request_.job->subtitles.empty()) writeSubtitles(request_.job->subtitles, request_.target.path);
+  } else {
+    startWorkers();
+    while (!workers_.empty()) awaitReports();
+    publish();
+  }
   summary_.wall_s = elapsed_s();
   if (request_.manifest)
     writeManifest(*request_.manifest, folder_.path(), *request_.job, request_.target.path, summary_);
   if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
+}
+
+/// A render that was stopped while it put its things away has nothing more to make. A manifest is of the segments.
+bool RenderJob::isFinished() const {
+  return request_.resume && !request_.shard && !request_.manifest && request_.job &&
+         app::isFinished(*request_.job, request_.target.path);
 }
 
 void RenderJob::startWorkers() {
@@ -76,6 +87,7 @@ void RenderJob::startWorkers() {
   WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
                 folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0,
                 request_.form};
+  job.segmentFrames = request_.segmentFrames;
   job.resume = request_.resume || request_.shard;
   if (request_.job) job.job = request_.job->job;
   for (int i = 0; i < count; ++i) {

@@ -41,6 +41,7 @@ class RenderJob {
   std::int64_t framesKept() const;
 
  private:
+  bool isFinished() const;
   void startWorkers();
   void awaitReports();
   void handle(WorkerProcess& worker, const WorkerReport& report);

@@ -76,6 +76,7 @@ std::string toLine(const WorkerJob& job) {
       {"backend", static_cast<int>(job.backend)},
       {"reproducible", job.reproducible},
       {"raster_threads", job.rasterThreads},
+      {"segment_frames", job.segmentFrames},
       {"resume", job.resume},
       {"job", job.job},
       {"form", toJson(job.form)}}
@@ -94,6 +95,7 @@ WorkerJob jobFromLine(std::string_view line) {
           json.at("reproducible").get<bool>(),
           json.at("raster_threads").get<int>(),
           formOf(json.at("form")),
+          json.at("segment_frames").get<std::int64_t>(),
           json.at("resume").get<bool>(),
           json.at("job").get<std::string>()};
 }

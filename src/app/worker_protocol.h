@@ -31,6 +31,7 @@ struct WorkerJob {
   bool reproducible = false;
   int rasterThreads = 0;  ///< llvmpipe's; 0 rasterises in the worker itself
   PictureForm form = {};
+  std::int64_t segmentFrames = kSegmentFrames;
   bool resume = false;   ///< what is there and is the same is not made again
   std::string job = {};  ///< jobDigest() of a film or a sequence, of the scene as the render read it
 };

@@ -65,7 +65,7 @@ int describePrinted(const app::RenderRequest& request, const scene::Output& outp
 int describe(const app::RenderRequest& request, const scene::Scene& scene) {
   const stage::Stage stage(scene);  // what the motion lacks is found here
   if (request.form.print) return describePrinted(request, scene.output);
-  const auto segments = app::segmentsOf(request.frames).size();
+  const auto segments = app::segmentsOf(request.frames, request.segmentFrames).size();
   writeOut(fmt::format("{}: {} frame{} ({}-{}), {}x{}, {} frames/s, {} segment{}\n",
                        core::printable(request.target.path.string()), request.frames.count(),
                        request.frames.count() == 1 ? "" : "s", request.frames.first, request.frames.last,

@@ -166,9 +166,8 @@ Mp4Reader::Mp4Reader(const std::filesystem::path& path) : path_(path) {
     throw Error(ErrorKind::kIo, doing + ": is not a film with one video track");
 }
 
-std::string Mp4Reader::mark() const {
-  // libav writes "encoding_tool" and reads the same box as "encoder".
-  const AVDictionaryEntry* entry = av_dict_get(format_->metadata, "encoder", nullptr, 0);
+std::string Mp4Reader::text(const char* key) const {
+  const AVDictionaryEntry* entry = av_dict_get(format_->metadata, key, nullptr, 0);
   return entry == nullptr ? "" : entry->value;
 }
 

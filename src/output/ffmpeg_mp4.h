@@ -63,7 +63,9 @@ class Mp4Reader {
   const AVCodecParameters& parameters() const { return *format_->streams[0]->codecpar; }
   AVRational timeBase() const { return format_->streams[0]->time_base; }
   /// What the file names as its encoder; empty if nothing.
-  std::string mark() const;
+  std::string mark() const { return text("encoder"); }  // libav writes the box as "encoding_tool"
+  /// A text of the file's own; empty if there is none of that name.
+  std::string text(const char* key) const;
   /// False after the last packet. Times as stored, edit lists not applied.
   bool next(AVPacket& packet);
 

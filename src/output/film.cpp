@@ -107,6 +107,17 @@ void joinSegments(const std::vector<path>& segments, const path& target, const s
   film.finish();
 }
 
+std::optional<FilmFacts> readFilmFacts(const path& film) try {
+  Mp4Reader reader(film);
+  if (reader.mark() != ownMark()) return std::nullopt;
+  FilmFacts facts{0, reader.text("comment")};
+  const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
+  while (reader.next(*packet)) ++facts.frames;
+  return facts;
+} catch (const Error&) {
+  return std::nullopt;
+}
+
 bool isOwnFilm(const path& file) try {
   return Mp4Reader(file).mark().starts_with("poinsot ");
 } catch (const Error&) {

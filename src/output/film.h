@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,15 @@ struct FilmText {
 /// `temporaryFolder`: as of AtomicFile.
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                   const std::vector<FilmText>& texts = {}, const std::filesystem::path& temporaryFolder = {});
+
+/// What a film tells of itself.
+struct FilmFacts {
+  std::int64_t frames = 0;
+  std::string comment;
+};
+
+/// Of a film written by this version of the program that is there to its last frame; nothing of any other file.
+std::optional<FilmFacts> readFilmFacts(const std::filesystem::path& film);
 
 /// Whether the file is an MP4 written by this program. False for whatever cannot be read.
 bool isOwnFilm(const std::filesystem::path& path);

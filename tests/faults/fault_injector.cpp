@@ -139,6 +139,12 @@ int rename(const char* from, const char* to) {
   return next(from, to);
 }
 
+int remove(const char* path) {
+  static auto* const next = real<int(const char*)>("remove");
+  if (plan().call == "remove" && concernsPath(path) && strike("remove") == Strike::kFail) return -1;
+  return next(path);
+}
+
 int mkdir(const char* path, mode_t mode) {
   static auto* const next = real<int(const char*, mode_t)>("mkdir");
   if (plan().call == "mkdir" && concernsPath(path) && strike("mkdir") == Strike::kFail) return -1;

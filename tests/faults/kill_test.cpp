@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <random>
 #include <regex>
 
@@ -33,15 +34,23 @@ int framesDone(const std::string& err) {
   return done;
 }
 
+/// How long a run is on this machine, with two workers.
+double secondsOfARun(const Output& output) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const auto before = std::chrono::steady_clock::now();
+  EXPECT_EQ(run(folder, renderArguments(output, {"-j", "2"})).exitCode, 0);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+}
+
 class Kill : public testing::TestWithParam<Output> {};
 
 // 20 moments drawn evenly over a run, by a fixed seed; the whole process group dies, as with a node of a cluster.
 // Of a film a segment counts when it is whole, of a sequence each frame does; two are being made.
 TEST_P(Kill, AtAnyMomentLosesAtMostASegmentAWorker) {
   const Output& output = GetParam();
-  undisturbed(output);
   std::mt19937 random(20261121);
-  std::uniform_real_distribution<double> moment_s(0.02, 1.6);  // most runs last 1.2 s to 1.8 s
+  std::uniform_real_distribution<double> moment_s(0.02, secondsOfARun(output));
   int midway = 0;
   for (int i = 0; i < 20; ++i) {
     const ScratchFolder folder;

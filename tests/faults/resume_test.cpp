@@ -52,6 +52,30 @@ TEST_P(Resume, OfWhatIsReadyMakesNothingAgain) {
   EXPECT_EQ(made(), undisturbed(GetParam()));
 }
 
+TEST_P(Resume, OfWhatWasStoppedWhilePuttingAwayMakesNothingAgain) {
+  const auto environment = environmentOf({"remove", "parent", "kill"}, 4, folder_);
+  run(folder_, renderArguments(GetParam()), Stdout::kFile, environment);
+  EXPECT_TRUE(struck(folder_));
+  EXPECT_EQ(made(), undisturbed(GetParam()));
+  const RunResult again = render({"--resume", "--progress", "plain"});
+  EXPECT_EQ(again.exitCode, 0);
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, 18 of them were there already, "));
+  EXPECT_EQ(made(), undisturbed(GetParam()));
+  EXPECT_THAT(namesIn(folder_.path()), testing::Not(testing::Contains(testing::EndsWith(".poinsot"))));
+}
+
+// Cut short by something else; its index, which stands first, still tells whose it is.
+TEST(ResumeFilm, ADamagedFilmIsMadeAgain) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  ASSERT_EQ(run(folder, renderArguments(kFilm)).exitCode, 0);
+  std::filesystem::resize_file(folder / "t.mp4", std::filesystem::file_size(folder / "t.mp4") - 100);
+  const RunResult again = run(folder, renderArguments(kFilm, {"--resume", "--force", "--progress", "plain"}));
+  EXPECT_EQ(again.exitCode, 0) << again.err;
+  EXPECT_THAT(again.err, testing::Not(HasSubstr("already")));
+  EXPECT_EQ(filesOf(folder.path()), undisturbed(kFilm));
+}
+
 // The body goes at 1.15 s: that changes frames 12 to 17 and no other.
 TEST_P(Resume, OfAnEditedSceneMakesOnlyWhatChanged) {
   const std::string edited = std::string(kTinyScene) + "[[timeline]]\nat = 1.15\nhide = [\"body\"]\n";
@@ -110,6 +134,7 @@ TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
   const RunResult joined = run(folder_, {"assemble", "t.mp4"});
   EXPECT_EQ(joined.exitCode, 4);
   EXPECT_THAT(joined.err, HasSubstr("t.mp4: frames 3-5 are damaged"));
+  std::filesystem::remove(folder_ / "t.mp4");
   const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
   EXPECT_THAT(again.err, HasSubstr("15 of them were there already"));
   EXPECT_EQ(filesOf(folder_.path()), undisturbed(kFilm));
