@@ -88,10 +88,11 @@ void assemble(const path& workFolder, const JobFile& job, const path& target) {
   if (!status.complete()) refuse(target, status);
   if (job.kind != OutputKind::kFilm) return;
   std::vector<path> files;
-  for (const FrameRange& segment : status.segments) files.push_back(segmentFile(workFolder, segment));
+  for (const FrameRange& segment : status.segments)
+    files.push_back(segmentFile(workFolder, job.film.container, segment));
   const auto first = SegmentRecords(workFolder).find(status.segments.front());
   const bool beside = output::folderOf(target) == output::folderOf(workFolder);  // elsewhere may be another disk
-  output::joinSegments(files, target, textsOf(job, first->renderer), beside ? workFolder : path());
+  output::joinSegments(files, target, job.film, textsOf(job, first->renderer), beside ? workFolder : path());
   if (!job.subtitles.empty()) writeSubtitles(job.subtitles, target);
 }
 

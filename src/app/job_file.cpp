@@ -33,6 +33,14 @@ std::vector<Subtitle> subtitlesOf(const Json& json) {
   return subtitles;
 }
 
+/// @throws core::Error for what this version does not write.
+output::FilmTrack filmOf(const Json& json) {
+  const auto container = output::filmContainer("film." + json.at("container").get<std::string>());
+  const auto fps = core::parseRational(json.at("fps").get<std::string>());
+  if (!container || !fps) throw core::Error(core::ErrorKind::kIo, "no film of this version");
+  return {*container, *fps};
+}
+
 }  // namespace
 
 void writeJobFile(const path& workFolder, const JobFile& job) {
@@ -40,6 +48,8 @@ void writeJobFile(const path& workFolder, const JobFile& job) {
                   {"scene", job.scene},
                   {"settings", job.settings},
                   {"kind", static_cast<int>(job.kind)},
+                  {"fps", core::toString(job.film.fps)},
+                  {"container", output::nameOf(job.film.container)},
                   {"frames", {job.frames.first, job.frames.last}},
                   {"segment_frames", job.segmentFrames},
                   {"shards", job.shards},
@@ -57,6 +67,7 @@ std::optional<JobFile> readJobFile(const path& workFolder) try {
   job.scene = json.at("scene").get<std::string>();
   job.settings = json.at("settings").get<std::string>();
   job.kind = static_cast<OutputKind>(json.at("kind").get<int>());
+  job.film = filmOf(json);
   job.frames = {json.at("frames").at(0).get<std::int64_t>(), json.at("frames").at(1).get<std::int64_t>()};
   job.segmentFrames = json.at("segment_frames").get<std::int64_t>();
   job.shards = json.at("shards").get<int>();
@@ -72,12 +83,14 @@ std::optional<JobFile> readJobFile(const path& workFolder) try {
   return std::nullopt;
 }
 
-path segmentFile(const path& workFolder, const FrameRange& segment) {
-  return workFolder / fmt::format("segment-{:09}-{:09}.mp4", segment.first, segment.last);
+path segmentFile(const path& workFolder, output::FilmContainer container, const FrameRange& segment) {
+  const std::string_view extension = output::isMadeWhole(container) ? "mkv" : output::nameOf(container);
+  return workFolder / fmt::format("segment-{:09}-{:09}.{}", segment.first, segment.last, extension);
 }
 
 std::vector<path> segmentFiles(const path& workFolder, const OutputTarget& target, const FrameRange& segment) {
-  if (target.kind == OutputKind::kFilm) return {segmentFile(workFolder, segment)};
+  if (target.kind == OutputKind::kFilm)
+    return {segmentFile(workFolder, *output::filmContainer(target.path), segment)};
   const output::FramePattern pattern(target.path.string());
   std::vector<path> files;
   for (std::int64_t k = segment.first; k <= segment.last; ++k) files.push_back(pattern.path(k));

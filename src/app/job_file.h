@@ -9,6 +9,7 @@
 #include "app/frame_plan.h"
 #include "app/output_target.h"
 #include "app/subtitles.h"
+#include "output/film.h"
 
 namespace poinsot::app {
 
@@ -19,6 +20,7 @@ struct JobFile {
   std::string scene;     ///< sceneDigest()
   std::string settings;  ///< renderSettings()
   OutputKind kind = OutputKind::kFilm;
+  output::FilmTrack film;  ///< of a film
   FrameRange frames;
   std::int64_t segmentFrames = kSegmentFrames;
   int shards = 1;
@@ -36,7 +38,8 @@ void writeJobFile(const std::filesystem::path& workFolder, const JobFile& job);
 std::optional<JobFile> readJobFile(const std::filesystem::path& workFolder);
 
 /// File of a film's segment in the work folder.
-std::filesystem::path segmentFile(const std::filesystem::path& workFolder, const FrameRange& segment);
+std::filesystem::path segmentFile(const std::filesystem::path& workFolder, output::FilmContainer container,
+                                  const FrameRange& segment);
 
 /// The files of a segment, whether they are there or not: a piece of film in the work folder, or the frames under
 /// their final names.

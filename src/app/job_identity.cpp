@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "app/film_choice.h"
 #include "app/picture_words.h"
 #include "core/version.h"
 #include "image/png_file.h"
@@ -36,19 +37,24 @@ core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene)
   return sum.finish();
 }
 
-std::string renderSettings(OutputKind kind, const PictureForm& form, bool reproducible, std::int64_t segmentFrames,
-                           const scene::Scene& scene) {
+std::string renderSettings(const OutputTarget& target, const PictureForm& form, bool reproducible,
+                           std::int64_t segmentFrames, const scene::Scene& scene) {
   nlohmann::ordered_json settings{{"poinsot", core::version()},
                                   {"size", {scene.output.width, scene.output.height}},
                                   {"reproducible", reproducible}};
   if (form.transparent) settings["transparent"] = true;
   if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
-  if (kind != OutputKind::kFilm) {
+  if (target.kind != OutputKind::kFilm) {
     settings["libpng"] = image::libpngVersion();
     return settings.dump();
   }
   settings["fps"] = core::toString(scene.time.fps);
-  settings["crf"] = scene.output.crf;
+  const output::FilmFormat film = filmFormat(target, scene.output, form);
+  settings["container"] = output::nameOf(film.container);
+  settings["codec"] = output::nameOf(film.codec);
+  settings["chroma"] = scene.output.chroma;
+  settings["effort"] = scene.output.effort;
+  settings["crf"] = film.crf;
   settings["segment"] = segmentFrames;  // each begins with a key frame
   for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
   return settings.dump();
@@ -66,8 +72,7 @@ JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
   const PictureWords words = pictureWords(scene);
   JobFile job;
   job.scene = core::toHex(sceneSum);
-  job.settings =
-      renderSettings(request.target.kind, request.form, request.reproducible, request.segmentFrames, scene);
+  job.settings = renderSettings(request.target, request.form, request.reproducible, request.segmentFrames, scene);
   job.job = core::toHex(jobDigest(sceneSum, job.settings));
   job.kind = request.target.kind;
   job.frames = request.frames;
@@ -76,7 +81,9 @@ JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
   job.inputs = scene.inputs;
   job.title = words.title;
   job.description = words.description;
-  if (job.kind == OutputKind::kFilm) job.subtitles = subtitlesOf(scene, request.frames);
+  if (job.kind != OutputKind::kFilm) return job;
+  job.film = {*output::filmContainer(request.target.path), scene.time.fps};
+  job.subtitles = subtitlesOf(scene, request.frames);
   return job;
 }
 

@@ -16,8 +16,8 @@ core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene)
 
 /// All that the bytes of a frame depend on besides its picture and what draws it: size, and of a film the rate,
 /// the encoder and its settings and the segments' length; the libraries that write. As text, for people too.
-std::string renderSettings(OutputKind kind, const PictureForm& form, bool reproducible, std::int64_t segmentFrames,
-                           const scene::Scene& scene);
+std::string renderSettings(const OutputTarget& target, const PictureForm& form, bool reproducible,
+                           std::int64_t segmentFrames, const scene::Scene& scene);
 
 /// Of both: two renders of one identity may share their segments.
 core::Digest jobDigest(const core::Digest& scene, const std::string& settings);

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/figure.h"
+#include "output/film_format.h"
 #include "output/frame_pattern.h"
 
 namespace poinsot::app {
@@ -15,9 +16,9 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name, std::string_view why) {
   throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("output '{}': {}; works: NAME.mp4 (a film), NAME.png (one frame), "
+                    fmt::format("output '{}': {}; works: {} (a film), NAME.png (one frame), "
                                 "NAME_{{frame:05}}.png (a numbered picture per frame)",
-                                core::printable(name), why));
+                                core::printable(name), why, output::filmFormatsText()));
 }
 
 }  // namespace
@@ -25,9 +26,10 @@ namespace {
 OutputTarget parseTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (name.empty() || !path.has_filename()) refuse(name, "not a file name");
-  if (path.extension() != ".png" && path.extension() != ".mp4") refuse(name, "this kind of file is not written");
+  const bool film = output::filmContainer(path).has_value();
+  if (path.extension() != ".png" && !film) refuse(name, "this kind of file is not written");
   const bool pattern = output::FramePattern::isPattern(name);
-  if (path.extension() == ".mp4") {
+  if (film) {
     if (pattern) refuse(name, "a film is one file and has no {frame}");
     return {OutputKind::kFilm, path};
   }

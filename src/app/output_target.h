@@ -7,7 +7,7 @@
 namespace poinsot::app {
 
 enum class OutputKind {
-  kFilm,      ///< one .mp4
+  kFilm,      ///< one file of an output::FilmContainer
   kPicture,   ///< one .png of one frame
   kSequence,  ///< a .png per frame; the path is an output::FramePattern
   kFigure,    ///< of one frame, with vectors and type: one of output::FigureMedium

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/film_choice.h"
 #include "app/job_file.h"
 #include "app/picture_words.h"
 #include "output/figure.h"
@@ -15,10 +16,9 @@ namespace {
 /// A segment of film, which times itself.
 class FilmSegment : public output::FrameSink {
  public:
-  FilmSegment(const std::filesystem::path& file, const scene::Scene& scene, std::int64_t first,
-              EncodingTimes& times)
-      : writer_(file, {scene.output.width, scene.output.height}, scene.time.fps, scene.output.crf, first),
-        times_(times) {}
+  FilmSegment(const std::filesystem::path& file, const scene::Scene& scene, const output::FilmFormat& format,
+              std::int64_t first, EncodingTimes& times)
+      : writer_(file, {scene.output.width, scene.output.height}, scene.time.fps, format, first), times_(times) {}
 
   void write(const image::Image& picture, std::int64_t k) override { writer_.write(picture, k); }
 
@@ -117,7 +117,9 @@ SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames
   return [&](const FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
     if (job.target.kind != OutputKind::kFilm)
       return std::make_unique<TimedPictures>(pictureSink(job, scene, frames), times);
-    return std::make_unique<FilmSegment>(segmentFile(job.workFolder, segment), scene, segment.first, times);
+    const output::FilmFormat format = filmFormat(job.target, scene.output, job.form);
+    return std::make_unique<FilmSegment>(segmentFile(job.workFolder, format.container, segment), scene, format,
+                                         segment.first, times);
   };
 }
 

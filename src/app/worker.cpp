@@ -69,8 +69,7 @@ void work(LineReader& jobs, int reports) {
   const WorkerJob job = jobFromLine(*line);
   pin(job);
   const scene::Scene scene = loadRequested(job.scene);
-  const std::string settings =
-      renderSettings(job.target.kind, job.form, job.reproducible, job.segmentFrames, scene);
+  const std::string settings = renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, scene);
   expectSameScene(job, scene, settings);
   const auto context = gl::openContext(job.backend);
   SceneFrames frames(scene, *context, job.time_s, job.form, output::figureMedium(job.target.path), settings);

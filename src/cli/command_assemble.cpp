@@ -27,6 +27,10 @@ app::OutputTarget filmTarget(const AssembleOptions& options, const app::OutputTa
   const auto film = app::parseTarget(options.film);
   if (film.kind != output.kind || output.kind != app::OutputKind::kFilm)
     throw core::Error(core::ErrorKind::kUsage, "-o names another place for a film; frames stay where they are");
+  if (film.path.extension() != output.path.extension())
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("-o {}: the segments are those of a {}", core::printable(options.film),
+                                  core::printable(output.path.extension().string())));
   return film;
 }
 

@@ -10,12 +10,14 @@
 #include "cli/rendering.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "output/film_format.h"
 
 namespace poinsot::cli {
 namespace {
 
 struct FilmOptions : RenderOptions {
   std::string frames;
+  bool transparent = false;
   PartsOptions parts;
 };
 
@@ -69,7 +71,8 @@ int render(const FilmOptions& options) {
   const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
   checkFrameCount(target, frames);
   checkParts(options.parts, target);
-  return renderTo(options, target, std::move(request), scene, frames, std::nullopt, {}, options.parts);
+  return renderTo(options, target, std::move(request), scene, frames, std::nullopt,
+                  {std::nullopt, options.transparent}, options.parts);
 }
 
 }  // namespace
@@ -81,7 +84,7 @@ void addRender(CLI::App& program, Action& chosen) {
   addPartsOptions(*command, options->parts);
   command
       ->add_option("-o,--output", options->output,
-                   "NAME.mp4, NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")
+                   output::filmFormatsText() + ", NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--frames", options->frames, "only these frames, both ends included")
@@ -90,6 +93,8 @@ void addRender(CLI::App& program, Action& chosen) {
   command->add_option("--fps", options->fps, "frames per second, such as 30 or 30000/1001")
       ->type_name("RATE")
       ->check(notEmpty());
+  command->add_flag("--transparent", options->transparent,
+                    "no paper behind the pictures: .webm, .mov, .apng and PNG");
   command->add_flag(
       "--loop", options->loop,
       "a film that repeats without a jump: changes the start and the speed least, and says by how much");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/film_choice.h"
 #include "app/interrupt.h"
 #include "app/job_identity.h"
 #include "app/loop_text.h"
@@ -24,14 +25,6 @@ namespace poinsot::cli {
 namespace {
 
 using app::OutputKind;
-
-void checkFilmSize(const scene::Output& output) {
-  if (output.width % 2 == 0 && output.height % 2 == 0) return;
-  throw core::Error(
-      core::ErrorKind::kUsage,
-      fmt::format("--size {}x{}: both sides of a film are even; the nearest is {}x{}", output.width, output.height,
-                  output.width + output.width % 2, output.height + output.height % 2));
-}
 
 void checkTargets(const RenderOptions& options, const app::OutputTarget& target, const app::FrameRange& frames) {
   if (target.kind != OutputKind::kSequence) {
@@ -135,7 +128,9 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
              const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
              const app::PictureForm& form, const PartsOptions& parts) {
-  if (target.kind == OutputKind::kFilm) checkFilmSize(scene.output);
+  if (target.kind == OutputKind::kFilm)
+    output::checkFormat(app::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
+                        scene.time.fps);
   if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
   app::RenderRequest render{std::move(request),
                             target,

@@ -8,38 +8,45 @@
 #include "core/rational.h"
 #include "image/image.h"
 #include "output/ffmpeg_handles.h"
-#include "output/yuv.h"
+#include "output/film_format.h"
 
 namespace poinsot::output {
 
-/// Frames by which the encoder's order runs ahead of the shown order: x264's medium preset has B-frames that
-/// others refer to, which makes 2 for every stream, however short. Decoding times are (position in the stream) -
-/// this.
-inline constexpr std::int64_t kReorderDelay = 2;
+/// Frames by which the order of a stream runs ahead of the shown order: with x264 and x265 as they are set here it
+/// is 2 for every stream, however short (B-frames that others refer to); the others keep the order. Decoding times
+/// are (position in the stream) - this.
+std::int64_t reorderDelay(AVCodecID codec);
 
-/// libx264 set so that the same frames give the same bytes on every machine and with any number of workers: one
-/// thread, no macroblock tree (its reciprocals differ between processors), closed groups of pictures, no note
-/// about itself in the stream.
-class H264Encoder {
+/// libavcodec's name of the encoder: "libx264".
+const char* encoderName(FilmCodec codec);
+/// Whether this libavcodec has it.
+bool hasEncoder(FilmCodec codec);
+
+/// An encoder set so that the same frames give the same bytes with any number of workers, and, of H.264, on every
+/// machine: one thread, no macroblock tree (its reciprocals differ between processors), closed groups of pictures,
+/// no note about itself in the stream. For a film that is made whole (isMadeWhole()) it keeps every pixel as it
+/// is.
+class FilmEncoder {
  public:
   /// Gets each packet in decoding order; pts is the frame's number in the stream, from 0.
   using PacketSink = std::function<void(AVPacket&)>;
 
-  /// @param crf  constant rate factor, 0 (lossless, a profile that few players know) to 51.
-  /// @throws core::Error(kUsage) for odd sizes or crf out of range, core::Error(kEncode) if x264 will not start.
-  H264Encoder(image::PixelSize size, const core::Rational& fps, double crf);
+  /// @throws core::Error as checkFormat(); (kEncode) if the encoder will not start.
+  FilmEncoder(image::PixelSize size, const core::Rational& fps, const FilmFormat& format);
 
-  /// Where the next frame goes.
-  YuvPlanes planes();
+  /// Where the next picture goes: of context()'s size and pixel format.
+  AVFrame& frame();
+  /// Encodes what was put there.
   void encode(const PacketSink& sink);
   /// After the last frame.
   void drain(const PacketSink& sink);
 
   const AVCodecContext& context() const { return *context_; }
-  /// "x264 - core 164 r3095 ...", what x264 says of itself; empty before the first packet.
+  /// "x264 - core 164 r3095 ...", what x264 says of itself; empty before the first packet, and of other encoders.
   const std::string& note() const { return note_; }
 
  private:
+  void takeOutNote(AVPacket& packet);
   void receive(const PacketSink& sink);
 
   CodecContextPtr context_;

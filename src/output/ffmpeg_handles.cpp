@@ -51,6 +51,12 @@ int checkAv(int code, std::string_view doing, core::ErrorKind kind) {
                     fmt::format("{}: {}{}", doing, systemReason(code), line.empty() ? "" : " (" + line + ")"));
 }
 
+CodecParametersPtr parametersOf(const AVCodecContext& context) {
+  auto parameters = checkAlloc(CodecParametersPtr(avcodec_parameters_alloc()));
+  checkAv(avcodec_parameters_from_context(parameters.get(), &context), "describing the stream");
+  return parameters;
+}
+
 void AvOptions::set(const char* key, const std::string& value) {
   if (av_dict_set(&entries_, key, value.c_str(), 0) < 0) throw std::bad_alloc();
 }

@@ -73,6 +73,8 @@ Ptr checkAlloc(Ptr thing) {
   return thing;
 }
 
+CodecParametersPtr parametersOf(const AVCodecContext& context);
+
 /// From here on libav writes nothing to stderr: its last error line is kept for checkAv. Cheap to call again.
 void captureAvLog();
 

@@ -6,14 +6,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <optional>
 #include <string_view>
 
 #include "core/expect.h"
 #include "core/text.h"
+#include "output/animation.h"
+#include "output/animation_text.h"
+#include "output/ffmpeg_container.h"
 #include "output/ffmpeg_encoder.h"
-#include "output/ffmpeg_mp4.h"
 
 namespace poinsot::output {
 namespace {
@@ -29,36 +31,43 @@ using std::filesystem::path;
 /// One segment, read from its start.
 class Segment {
  public:
-  explicit Segment(path file)
-      : file_(std::move(file)), reader_(file_), packet_(checkAlloc(PacketPtr(av_packet_alloc()))) {
-    // The mark stands at the file's very end, so this also finds the last bytes missing.
+  Segment(path file, const FilmTrack& track)
+      : file_(std::move(file)),
+        reader_(file_, segmentFormat(track.container)),
+        packet_(checkAlloc(PacketPtr(av_packet_alloc()))),
+        frameTicks_(av_inv_q(
+            av_mul_q({static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)}, reader_.timeBase()))) {
+    // In an MP4 the mark stands at the file's very end, so this also finds the last bytes missing.
     if (reader_.mark() != ownMark()) refuse(file_, "is no segment written by this version of poinsot");
     if (!advance()) refuse(file_, "has no frames");
     if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuse(file_, "does not start with a key frame");
     firstPts_ = packet_->pts;
-    clock_ = {reader_.timeBase().den, static_cast<int>(packet_->duration)};
-    if (clock_.ticks <= 0 || reader_.timeBase().num != 1) refuse(file_, "has no constant frame rate");
+    // Matroska's clock ticks in milliseconds.
+    const double off = std::abs(static_cast<double>(packet_->duration) - av_q2d(frameTicks_));
+    if (off > (isMadeWhole(track.container) || track.container == FilmContainer::kWebm ? 1 : 0))
+      refuse(file_, "has another frame rate than the film");
   }
 
   AVPacket& packet() { return *packet_; }
   bool advance() { return reader_.next(*packet_); }
   const path& file() const { return file_; }
-  const FrameClock& clock() const { return clock_; }
   const AVCodecParameters& parameters() const { return reader_.parameters(); }
 
   /// The current packet's place in the shown order: the first packet is a key frame with nothing before it.
   std::int64_t frame() const {
     const std::int64_t ticks = packet_->pts - firstPts_;
-    if (ticks < 0 || ticks % clock_.ticks != 0) refuse(file_, "has frames between the frames");
-    return ticks / clock_.ticks;
+    const std::int64_t frame = av_rescale_q(ticks, {1, 1}, frameTicks_);
+    if (ticks < 0 || av_rescale_q(frame, frameTicks_, {1, 1}) != ticks)
+      refuse(file_, "has frames between the frames");
+    return frame;
   }
 
  private:
   path file_;
-  Mp4Reader reader_;
+  TrackReader reader_;
   PacketPtr packet_;
+  AVRational frameTicks_;  ///< ticks of the file's clock per frame
   std::int64_t firstPts_ = 0;
-  FrameClock clock_;
 };
 
 bool sameHeader(const AVCodecParameters& a, const AVCodecParameters& b) {
@@ -68,20 +77,19 @@ bool sameHeader(const AVCodecParameters& a, const AVCodecParameters& b) {
 }
 
 void checkLike(const Segment& first, const Segment& segment) {
-  if (!(first.clock() == segment.clock()))
-    refuse(segment.file(), fmt::format("has another frame rate than {}", core::printable(first.file().native())));
   if (!sameHeader(first.parameters(), segment.parameters()))
     refuse(segment.file(),
            fmt::format("was encoded with other settings than {}", core::printable(first.file().native())));
 }
 
 /// Writes all packets; `start` is the film's frame at which the segment begins. Returns the number of frames.
-std::int64_t append(Segment& segment, std::int64_t start, Mp4Writer& film) {
+std::int64_t append(Segment& segment, std::int64_t start, TrackWriter& film) {
+  const std::int64_t delay = reorderDelay(segment.parameters().codec_id);
   std::vector<std::int64_t> frames;
   do {
     frames.push_back(segment.frame());
     // A place further back than the encoder ever reorders is damage; the writer counts on it.
-    if (static_cast<std::int64_t>(frames.size()) - 1 - kReorderDelay > frames.back())
+    if (static_cast<std::int64_t>(frames.size()) - 1 - delay > frames.back())
       refuse(segment.file(), "has its frames in no order that can be shown");
     film.write(segment.packet(), start + frames.back());
   } while (segment.advance());
@@ -93,14 +101,16 @@ std::int64_t append(Segment& segment, std::int64_t start, Mp4Writer& film) {
 
 }  // namespace
 
-void joinSegments(const std::vector<path>& segments, const path& target, const std::vector<FilmText>& texts,
-                  const path& temporaryFolder) {
+void joinSegments(const std::vector<path>& segments, const path& target, const FilmTrack& track,
+                  const std::vector<FilmText>& texts, const path& temporaryFolder) {
   POINSOT_EXPECT(!segments.empty());
-  const Segment first(segments.front());
-  Mp4Writer film(target, first.parameters(), first.clock(), Mp4Writer::Index::kAtStart, texts, temporaryFolder);
+  if (isMadeWhole(track.container)) return animate(segments, target, track, texts, temporaryFolder);
+  const Segment first(segments.front(), track);
+  TrackWriter film(target, fileFormat(track.container), first.parameters(), track.fps,
+                   TrackWriter::Index::kAtStart, texts, temporaryFolder);
   std::int64_t frames = 0;
   for (const path& file : segments) {
-    Segment segment(file);
+    Segment segment(file, track);
     checkLike(first, segment);
     frames += append(segment, frames, film);
   }
@@ -108,7 +118,10 @@ void joinSegments(const std::vector<path>& segments, const path& target, const s
 }
 
 std::optional<FilmFacts> readFilmFacts(const path& film) try {
-  Mp4Reader reader(film);
+  const auto container = filmContainer(film);
+  if (!container) return std::nullopt;
+  if (isMadeWhole(*container)) return readAnimationFacts(film);
+  TrackReader reader(film, fileFormat(*container));
   if (reader.mark() != ownMark()) return std::nullopt;
   FilmFacts facts{0, reader.text("comment")};
   const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
@@ -119,7 +132,10 @@ std::optional<FilmFacts> readFilmFacts(const path& film) try {
 }
 
 bool isOwnFilm(const path& file) try {
-  return Mp4Reader(file).mark().starts_with("poinsot ");
+  const auto container = filmContainer(file);
+  if (!container) return false;
+  if (isMadeWhole(*container)) return isOwnAnimation(file);
+  return TrackReader(file, fileFormat(*container)).mark().starts_with("poinsot ");
 } catch (const Error&) {
   return false;
 }

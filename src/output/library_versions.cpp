@@ -7,6 +7,7 @@
 
 #include "image/png_file.h"
 #include "output/ffmpeg_encoder.h"
+#include "output/film_frame.h"
 
 namespace poinsot::output {
 namespace {
@@ -26,8 +27,8 @@ std::string versionIn(std::string_view note) {
 
 std::string x264Version() try {
   const image::Image grey({16, 16}, 3);
-  H264Encoder encoder(grey.size, {25, 1}, 30);
-  convertToYuv420(grey, encoder.planes());
+  FilmEncoder encoder(grey.size, {25, 1}, {});
+  fillFrame(encoder.frame(), grey);
   encoder.encode([](AVPacket&) {});
   encoder.drain([](AVPacket&) {});
   return versionIn(encoder.note());

@@ -56,7 +56,9 @@ std::string_view kindOf(mode_t mode) {
   return "a device or socket";
 }
 
-bool isOwn(const std::filesystem::path& file) { return image::isOwnPng(file) || isOwnFilm(file) || isOwnFigure(file); }
+bool isOwn(const std::filesystem::path& file) {
+  return image::isOwnPng(file) || isOwnFilm(file) || isOwnFigure(file);
+}
 
 /// What stands at the target already.
 void checkExisting(const std::filesystem::path& target, bool force) {

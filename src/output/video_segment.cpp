@@ -4,8 +4,9 @@
 #include <ctime>
 
 #include "core/expect.h"
+#include "output/ffmpeg_container.h"
 #include "output/ffmpeg_encoder.h"
-#include "output/ffmpeg_mp4.h"
+#include "output/film_frame.h"
 
 namespace poinsot::output {
 namespace {
@@ -29,27 +30,24 @@ class Stopwatch {
   double start_s_;
 };
 
-CodecParametersPtr parametersOf(const AVCodecContext& context) {
-  auto parameters = checkAlloc(CodecParametersPtr(avcodec_parameters_alloc()));
-  checkAv(avcodec_parameters_from_context(parameters.get(), &context), "describing the stream");
-  return parameters;
-}
-
 }  // namespace
 
 struct VideoSegmentWriter::Parts {
-  Parts(const std::filesystem::path& target, image::PixelSize size, const core::Rational& fps, double crf)
-      : encoder(size, fps, crf),
-        file(target, *parametersOf(encoder.context()), frameClock(fps), Mp4Writer::Index::kAtEnd, {}) {}
+  Parts(const std::filesystem::path& target, image::PixelSize size, const core::Rational& fps,
+        const FilmFormat& format)
+      : encoder(size, fps, format),
+        file(target, segmentFormat(format.container), *parametersOf(encoder.context()), fps,
+             TrackWriter::Index::kAtEnd, {}) {}
 
-  H264Encoder encoder;
-  Mp4Writer file;
-  H264Encoder::PacketSink toFile = [this](AVPacket& packet) { file.write(packet, packet.pts); };
+  FilmEncoder encoder;
+  TrackWriter file;
+  FilmEncoder::PacketSink toFile = [this](AVPacket& packet) { file.write(packet, packet.pts); };
 };
 
 VideoSegmentWriter::VideoSegmentWriter(const std::filesystem::path& target, image::PixelSize size,
-                                       const core::Rational& fps, double crf, std::int64_t firstFrame)
-    : parts_(std::make_unique<Parts>(target, size, fps, crf)), size_(size), nextFrame_(firstFrame) {}
+                                       const core::Rational& fps, const FilmFormat& format,
+                                       std::int64_t firstFrame)
+    : parts_(std::make_unique<Parts>(target, size, fps, format)), size_(size), nextFrame_(firstFrame) {}
 
 VideoSegmentWriter::~VideoSegmentWriter() = default;
 
@@ -59,7 +57,7 @@ void VideoSegmentWriter::write(const image::Image& picture, std::int64_t k) {
   ++nextFrame_;
   {
     const Stopwatch watch(spent_.convert_s);
-    convertToYuv420(picture, parts_->encoder.planes());
+    fillFrame(parts_->encoder.frame(), picture);
   }
   const Stopwatch watch(spent_.encode_s);
   parts_->encoder.encode(parts_->toFile);

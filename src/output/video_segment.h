@@ -6,26 +6,26 @@
 #include <memory>
 
 #include "core/rational.h"
+#include "output/film_format.h"
 #include "output/frame_sink.h"
 
 namespace poinsot::output {
 
 /// CPU seconds of the calling thread.
 struct EncodingSpent {
-  double convert_s = 0;  ///< RGB to YUV
-  double encode_s = 0;   ///< x264, the container and the disk
+  double convert_s = 0;  ///< RGB to what the encoder takes
+  double encode_s = 0;   ///< the encoder, the container and the disk
 };
 
-/// A piece of film: consecutive frames, encoded by an encoder of its own into a small MP4 that begins with a key
-/// frame and refers to nothing outside. Segments made with the same settings join without re-encoding (film.h), so
-/// who made which segment does not change a byte of the film. H.264 High, 4:2:0, BT.709 limited range, said both
-/// in the stream and in the container.
+/// A piece of film: consecutive frames, encoded by an encoder of its own into a small file that begins with a key
+/// frame and refers to nothing outside. Segments made with the same settings make the film (film.h), so who made
+/// which does not change a byte of it. BT.709, limited range, said both in the stream and in the container.
 class VideoSegmentWriter : public FrameSink {
  public:
   /// @param firstFrame  the k of the first write; the next ones follow without gaps.
-  /// @throws core::Error(kUsage) for odd sizes, crf out of 0..51 or a rate below 1/60000; kEncode; kIo.
+  /// @throws core::Error(kUsage) as checkFormat(), or for a rate below 1/60000 in an MP4; kEncode; kIo.
   VideoSegmentWriter(const std::filesystem::path& target, image::PixelSize size, const core::Rational& fps,
-                     double crf, std::int64_t firstFrame);
+                     const FilmFormat& format, std::int64_t firstFrame);
   ~VideoSegmentWriter() override;
 
   /// @pre the constructor's size.

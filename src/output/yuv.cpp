@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/expect.h"
+#include "output/yuv_weights.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -12,36 +13,15 @@
 namespace poinsot::output {
 namespace {
 
-/// Integer weights of R, G, B.
-struct Weights {
-  std::int32_t r = 0;
-  std::int32_t g = 0;
-  std::int32_t b = 0;
-};
-
 // Luma is scaled by 2^22, so that the largest sum, 235 · 2^22, fits 31 bits. Chroma works on the sum of 8 samples
 // (the weights 1 2 1 on two rows) and is scaled by 2^19, which makes 2^22 with the 8.
 constexpr int kShift = 22;
 constexpr double kLumaScale = 4194304;   // 2^22
 constexpr double kChromaScale = 524288;  // 2^19
 
-constexpr std::int32_t nearest(double v) { return static_cast<std::int32_t>(v < 0 ? v - 0.5 : v + 0.5); }
-
-// Green is what is left of the total, so that greys are exact: black is 16, white 235, and no grey has a hue.
-constexpr Weights kLuma = [] {
-  constexpr double kRange = 219.0 / 255 * kLumaScale;
-  const Weights w = {nearest(0.2126 * kRange), 0, nearest(0.0722 * kRange)};
-  return Weights{w.r, nearest(kRange) - w.r - w.b, w.b};
-}();
-constexpr double kChromaRange = 224.0 / 255 * kChromaScale;
-constexpr Weights kCb = [] {
-  const std::int32_t r = nearest(-0.2126 / 1.8556 * kChromaRange), b = nearest(0.5 * kChromaRange);
-  return Weights{r, -r - b, b};
-}();
-constexpr Weights kCr = [] {
-  const std::int32_t r = nearest(0.5 * kChromaRange), b = nearest(-0.0722 / 1.5748 * kChromaRange);
-  return Weights{r, -r - b, b};
-}();
+constexpr Weights kLuma = lumaWeights(kLumaScale);
+constexpr Weights kCb = cbWeights(kChromaScale);
+constexpr Weights kCr = crWeights(kChromaScale);
 
 constexpr std::int32_t kHalf = 1 << (kShift - 1);
 constexpr std::int32_t kLumaOffset = (16 << kShift) + kHalf;

@@ -8,8 +8,8 @@
 
 namespace poinsot::output {
 
-/// Planes to be filled: luma of the picture's size, chroma of half the width and half the height. Strides in
-/// bytes.
+/// Planes to be filled: luma, and alpha where there is one, of the picture's size; chroma of that too, or of half
+/// the width and half the height. Strides in bytes.
 struct YuvPlanes {
   std::uint8_t* y = nullptr;
   std::uint8_t* cb = nullptr;
@@ -17,6 +17,8 @@ struct YuvPlanes {
   std::ptrdiff_t yStride = 0;
   std::ptrdiff_t cbStride = 0;
   std::ptrdiff_t crStride = 0;
+  std::uint8_t* alpha = nullptr;
+  std::ptrdiff_t alphaStride = 0;
 };
 
 /// Y'CbCr 4:2:0, BT.709, limited range (Y 16..235, Cb and Cr 16..240), from sRGB bytes; alpha is left out.
@@ -29,7 +31,16 @@ struct YuvPlanes {
 /// @pre even width and height.
 void convertToYuv420(const image::Image& picture, const YuvPlanes& planes);
 
-/// The same, one sample at a time: what the fast one is tested against.
+/// Chroma and luma for each pixel, in 8 or in 10 bits (`planes` then point to 16-bit samples), and alpha where
+/// there is a plane for it: full range, of an opaque picture all ones. The formula above, times 4 in 10 bits.
+void convertToYuv444(const image::Image& picture, const YuvPlanes& planes, int bits);
+
+/// 4:2:0 with alpha. Chroma is the mean weighed by alpha besides, so that what is not there does not tinge the
+/// edge of what is; where nothing is, it is grey.
+/// @pre even width and height, 4 channels.
+void convertToYuva420(const image::Image& picture, const YuvPlanes& planes);
+
+/// The same as convertToYuv420, one sample at a time: what the fast one is tested against.
 void convertToYuv420Scalar(const image::Image& picture, const YuvPlanes& planes);
 
 }  // namespace poinsot::output

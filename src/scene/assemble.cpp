@@ -49,7 +49,15 @@ void checkFrames(const Time& time, Findings& findings) {
 Output assembleOutput(const Draft& draft) {
   const QualityPreset& preset = qualityPresets()[static_cast<std::size_t>(draft.quality)];
   const Eigen::Vector2i size = draft.size_px.value_or(Eigen::Vector2i(preset.width, preset.height));
-  return {size[0], size[1], draft.crf.value_or(preset.crf)};
+  const auto word = [](std::span<const std::string_view> words, int i) {
+    return std::string(words[static_cast<std::size_t>(i)]);
+  };
+  return {size[0],
+          size[1],
+          draft.crf.value_or(preset.crf),
+          draft.codec ? word(codecWords(), *draft.codec) : "",
+          word(chromaWords(), draft.chroma),
+          word(effortWords(), draft.effort)};
 }
 
 }  // namespace

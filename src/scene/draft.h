@@ -134,6 +134,8 @@ struct Draft {
   int quality = 0;  ///< index into qualityPresets()
   std::optional<Eigen::Vector2i> size_px;
   std::optional<int> crf;
+  std::optional<int> codec;    ///< index into codecWords()
+  int chroma = 0, effort = 1;  ///< indices into chromaWords(), effortWords()
 };
 
 /// The element of that number; those before it come to be with it.

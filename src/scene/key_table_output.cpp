@@ -15,6 +15,10 @@ std::vector<std::string_view> qualityWords() {
   return words;
 }
 
+std::vector<std::string_view> listOf(std::span<const std::string_view> words) {
+  return {words.begin(), words.end()};
+}
+
 }  // namespace
 
 std::vector<Key> outputKeys() {
@@ -38,6 +42,28 @@ std::vector<Key> outputKeys() {
        .example = "20",
        .help = "Constant rate factor of the film: 0 is lossless, 18 shows no loss, 51 is worst.",
        .put = into([](Draft& d) { return &d.crf; })},
+      {.path = "output.codec",
+       .type = kWord,
+       .words = listOf(codecWords()),
+       .example = "\"hevc\"",
+       .help = "How the film is encoded, if not as its kind of file usually is: .mp4 holds h264 and hevc, .webm "
+               "vp9 and "
+               "av1, .mov prores.",
+       .put = into([](Draft& d) { return &d.codec; })},
+      {.path = "output.chroma",
+       .type = kWord,
+       .words = listOf(chromaWords()),
+       .fallback = "\"4:2:0\"",
+       .example = "\"4:4:4\"",
+       .help = "Colour of the film for each square of four pixels, which every player shows, or for each pixel.",
+       .put = into([](Draft& d) { return &d.chroma; })},
+      {.path = "output.effort",
+       .type = kWord,
+       .words = listOf(effortWords()),
+       .fallback = "\"medium\"",
+       .example = "\"slow\"",
+       .help = "How long the encoder looks for a smaller file of the same quality.",
+       .put = into([](Draft& d) { return &d.effort; })},
   };
 }
 

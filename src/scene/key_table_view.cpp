@@ -32,8 +32,7 @@ std::vector<Key> panelKeys() {
               "Column and row of the panel's top left cell, from 0 at the picture's top left; without it, to the "
               "right of the view before.",
               intoView([](ViewDraft& v) { return &v.at; })),
-      cellKey("view[].span", kCellCount, "[2, 1]",
-              "Columns and rows that the panel takes; without it, one cell.",
+      cellKey("view[].span", kCellCount, "[2, 1]", "Columns and rows that the panel takes; without it, one cell.",
               intoView([](ViewDraft& v) { return &v.span; })),
   };
 }

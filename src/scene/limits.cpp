@@ -15,6 +15,21 @@ constexpr QualityPreset kPresets[] = {
 
 std::span<const QualityPreset> qualityPresets() { return kPresets; }
 
+std::span<const std::string_view> codecWords() {
+  static constexpr std::string_view kWords[] = {"h264", "hevc", "vp9", "av1", "prores"};
+  return kWords;
+}
+
+std::span<const std::string_view> chromaWords() {
+  static constexpr std::string_view kWords[] = {"4:2:0", "4:4:4"};
+  return kWords;
+}
+
+std::span<const std::string_view> effortWords() {
+  static constexpr std::string_view kWords[] = {"fast", "medium", "slow"};
+  return kWords;
+}
+
 const QualityPreset* qualityPreset(std::string_view name) {
   const auto found = std::find_if(std::begin(kPresets), std::end(kPresets),
                                   [&](const QualityPreset& preset) { return preset.name == name; });

@@ -35,6 +35,11 @@ struct QualityPreset {
 
 std::span<const QualityPreset> qualityPresets();
 
+/// Words of the keys of the same names.
+std::span<const std::string_view> codecWords();
+std::span<const std::string_view> chromaWords();
+std::span<const std::string_view> effortWords();
+
 /// The preset of that name, or null.
 const QualityPreset* qualityPreset(std::string_view name);
 

@@ -160,7 +160,10 @@ struct Style {
 struct Output {
   int width = 1920;
   int height = 1080;
-  int crf = 18;  ///< x264 constant rate factor, 0 (lossless) to 51
+  int crf = 18;                   ///< of a film, x264's constant rate factor: 0 (lossless) to 51
+  std::string codec;              ///< of a film; empty: what its file usually holds
+  std::string chroma = "4:2:0";   ///< of a film
+  std::string effort = "medium";  ///< of a film's encoder
 };
 
 /// A file that the scene names.

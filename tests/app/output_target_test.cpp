@@ -9,7 +9,8 @@ namespace poinsot::app {
 namespace {
 
 TEST(OutputTarget, KindIsInTheName) {
-  EXPECT_EQ(parseTarget("out/a.mp4").kind, OutputKind::kFilm);
+  for (const char* film : {"out/a.mp4", "a.mov", "a.webm", "a.gif", "a.apng"})
+    EXPECT_EQ(parseTarget(film).kind, OutputKind::kFilm) << film;
   EXPECT_EQ(parseTarget("out/a.png").kind, OutputKind::kPicture);
   EXPECT_EQ(parseTarget("out/a_{frame}.png").kind, OutputKind::kSequence);
   EXPECT_EQ(parseTarget("out/{frame:05}.png").kind, OutputKind::kSequence);
@@ -51,10 +52,10 @@ TEST(OutputTarget, SaysWhatWorks) {
     parseTarget("a.avi");
     FAIL() << "accepted an .avi";
   } catch (const core::Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "output 'a.avi': this kind of file is not written; works: NAME.mp4 (a film), NAME.png (one frame), "
-        "NAME_{frame:05}.png (a numbered picture per frame)");
+    EXPECT_STREQ(error.what(),
+                 "output 'a.avi': this kind of file is not written; works: NAME.mp4, NAME.mov, NAME.webm, "
+                 "NAME.gif, NAME.apng (a film), NAME.png (one frame), "
+                 "NAME_{frame:05}.png (a numbered picture per frame)");
   }
 }
 

@@ -84,6 +84,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
                       true,
                       2,
                       {PrintSize{86.25, 599.9}, true},
+                      7,
                       true,
                       "0123"};
   const std::string line = toLine(job);
@@ -105,6 +106,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_EQ(read.form.print->width_mm, 86.25);
   EXPECT_EQ(read.form.print->dpi, 599.9);
   EXPECT_TRUE(read.form.transparent);
+  EXPECT_EQ(read.segmentFrames, 7);
   EXPECT_TRUE(read.resume);
   EXPECT_EQ(read.job, job.job);
 }

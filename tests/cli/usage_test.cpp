@@ -83,7 +83,7 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
       {{"render", "a.toml", "--frames", "100-120"}, "--frames 100-120: the film has frames 0 to 119"},
       {{"render", "a.toml", "--size", "160"}, "--size '160': a size is WIDTHxHEIGHT"},
       {{"render", "a.toml", "--size", "161x91"},
-       "--size 161x91: both sides of a film are even; the nearest is 162x92"},
+       "a film of 161x91 pixels: width and height must be even (chroma has half of each); the nearest is 160x90"},
       {{"render", "a.toml", "--size", "8x8"}, "sides are from 16 to 8192 pixels"},
       {{"render", "a.toml", "--size", "8193x90"}, "sides are from 16 to 8192 pixels"},
       {{"render", "a.toml", "-j", "0"}, "not in range"},

@@ -30,6 +30,7 @@ constexpr Door kDoors[] = {
     {R"(EGL/.*|GL/.*|KHR/.*)", R"(gl/.*)"},
     {R"(glad/.*)", R"(gl/.*|render/\w+\.cpp)"},
     {R"(cairo.*)", R"(output/\w+\.cpp)"},
+    {R"(libimagequant\.h|omp\.h)", R"(output/palette\.cpp)"},
     {R"(CLI/.*)", R"(cli/.*)"},
     {R"(nlohmann/.*)", R"(\w+/\w+\.cpp)"},
     // Doubles up to the draw list, floats from there on.

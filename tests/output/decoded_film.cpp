@@ -80,6 +80,30 @@ std::map<std::string, std::string> probed(const std::filesystem::path& film) {
   return facts;
 }
 
+std::vector<image::Image> shown(const std::filesystem::path& film, image::PixelSize size, int count) {
+  // ffmpeg's own decoder of VP9 leaves alpha out.
+  const char* decoder =
+      film.extension() == ".webm" && probed(film).at("codec_name") == "vp9" ? "-c:v libvpx-vp9 " : "";
+  const std::string command =
+      "ffmpeg -v error " + std::string(decoder) + "-i 'file:" + film.native() +
+      "' -vf scale=flags=accurate_rnd+full_chroma_int+full_chroma_inp -fps_mode passthrough "
+      "-f rawvideo -pix_fmt rgba -";
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("ffmpeg");
+  std::vector<image::Image> pictures;
+  image::Image picture(size, 4);
+  while (std::fread(picture.pixels.data(), 1, picture.pixels.size(), pipe) == picture.pixels.size())
+    if (static_cast<int>(pictures.size()) < count) pictures.push_back(picture);
+  if (::pclose(pipe) != 0) return {};
+  return pictures;
+}
+
+FilmFormat h264(double crf) {
+  FilmFormat format;
+  format.crf = crf;
+  return format;
+}
+
 image::Image movingDisc(image::PixelSize size, std::int64_t k) {
   image::Image picture(size, 3);
   const double centre = size.width * (0.2 + 0.02 * static_cast<double>(k)), radius = size.height * 0.2;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "output/film_format.h"
 
 namespace poinsot::output {
 
@@ -23,6 +24,13 @@ std::vector<DecodedFrame> decoded(const std::filesystem::path& film);
 
 /// What ffprobe, run as a process, says of the first stream and the file: "width" -> "320", "tag:title" -> "...".
 std::map<std::string, std::string> probed(const std::filesystem::path& film);
+
+/// The first `count` pictures of a film as the program ffmpeg shows them, going by what the file says of its
+/// colours: RGBA. Empty if it fails.
+std::vector<image::Image> shown(const std::filesystem::path& film, image::PixelSize size, int count);
+
+/// The usual film, at that rate factor.
+FilmFormat h264(double crf);
 
 /// Frame k of a test film: a bright disc that crosses a dark gradient, with a fine line; distinct for each k.
 image::Image movingDisc(image::PixelSize size, std::int64_t k);

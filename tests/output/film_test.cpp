@@ -21,6 +21,7 @@ using ::testing::HasSubstr;
 
 constexpr auto kIo = core::ErrorKind::kIo;
 constexpr image::PixelSize kSize = {160, 96};
+const FilmTrack kTrack{FilmContainer::kMp4, {30, 1}};
 
 class FilmTest : public ScratchFolder {
  protected:
@@ -39,14 +40,14 @@ class FilmTest : public ScratchFolder {
 
   static void writeSegment(const std::filesystem::path& file, image::PixelSize size, const core::Rational& fps,
                            double crf, std::int64_t first, int length) {
-    VideoSegmentWriter segment(file, size, fps, crf, first);
+    VideoSegmentWriter segment(file, size, fps, h264(crf), first);
     for (std::int64_t k = first; k < first + length; ++k) segment.write(movingDisc(size, k), k);
     segment.finish();
   }
 };
 
 TEST_F(FilmTest, HasTheFactsThatFfprobeReads) {
-  joinSegments(segments({10, 10, 10, 10}), in("film.mp4"), {{"title", "Rolling"}});
+  joinSegments(segments({10, 10, 10, 10}), in("film.mp4"), kTrack, {{"title", "Rolling"}});
   const auto facts = probed(in("film.mp4"));
   const std::map<std::string, std::string> expected = {{"codec_name", "h264"},
                                                        {"profile", "High"},
@@ -80,7 +81,7 @@ TEST_F(FilmTest, RunsOnOverTheBorders) {
     std::int64_t ticks;
   };
   for (const Case& c : {Case{{30, 1}, 512}, Case{{30000, 1001}, 1001}, Case{{24, 1}, 512}, Case{{25, 2}, 1024}}) {
-    joinSegments(segments({7, 1, 1, 12, 2}, c.fps), in("film.mp4"));
+    joinSegments(segments({7, 1, 1, 12, 2}, c.fps), in("film.mp4"), {FilmContainer::kMp4, c.fps});
     const auto frames = decoded(in("film.mp4"));
     ASSERT_EQ(frames.size(), 23u);
     for (std::size_t i = 0; i < frames.size(); ++i)
@@ -96,7 +97,7 @@ TEST_F(FilmTest, RunsOnOverTheBorders) {
 // Joining copies: each frame decodes to the same bytes as in its segment.
 TEST_F(FilmTest, ChangesNoPicture) {
   const auto files = segments({7, 9});
-  joinSegments(files, in("film.mp4"));
+  joinSegments(files, in("film.mp4"), kTrack);
   auto expected = decoded(files[0]);
   const auto second = decoded(files[1]);
   expected.insert(expected.end(), second.begin(), second.end());
@@ -110,7 +111,7 @@ TEST_F(FilmTest, ChangesNoPicture) {
 }
 
 TEST_F(FilmTest, OfOneFrameLastsOneFrame) {
-  joinSegments(segments({1}), in("film.mp4"));
+  joinSegments(segments({1}), in("film.mp4"), kTrack);
   const auto facts = probed(in("film.mp4"));
   EXPECT_EQ(facts.at("nb_frames"), "1");
   EXPECT_EQ(facts.at("duration_ts"), "512");
@@ -119,8 +120,8 @@ TEST_F(FilmTest, OfOneFrameLastsOneFrame) {
 
 TEST_F(FilmTest, HasTheSameBytesEachTimeAndTheIndexFirst) {
   const auto files = segments({7, 7, 3});
-  joinSegments(files, in("a.mp4"));
-  joinSegments(files, in("b.mp4"));
+  joinSegments(files, in("a.mp4"), kTrack);
+  joinSegments(files, in("b.mp4"), kTrack);
   const Bytes bytes = content(in("a.mp4"));
   EXPECT_EQ(bytes, content(in("b.mp4")));
   const std::string text(bytes.begin(), bytes.end());
@@ -131,14 +132,14 @@ TEST_F(FilmTest, HasTheSameBytesEachTimeAndTheIndexFirst) {
 
 TEST_F(FilmTest, TakesNamesThatLookLikeSomethingElse) {
   const auto file = in("pipe:1 'a' %d.mp4");
-  joinSegments(segments({2}), file);
+  joinSegments(segments({2}), file, kTrack);
   EXPECT_EQ(decoded(file).size(), 2u);
 }
 
 TEST_F(FilmTest, RefusesSegmentsOfOtherSettings) {
   const auto good = segments({4}).front();
   const auto message = [&](const std::filesystem::path& other) {
-    return messageOf(kIo, [&] { joinSegments({good, other}, in("film.mp4")); });
+    return messageOf(kIo, [&] { joinSegments({good, other}, in("film.mp4"), kTrack); });
   };
   writeSegment(in("other_size.mp4"), {80, 48}, {30, 1}, 18, 4, 3);
   EXPECT_THAT(message(in("other_size.mp4")), HasSubstr("other_size.mp4: was encoded with other settings than"));
@@ -152,7 +153,7 @@ TEST_F(FilmTest, RefusesSegmentsOfOtherSettings) {
 TEST_F(FilmTest, RefusesWhatIsNoSegment) {
   const auto good = segments({2}).front();
   const auto message = [&](const std::filesystem::path& file) {
-    return messageOf(kIo, [&] { joinSegments({good, file}, in("film.mp4")); });
+    return messageOf(kIo, [&] { joinSegments({good, file}, in("film.mp4"), kTrack); });
   };
   EXPECT_THAT(message(in("none.mp4")), HasSubstr("none.mp4: cannot be read"));
   EXPECT_THAT(message(save("text.mp4", "not a film at all")), HasSubstr("text.mp4: "));
@@ -175,7 +176,7 @@ TEST_F(FilmTest, RefusesATruncatedSegment) {
     const auto cut = save("cut.mp4", {reinterpret_cast<const char*>(whole.data()), n});
     EXPECT_NE(messageOf(kIo,
                         [&] {
-                          joinSegments({good, cut}, in("old.mp4"));
+                          joinSegments({good, cut}, in("old.mp4"), kTrack);
                         }),
               "")
         << n << " of " << whole.size();
@@ -187,7 +188,7 @@ TEST_F(FilmTest, RefusesATruncatedSegment) {
 // The disk is full at every size up to the film's: no film, what was there stays, nothing temporary is left.
 TEST_F(FilmTest, SurvivesAFullDisk) {
   const auto files = segments({5, 5});
-  joinSegments(files, in("film.mp4"));
+  joinSegments(files, in("film.mp4"), kTrack);
   const Bytes before = content(in("film.mp4"));
   rlimit free{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &free), 0);
@@ -197,7 +198,7 @@ TEST_F(FilmTest, SurvivesAFullDisk) {
     rlimit full = free;
     full.rlim_cur = limit;
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &full), 0);
-    messages.push_back(messageOf(kIo, [&] { joinSegments(files, in("film.mp4")); }));
+    messages.push_back(messageOf(kIo, [&] { joinSegments(files, in("film.mp4"), kTrack); }));
   }
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &free), 0);
   std::signal(SIGXFSZ, handler);
@@ -210,7 +211,7 @@ TEST_F(FilmTest, SurvivesAFullDisk) {
 
 TEST_F(FilmTest, IsKnownAsOurs) {
   const auto file = segments({2}).front();
-  joinSegments({file}, in("film.mp4"));
+  joinSegments({file}, in("film.mp4"), kTrack);
   EXPECT_TRUE(isOwnFilm(in("film.mp4")));
   EXPECT_FALSE(isOwnFilm(save("text.mp4", "poinsot 0.1.0")));
   EXPECT_FALSE(isOwnFilm(in("none.mp4")));

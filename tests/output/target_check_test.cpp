@@ -68,7 +68,7 @@ TEST_F(TargetCheckTest, ReplacesItsOwnOnly) {
   EXPECT_EQ(refusal(in("precious.png"), true), "");
   writePng(in("own.png"), movingDisc({8, 8}, 0));
   EXPECT_EQ(refusal(in("own.png")), "");
-  VideoSegmentWriter segment(in("own.mp4"), {16, 16}, {30, 1}, 18, 0);
+  VideoSegmentWriter segment(in("own.mp4"), {16, 16}, {30, 1}, h264(18), 0);
   segment.write(movingDisc({16, 16}, 0), 0);
   segment.finish();
   EXPECT_EQ(refusal(in("own.mp4")), "");

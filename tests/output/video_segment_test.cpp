@@ -21,7 +21,7 @@ constexpr image::PixelSize kSize = {160, 96};
 constexpr core::Rational kFps = {30, 1};
 
 void writeSegment(const std::filesystem::path& file, std::int64_t first, std::int64_t count, double crf = 18) {
-  VideoSegmentWriter segment(file, kSize, kFps, crf, first);
+  VideoSegmentWriter segment(file, kSize, kFps, h264(crf), first);
   for (std::int64_t k = first; k < first + count; ++k) segment.write(movingDisc(kSize, k), k);
   segment.finish();
 }
@@ -72,7 +72,7 @@ TEST_F(VideoSegmentTest, HasTheSameBytesEachTimeAndNoForeignNames) {
 
 TEST_F(VideoSegmentTest, AppearsOnlyWhenFinished) {
   {
-    VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, 18, 0);
+    VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0);
     for (int k = 0; k < 50; ++k) segment.write(movingDisc(kSize, k), k);
     EXPECT_FALSE(std::filesystem::exists(in("s.mp4")));
   }
@@ -83,7 +83,7 @@ TEST_F(VideoSegmentTest, AppearsOnlyWhenFinished) {
 
 TEST_F(VideoSegmentTest, RefusesOddSizesAndWildQuality) {
   const auto message = [&](image::PixelSize size, double crf) {
-    return messageOf(core::ErrorKind::kUsage, [&] { VideoSegmentWriter(in("s.mp4"), size, kFps, crf, 0); });
+    return messageOf(core::ErrorKind::kUsage, [&] { VideoSegmentWriter(in("s.mp4"), size, kFps, h264(crf), 0); });
   };
   EXPECT_THAT(message({161, 96}, 18), HasSubstr("161x96 pixels: width and height must be even"));
   EXPECT_THAT(message({160, 97}, 18), HasSubstr("the nearest is 160x96"));
@@ -94,7 +94,7 @@ TEST_F(VideoSegmentTest, RefusesOddSizesAndWildQuality) {
 
 TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
   const auto ticks = [&](const core::Rational& fps) {
-    VideoSegmentWriter segment(in("s.mp4"), kSize, fps, 18, 0);
+    VideoSegmentWriter segment(in("s.mp4"), kSize, fps, h264(18), 0);
     for (int k = 0; k < 3; ++k) segment.write(movingDisc(kSize, k), k);
     segment.finish();
     return decoded(in("s.mp4")).at(2).pts / 2;
@@ -110,7 +110,7 @@ TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
 }
 
 TEST_F(VideoSegmentTest, WantsEachFrameInItsTurn) {
-  VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, 18, 4);
+  VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 4);
   EXPECT_THROW(segment.write(movingDisc(kSize, 3), 3), std::logic_error);
   segment.write(movingDisc(kSize, 4), 4);
   EXPECT_THROW(segment.write(movingDisc(kSize, 6), 6), std::logic_error);
@@ -123,7 +123,7 @@ TEST_F(VideoSegmentTest, NamesThePathItCannotWrite) {
 }
 
 TEST_F(VideoSegmentTest, TellsWhatItSpent) {
-  VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, 18, 0);
+  VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0);
   for (int k = 0; k < 5; ++k) segment.write(movingDisc(kSize, k), k);
   segment.finish();
   EXPECT_GT(segment.spent().convert_s, 0);

@@ -69,8 +69,8 @@ std::array<double, 3> errors(const Image& picture, const Converted& got) {
   return worst;
 }
 
-// Every colour once: 16 pictures of 1024 x 1024. Rounding to nearest is 0.5; measured 0.50002 (Y), 0.50025 (Cb) and
-// 0.50016 (Cr).
+// Every colour once: 16 pictures of 1024 x 1024. Rounding to nearest is 0.5; measured 0.50002 (Y), 0.50025 (Cb)
+// and 0.50016 (Cr).
 TEST(Yuv, IsTheFormulaRoundedForEveryColour) {
   std::array<double, 3> worst{};
   for (int part = 0; part < 16; ++part) {

@@ -3,17 +3,25 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/rational.h"
+#include "output/animation_text.h"
 #include "output/atomic_file.h"
 #include "output/ffmpeg_handles.h"
 #include "output/film.h"
 
 namespace poinsot::output {
 
-/// The container's clock: one frame is a whole number of ticks.
+/// The kinds of file that hold one track of packets. Segments of films that are made whole lie in Matroska.
+enum class FileFormat { kMp4, kMov, kWebm, kGif, kApng, kMatroska };
+
+FileFormat fileFormat(FilmContainer container);
+FileFormat segmentFormat(FilmContainer container);
+
+/// MP4's clock: one frame is a whole number of ticks.
 struct FrameClock {
   int timescale = 0;  ///< ticks per second
   int ticks = 0;      ///< ticks per frame
@@ -27,43 +35,48 @@ FrameClock frameClock(const core::Rational& fps);
 /// What this program writes into its films as their encoder: "poinsot 0.1.0".
 std::string ownMark();
 
-/// One H.264 track in an MP4 that appears under its name when finish() returns.
-class Mp4Writer {
+/// One track of pictures in a file that appears under its name when finish() returns.
+class TrackWriter {
  public:
   enum class Index { kAtEnd, kAtStart };
 
   /// @throws core::Error(kIo) with the path, as do the members below.
-  Mp4Writer(const std::filesystem::path& target, const AVCodecParameters& parameters, const FrameClock& clock,
-            Index index, const std::vector<FilmText>& texts, const std::filesystem::path& temporaryFolder = {});
-  Mp4Writer(const Mp4Writer&) = delete;
-  Mp4Writer& operator=(const Mp4Writer&) = delete;
+  TrackWriter(const std::filesystem::path& target, FileFormat format, const AVCodecParameters& parameters,
+              const core::Rational& fps, Index index, const std::vector<FilmText>& texts,
+              const std::filesystem::path& temporaryFolder = {});
+  TrackWriter(const TrackWriter&) = delete;
+  TrackWriter& operator=(const TrackWriter&) = delete;
 
   /// The next packet in decoding order; `frame` is its place in the shown order. Consumes the packet's times only.
   void write(AVPacket& packet, std::int64_t frame);
   void finish();
 
  private:
+  void writeTextsBehind();
   int check(int code, std::string_view doing) const;
   void checkIo() const;
+  std::int64_t ticksAt(std::int64_t frame) const;
 
   // The order of destruction matters: the format uses the buffer, and that the file.
   AtomicFile file_;
   IoPtr io_;
   FormatOutputPtr format_;
-  FrameClock clock_;
+  AVRational frame_s_;
+  std::optional<AnimationEnd> end_;  ///< of what libavformat writes no texts into
+  std::int64_t reorderDelay_;
   std::int64_t packets_ = 0;
 };
 
-/// The packets of the one video track of an MP4.
-class Mp4Reader {
+/// The packets of the one video track of a file.
+class TrackReader {
  public:
-  /// @throws core::Error(kIo) with the path if it is no readable MP4 with a video track.
-  explicit Mp4Reader(const std::filesystem::path& path);
+  /// @throws core::Error(kIo) with the path if it is no readable file of that kind with a video track.
+  TrackReader(const std::filesystem::path& path, FileFormat format);
 
   const AVCodecParameters& parameters() const { return *format_->streams[0]->codecpar; }
   AVRational timeBase() const { return format_->streams[0]->time_base; }
   /// What the file names as its encoder; empty if nothing.
-  std::string mark() const { return text("encoder"); }  // libav writes the box as "encoding_tool"
+  std::string mark() const { return text(markKey_); }
   /// A text of the file's own; empty if there is none of that name.
   std::string text(const char* key) const;
   /// False after the last packet. Times as stored, edit lists not applied.
@@ -71,6 +84,7 @@ class Mp4Reader {
 
  private:
   std::filesystem::path path_;
+  const char* markKey_;
   FormatInputPtr format_;
 };
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/animation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "core/text.h"
+#include "output/ffmpeg_container.h"
+#include "output/ffmpeg_encoder.h"
+#include "output/film_frame.h"
+#include "output/ordered_dither.h"
+
+namespace poinsot::output {
+namespace {
+
+using core::Error;
+using core::ErrorKind;
+using std::filesystem::path;
+
+// One index of 256 stands for what has not changed since the last picture.
+constexpr int kMostColors = 255;
+// A palette is chosen by so many pictures, spread evenly: more do not change it, and cost.
+constexpr std::int64_t kPicturesForPalette = 100;
+
+using PictureListener = std::function<void(const image::Image&)>;
+
+CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
+  auto decoder = checkAlloc(CodecContextPtr(avcodec_alloc_context3(avcodec_find_decoder(parameters.codec_id))));
+  checkAv(avcodec_parameters_to_context(decoder.get(), &parameters), "describing the segments");
+  decoder->thread_count = 1;
+  checkAv(avcodec_open2(decoder.get(), nullptr, nullptr), "reading the segments");
+  return decoder;
+}
+
+/// All pictures of one segment, in order.
+void readSegment(const path& file, const PictureListener& listen) {
+  TrackReader reader(file, FileFormat::kMatroska);
+  if (reader.mark() != ownMark())
+    throw Error(ErrorKind::kIo,
+                core::printable(file.native()) + ": is no segment written by this version of poinsot");
+  const auto decoder = decoderOf(reader.parameters());
+  const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
+  const auto frame = checkAlloc(FramePtr(av_frame_alloc()));
+  while (reader.next(*packet)) {
+    const std::string doing = core::printable(file.native());
+    checkAv(avcodec_send_packet(decoder.get(), packet.get()), doing, ErrorKind::kIo);
+    checkAv(avcodec_receive_frame(decoder.get(), frame.get()), doing, ErrorKind::kIo);
+    listen(pictureOf(*frame));
+  }
+}
+
+void readAll(const std::vector<path>& segments, const PictureListener& listen) {
+  for (const path& file : segments) readSegment(file, listen);
+}
+
+std::int64_t countPictures(const std::vector<path>& segments) {
+  std::int64_t count = 0;
+  const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
+  for (const path& file : segments) {
+    TrackReader reader(file, FileFormat::kMatroska);
+    while (reader.next(*packet)) ++count;
+  }
+  return count;
+}
+
+std::vector<Rgb> paletteOf(const std::vector<path>& segments) {
+  const std::int64_t step = std::max<std::int64_t>(1, countPictures(segments) / kPicturesForPalette);
+  PaletteMaker maker(kMostColors);
+  std::int64_t i = 0;
+  readAll(segments, [&](const image::Image& picture) {
+    if (i++ % step == 0) maker.add(picture);
+  });
+  return maker.palette();
+}
+
+/// Encoder of a whole animation, and its file.
+class Animation {
+ public:
+  Animation(const path& target, const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size,
+            const std::vector<FilmText>& texts, const path& temporaryFolder)
+      : encoder_(open(track, pixels, size)),
+        file_(target, fileFormat(track.container), *parametersOf(*encoder_), track.fps,
+              TrackWriter::Index::kAtStart, texts, temporaryFolder),
+        frame_(checkAlloc(FramePtr(av_frame_alloc()))),
+        packet_(checkAlloc(PacketPtr(av_packet_alloc()))) {
+    frame_->width = size.width;
+    frame_->height = size.height;
+    frame_->format = pixels;
+    checkAv(av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
+  }
+
+  AVFrame& frame() {
+    checkAv(av_frame_make_writable(frame_.get()), "allocating a frame");
+    return *frame_;
+  }
+  void encode() {
+    frame_->pts = frames_++;
+    checkAv(avcodec_send_frame(encoder_.get(), frame_.get()), "encoding a frame");
+    receive();
+  }
+  void finish() {
+    checkAv(avcodec_send_frame(encoder_.get(), nullptr), "ending the film");
+    receive();
+    file_.finish();
+  }
+
+ private:
+  static CodecContextPtr open(const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size) {
+    const AVCodec* codec = avcodec_find_encoder_by_name(encoderName(codecsOf(track.container).front()));
+    if (codec == nullptr) throw Error(ErrorKind::kEncode, "this libavcodec was built without this film's encoder");
+    auto encoder = checkAlloc(CodecContextPtr(avcodec_alloc_context3(codec)));
+    encoder->width = size.width;
+    encoder->height = size.height;
+    encoder->pix_fmt = pixels;
+    encoder->framerate = {static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)};
+    encoder->time_base = av_inv_q(encoder->framerate);
+    encoder->thread_count = 1;
+    encoder->flags |= AV_CODEC_FLAG_BITEXACT;
+    AvOptions options;
+    if (codec->id == AV_CODEC_ID_APNG) options.set("pred", "mixed");
+    captureAvLog();
+    checkAv(avcodec_open2(encoder.get(), codec, options.address()), fmt::format("starting {}", codec->name));
+    options.expectAllTaken();
+    return encoder;
+  }
+
+  void receive() {
+    for (;;) {
+      const int code = avcodec_receive_packet(encoder_.get(), packet_.get());
+      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+      checkAv(code, "encoding a frame");
+      file_.write(*packet_, packets_++);
+      av_packet_unref(packet_.get());
+    }
+  }
+
+  CodecContextPtr encoder_;
+  TrackWriter file_;
+  FramePtr frame_;
+  PacketPtr packet_;
+  std::int64_t frames_ = 0, packets_ = 0;
+};
+
+/// As a frame carries its palette; what is left over is transparent.
+void setPalette(AVFrame& frame, const std::vector<Rgb>& palette) {
+  auto* entries = reinterpret_cast<std::uint32_t*>(frame.data[1]);
+  for (std::size_t i = 0; i < 256; ++i)
+    entries[i] = i < palette.size() ? 0xFF000000u | static_cast<std::uint32_t>(palette[i][0]) << 16 |
+                                          static_cast<std::uint32_t>(palette[i][1]) << 8 | palette[i][2]
+                                    : 0;
+}
+
+}  // namespace
+
+void animate(const std::vector<path>& segments, const path& target, const FilmTrack& track,
+             const std::vector<FilmText>& texts, const path& temporaryFolder) {
+  const bool gif = track.container == FilmContainer::kGif;
+  std::optional<OrderedDither> dither;
+  if (gif) dither.emplace(paletteOf(segments));
+  std::optional<Animation> film;
+  readAll(segments, [&](const image::Image& picture) {
+    const AVPixelFormat pixels = gif                     ? AV_PIX_FMT_PAL8
+                                 : picture.channels == 4 ? AV_PIX_FMT_RGBA
+                                                         : AV_PIX_FMT_RGB24;
+    if (!film) film.emplace(target, track, pixels, picture.size, texts, temporaryFolder);
+    AVFrame& frame = film->frame();
+    if (gif) {
+      setPalette(frame, dither->palette());
+      dither->apply(picture, {frame.data[0], static_cast<std::size_t>(frame.linesize[0] * frame.height)},
+                    frame.linesize[0]);
+    } else {
+      for (int y = 0; y < picture.size.height; ++y)
+        std::copy_n(picture.at(0, y), picture.rowBytes(), frame.data[0] + y * frame.linesize[0]);
+    }
+    film->encode();
+  });
+  film->finish();
+}
+
+}  // namespace poinsot::output

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/ffmpeg_container.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+
+#include "core/expect.h"
+#include "core/text.h"
+#include "core/version.h"
+#include "output/ffmpeg_encoder.h"
+
+namespace poinsot::output {
+namespace {
+
+using core::Error;
+using core::ErrorKind;
+
+#if LIBAVFORMAT_VERSION_MAJOR >= 61
+using WrittenByte = const std::uint8_t;
+#else
+using WrittenByte = std::uint8_t;
+#endif
+
+int descriptorOf(void* file) { return static_cast<AtomicFile*>(file)->descriptor(); }
+
+int writeToFile(void* file, WrittenByte* bytes, int size) {
+  const int code = writeAll(descriptorOf(file), {bytes, static_cast<std::size_t>(size)});
+  return code == 0 ? size : AVERROR(code);
+}
+
+std::int64_t seekInFile(void* file, std::int64_t offset, int whence) {
+  if ((whence & AVSEEK_SIZE) != 0) {
+    struct stat status {};
+    return ::fstat(descriptorOf(file), &status) < 0 ? AVERROR(errno) : status.st_size;
+  }
+  const off_t at = ::lseek(descriptorOf(file), offset, whence & ~AVSEEK_FORCE);
+  return at < 0 ? AVERROR(errno) : at;
+}
+
+IoPtr openIo(AtomicFile& file) {
+  constexpr int kBuffer = 256 << 10;
+  auto* buffer = static_cast<unsigned char*>(av_malloc(kBuffer));
+  if (buffer == nullptr) throw std::bad_alloc();
+  AVIOContext* io = avio_alloc_context(buffer, kBuffer, 1, &file, nullptr, writeToFile, seekInFile);
+  if (io == nullptr) av_free(buffer);
+  return checkAlloc(IoPtr(io));
+}
+
+struct FormatFacts {
+  const char *muxer, *demuxer;
+  const char *markKey, *readMarkKey;  ///< where our mark is kept: libav keeps its own in Matroska's "encoder"
+};
+
+const FormatFacts& factsOf(FileFormat format) {
+  static constexpr std::array<FormatFacts, 6> kFacts{{{"mp4", "mp4", "encoding_tool", "encoder"},
+                                                      {"mov", "mov", "make", "make"},
+                                                      {"webm", "matroska", "encoded_by", "encoded_by"},
+                                                      {"gif", "gif", "encoded_by", "encoded_by"},
+                                                      {"apng", "apng", "encoded_by", "encoded_by"},
+                                                      {"matroska", "matroska", "encoded_by", "encoded_by"}}};
+  return kFacts[static_cast<std::size_t>(format)];
+}
+
+bool isOfQuickTime(FileFormat format) { return format == FileFormat::kMp4 || format == FileFormat::kMov; }
+
+FormatOutputPtr allocateFormat(const char* muxer) {
+  captureAvLog();
+  AVFormatContext* format = nullptr;
+  checkAv(avformat_alloc_output_context2(&format, nullptr, muxer, nullptr),
+          fmt::format("opening the writer of {}", muxer), ErrorKind::kEncode);
+  return FormatOutputPtr(format);
+}
+
+/// "file:" keeps libav from reading a protocol into a name such as "a:b.mp4".
+std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.native(); }
+
+void setText(AVDictionary** texts, const char* key, const std::string& value) {
+  checkAv(av_dict_set(texts, key, value.c_str(), 0), "setting a text");
+}
+
+/// Texts of ours only: with "bitexact" libav adds neither its name nor the time.
+void describe(AVFormatContext& format, const char* markKey, const std::vector<FilmText>& texts) {
+  format.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
+  setText(&format.metadata, markKey, ownMark());
+  for (const FilmText& text : texts) setText(&format.metadata, text.key.c_str(), text.value);
+}
+
+void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, const core::Rational& fps) {
+  AVStream* stream = checkAlloc(avformat_new_stream(&format, nullptr));
+  checkAv(avcodec_parameters_copy(stream->codecpar, &parameters), "describing the track");
+  // The writer's choice, not that of the file the packets come from; but the encoder's where a codec has several.
+  if (parameters.codec_id != AV_CODEC_ID_HEVC && parameters.codec_id != AV_CODEC_ID_PRORES)
+    stream->codecpar->codec_tag = 0;
+  stream->codecpar->bit_rate = 0;  // measured by the writer, not taken over from the first segment
+  stream->avg_frame_rate = stream->r_frame_rate = {static_cast<int>(fps.num), static_cast<int>(fps.den)};
+  stream->time_base = av_inv_q(stream->avg_frame_rate);
+  if (parameters.format == AV_PIX_FMT_YUVA420P) setText(&stream->metadata, "alpha_mode", "1");
+}
+
+/// What the muxer is told, for its kind of file.
+void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps, bool indexFirst) {
+  const std::string timescale = isOfQuickTime(format) ? fmt::format("{}", frameClock(fps).timescale) : "";
+  switch (format) {
+    case FileFormat::kMp4:
+    case FileFormat::kMov:
+      options.set("movflags", indexFirst ? "+faststart+write_colr" : "+write_colr");
+      options.set("video_track_timescale", timescale);
+      return options.set("movie_timescale", timescale);  // else durations are cut to milliseconds
+    case FileFormat::kGif:
+      return options.set("final_delay", fmt::format("{}", std::lround(100 / fps.value())));
+    case FileFormat::kApng:
+      options.set("plays", "0");  // for ever
+      return options.set("final_delay", fmt::format("{}/{}", fps.den, fps.num));
+    case FileFormat::kWebm:
+    case FileFormat::kMatroska:
+      if (indexFirst) options.set("cues_to_front", "1");
+  }
+}
+
+void checkRegular(const std::filesystem::path& path) {
+  struct stat status {};
+  const bool found = ::stat(path.c_str(), &status) == 0;
+  if (found && S_ISREG(status.st_mode)) return;
+  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
+                                          found ? "not a regular file" : "cannot be read"));
+}
+
+}  // namespace
+
+FileFormat fileFormat(FilmContainer container) {
+  static constexpr std::array kFormats{FileFormat::kMp4, FileFormat::kMov, FileFormat::kWebm, FileFormat::kGif,
+                                       FileFormat::kApng};
+  return kFormats[static_cast<std::size_t>(container)];
+}
+
+FileFormat segmentFormat(FilmContainer container) {
+  return isMadeWhole(container) ? FileFormat::kMatroska : fileFormat(container);
+}
+
+FrameClock frameClock(const core::Rational& fps) {
+  constexpr std::int64_t kFineEnough = 10000, kLargest = 1'000'000'000;  // the container has 32 bits for each
+  POINSOT_EXPECT(fps.num > 0 && fps.den > 0);
+  std::int64_t factor = 1;
+  while (fps.num * factor < kFineEnough) factor *= 2;
+  if (fps.num * factor > kLargest || fps.den > kLargest / factor)
+    throw Error(ErrorKind::kUsage,
+                fmt::format("{} frames a second: no exact clock in an MP4", core::toString(fps)));
+  return {static_cast<int>(fps.num * factor), static_cast<int>(fps.den * factor)};
+}
+
+std::string ownMark() { return fmt::format("poinsot {}", core::version()); }
+
+// ---- writing
+
+TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
+                         const AVCodecParameters& parameters, const core::Rational& fps, Index index,
+                         const std::vector<FilmText>& texts, const std::filesystem::path& temporaryFolder)
+    : file_(target, temporaryFolder),
+      io_(openIo(file_)),
+      format_(allocateFormat(factsOf(format).muxer)),
+      frame_s_{static_cast<int>(fps.den), static_cast<int>(fps.num)},
+      reorderDelay_(reorderDelay(parameters.codec_id)) {
+  if (format == FileFormat::kGif) end_ = animationEnd(FilmContainer::kGif, texts);
+  if (format == FileFormat::kApng) end_ = animationEnd(FilmContainer::kApng, texts);
+  AvOptions options;
+  setOptions(options, format, fps, index == Index::kAtStart);
+  format_->pb = io_.get();
+  // To put the index first, libav reads the file again by name.
+  format_->url = checkAlloc(av_strdup(fileUrl(file_.temporary()).c_str()));
+  describe(*format_, factsOf(format).markKey, texts);
+  addTrack(*format_, parameters, fps);
+  check(avformat_write_header(format_.get(), options.address()), "starting the film");
+  options.expectAllTaken();
+  if (isOfQuickTime(format)) POINSOT_EXPECT(format_->streams[0]->time_base.den == frameClock(fps).timescale);
+}
+
+int TrackWriter::check(int code, std::string_view doing) const {
+  if (code >= 0) return code;
+  return checkAv(code, fmt::format("{}: {}", core::printable(file_.target().native()), doing), ErrorKind::kIo);
+}
+
+void TrackWriter::checkIo() const { check(io_->error, "writing"); }
+
+/// Exact in MP4; in Matroska to its millisecond.
+std::int64_t TrackWriter::ticksAt(std::int64_t frame) const {
+  return av_rescale_q(frame, frame_s_, format_->streams[0]->time_base);
+}
+
+void TrackWriter::write(AVPacket& packet, std::int64_t frame) {
+  const std::int64_t place = packets_++ - reorderDelay_;
+  POINSOT_EXPECT(place <= frame);
+  packet.stream_index = 0;
+  packet.pts = ticksAt(frame);
+  packet.dts = ticksAt(place);
+  packet.duration = ticksAt(frame + 1) - packet.pts;
+  packet.pos = -1;
+  check(av_write_frame(format_.get(), &packet), "writing");
+  checkIo();
+}
+
+void TrackWriter::writeTextsBehind() {
+  if (::lseek(file_.descriptor(), -static_cast<off_t>(end_->replaced), SEEK_END) < 0)
+    check(AVERROR(errno), "writing");
+  check(AVERROR(writeAll(file_.descriptor(), end_->bytes)), "writing");
+}
+
+void TrackWriter::finish() {
+  check(av_write_trailer(format_.get()), "writing the index");
+  avio_flush(io_.get());
+  checkIo();
+  format_.reset();
+  io_.reset();
+  if (end_) writeTextsBehind();
+  file_.commit();
+}
+
+// ---- reading
+
+TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format)
+    : path_(path), markKey_(factsOf(format).readMarkKey) {
+  checkRegular(path);
+  captureAvLog();
+  AvOptions options;
+  options.set("ignore_editlist", "1");
+  options.set("protocol_whitelist", "file");
+  AVFormatContext* opened = nullptr;
+  const std::string doing = core::printable(path.native());
+  // On failure the context is freed and the pointer cleared.
+  checkAv(avformat_open_input(&opened, fileUrl(path).c_str(), av_find_input_format(factsOf(format).demuxer),
+                              options.address()),
+          doing, ErrorKind::kIo);
+  format_.reset(opened);
+  if (opened->nb_streams != 1 || parameters().codec_type != AVMEDIA_TYPE_VIDEO)
+    throw Error(ErrorKind::kIo, doing + ": is not a film with one video track");
+  AVStream& stream = *format_->streams[0];
+  if (av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr)
+    stream.codecpar->format = AV_PIX_FMT_YUVA420P;
+}
+
+std::string TrackReader::text(const char* key) const {
+  const AVDictionaryEntry* entry = av_dict_get(format_->metadata, key, nullptr, 0);
+  return entry == nullptr ? "" : entry->value;
+}
+
+bool TrackReader::next(AVPacket& packet) {
+  av_packet_unref(&packet);
+  const int code = av_read_frame(format_.get(), &packet);
+  if (code == AVERROR_EOF) return false;
+  checkAv(code, core::printable(path_.native()), ErrorKind::kIo);
+  // Cut files are read to their cut as if they ended there; only the mark on the packet tells.
+  if ((packet.flags & AV_PKT_FLAG_CORRUPT) != 0)
+    throw Error(ErrorKind::kIo, fmt::format("{}: ends too early", core::printable(path_.native())));
+  return true;
+}
+
+}  // namespace poinsot::output

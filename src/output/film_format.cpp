@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/film_format.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "output/ffmpeg_encoder.h"
+
+namespace poinsot::output {
+namespace {
+
+using core::Error;
+using core::ErrorKind;
+
+struct CodecFacts {
+  FilmCodec codec;
+  std::string_view name;
+  bool transparent;  ///< can be
+  bool fine;         ///< 4:4:4 can be chosen
+  bool lossless;     ///< at crf 0
+};
+
+constexpr std::array<CodecFacts, 7> kCodecs{{{FilmCodec::kH264, "h264", false, true, true},
+                                             {FilmCodec::kHevc, "hevc", false, true, true},
+                                             {FilmCodec::kProRes, "prores", true, true, false},
+                                             {FilmCodec::kVp9, "vp9", true, true, true},
+                                             {FilmCodec::kAv1, "av1", false, false, false},
+                                             {FilmCodec::kGif, "gif", false, true, false},
+                                             {FilmCodec::kApng, "apng", true, true, true}}};
+
+const CodecFacts& factsOf(FilmCodec codec) { return kCodecs[static_cast<std::size_t>(codec)]; }
+
+struct ContainerFacts {
+  std::string_view name;
+  std::vector<FilmCodec> codecs;
+};
+
+const ContainerFacts& factsOf(FilmContainer container) {
+  static const std::array<ContainerFacts, 5> facts{{{"mp4", {FilmCodec::kH264, FilmCodec::kHevc}},
+                                                    {"mov", {FilmCodec::kProRes}},
+                                                    {"webm", {FilmCodec::kVp9, FilmCodec::kAv1}},
+                                                    {"gif", {FilmCodec::kGif}},
+                                                    {"apng", {FilmCodec::kApng}}}};
+  return facts[static_cast<std::size_t>(container)];
+}
+
+constexpr std::array kContainers{FilmContainer::kMp4, FilmContainer::kMov, FilmContainer::kWebm,
+                                 FilmContainer::kGif, FilmContainer::kApng};
+
+std::string namesOf(std::span<const FilmCodec> codecs) {
+  std::vector<std::string_view> names;
+  for (const FilmCodec codec : codecs) names.push_back(nameOf(codec));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Names of the codecs for which that holds.
+template <class Condition>
+std::string codecsWith(Condition condition) {
+  std::vector<FilmCodec> codecs;
+  for (const CodecFacts& facts : kCodecs)
+    if (condition(facts)) codecs.push_back(facts.codec);
+  return namesOf(codecs);
+}
+
+void checkSize(const FilmFormat& format, image::PixelSize size) {
+  const bool halved = format.chroma == Chroma::k420 && !isMadeWhole(format.container);
+  const int step = halved ? 2 : 1;
+  if (size.width >= step && size.height >= step && size.width % step == 0 && size.height % step == 0) return;
+  throw Error(ErrorKind::kUsage,
+              fmt::format("a film of {}x{} pixels: width and height must be even (chroma has half of each); the "
+                          "nearest is {}x{}",
+                          size.width, size.height, std::max(2, size.width & ~1), std::max(2, size.height & ~1)));
+}
+
+void checkQuality(const FilmFormat& format) {
+  if (!(format.crf >= 0 && format.crf <= 51))
+    throw Error(ErrorKind::kUsage, fmt::format("crf {}: must be from 0 (lossless) to 51", format.crf));
+  if (format.crf == 0 && !factsOf(format.codec).lossless)
+    throw Error(ErrorKind::kUsage,
+                fmt::format("crf 0: {} is never lossless; {} can be", nameOf(format.codec),
+                            codecsWith([](const CodecFacts& facts) { return facts.lossless; })));
+}
+
+/// A GIF has times in hundredths of a second, and browsers show pictures of less than two of them for ten.
+void checkRate(const FilmFormat& format, const core::Rational& fps) {
+  if (format.container == FilmContainer::kGif && fps.value() > 50)
+    throw Error(ErrorKind::kUsage,
+                fmt::format("a .gif of {:g} frames/s: its players show at most 50", fps.value()));
+}
+
+void checkCodec(const FilmFormat& format) {
+  const auto codecs = codecsOf(format.container);
+  const CodecFacts& codec = factsOf(format.codec);
+  if (std::ranges::find(codecs, format.codec) == codecs.end())
+    throw Error(ErrorKind::kUsage, fmt::format("codec {}: does not go into a .{}; there go: {}", codec.name,
+                                               nameOf(format.container), namesOf(codecs)));
+  if (format.transparent && !codec.transparent)
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format("{} in a .{} has no pixels that are half transparent; these have: vp9 in a .webm, prores in a "
+                    ".mov, .apng, numbered pictures",
+                    codec.name, nameOf(format.container)));
+  if (format.chroma == Chroma::k444 && !codec.fine)
+    throw Error(ErrorKind::kUsage, fmt::format("chroma 4:4:4: not with {}; with {}", codec.name,
+                                               codecsWith([](const CodecFacts& facts) { return facts.fine; })));
+  if (format.chroma == Chroma::k444 && format.codec == FilmCodec::kVp9 && format.transparent)
+    throw Error(ErrorKind::kUsage, "chroma 4:4:4: not with vp9 and transparency; prores in a .mov has both");
+}
+
+void checkEncoder(const FilmFormat& format) {
+  if (hasEncoder(format.codec)) return;
+  std::vector<FilmCodec> there;
+  for (const CodecFacts& facts : kCodecs)
+    if (hasEncoder(facts.codec)) there.push_back(facts.codec);
+  throw Error(ErrorKind::kEncode,
+              fmt::format("this libavcodec was built without {}, the encoder of {}; it can make: {}",
+                          encoderName(format.codec), nameOf(format.codec), namesOf(there)));
+}
+
+}  // namespace
+
+std::optional<FilmContainer> filmContainer(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  for (const FilmContainer container : kContainers)
+    if (extension == fmt::format(".{}", nameOf(container))) return container;
+  return std::nullopt;
+}
+
+std::string_view nameOf(FilmContainer container) { return factsOf(container).name; }
+
+std::span<const FilmCodec> codecsOf(FilmContainer container) { return factsOf(container).codecs; }
+
+std::string_view nameOf(FilmCodec codec) { return factsOf(codec).name; }
+
+std::optional<FilmCodec> filmCodec(std::string_view name) {
+  for (const CodecFacts& facts : kCodecs)
+    if (facts.name == name) return facts.codec;
+  return std::nullopt;
+}
+
+bool isMadeWhole(FilmContainer container) {
+  return container == FilmContainer::kGif || container == FilmContainer::kApng;
+}
+
+std::string filmFormatsText() {
+  std::vector<std::string> texts;
+  for (const FilmContainer container : kContainers) texts.push_back(fmt::format("NAME.{}", nameOf(container)));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void checkFormat(const FilmFormat& format, image::PixelSize size, const core::Rational& fps) {
+  checkCodec(format);
+  checkQuality(format);
+  checkSize(format, size);
+  checkRate(format, fps);
+  checkEncoder(format);
+}
+
+}  // namespace poinsot::output

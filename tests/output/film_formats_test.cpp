@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kind of film, written as segments, put together, and read back by ffprobe and ffmpeg as processes: what
+// they see is what was put in, and what the file says of it is true.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "decoded_film.h"
+#include "output/ffmpeg_encoder.h"
+#include "output/film.h"
+#include "output/film_format.h"
+#include "output/video_segment.h"
+#include "scratch_folder.h"
+
+namespace poinsot::output {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Box = FilmContainer;
+using Codec = FilmCodec;
+
+constexpr image::PixelSize kSize = {128, 64};
+constexpr int kCells = 4, kRows = 2, kCell = 32;
+
+/// Flat squares of the primaries, their complements, black and white: they change places from frame to frame. If
+/// `transparent`, each next one lets more through.
+image::Image primaries(std::int64_t k, bool transparent) {
+  image::Image picture(kSize, transparent ? 4 : 3);
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const int cell = (x / kCell + kCells * (y / kCell) + static_cast<int>(k)) % (kCells * kRows);
+      std::uint8_t* p = picture.at(x, y);
+      for (int c = 0; c < 3; ++c) p[c] = (cell >> c & 1) != 0 ? 255 : 0;
+      if (transparent) p[3] = static_cast<std::uint8_t>(255 - 30 * cell);
+    }
+  return picture;
+}
+
+struct Format {
+  const char* name;
+  FilmFormat format;
+  std::map<std::string, std::string> facts;  ///< what ffprobe has to say
+  int tolerance;  ///< of a colour in the middle of a square, in levels; measured 1, VP9 with alpha and AV1 2
+};
+
+FilmFormat of(FilmContainer container, FilmCodec codec, Chroma chroma = Chroma::k420, bool transparent = false,
+              double crf = 12) {
+  return {container, codec, chroma, Effort::kFast, transparent, crf};
+}
+
+const std::map<std::string, std::string> kBt709{
+    {"color_range", "tv"}, {"color_space", "bt709"}, {"color_primaries", "bt709"}, {"color_transfer", "bt709"}};
+
+std::map<std::string, std::string> with(std::map<std::string, std::string> facts) {
+  facts.insert(kBt709.begin(), kBt709.end());
+  return facts;
+}
+
+std::vector<Format> formats() {
+  return {
+      {"H264", of(Box::kMp4, Codec::kH264),
+       with({{"codec_name", "h264"}, {"profile", "High"}, {"pix_fmt", "yuv420p"}}), 2},
+      {"H264Fine", of(Box::kMp4, Codec::kH264, Chroma::k444),
+       with({{"codec_name", "h264"}, {"profile", "High 4:4:4 Predictive"}, {"pix_fmt", "yuv444p"}}), 2},
+      {"H264Lossless", of(Box::kMp4, Codec::kH264, Chroma::k444, false, 0), with({{"codec_name", "h264"}}), 2},
+      {"Hevc", of(Box::kMp4, Codec::kHevc),
+       with({{"codec_name", "hevc"}, {"codec_tag_string", "hvc1"}, {"pix_fmt", "yuv420p"}, {"profile", "Main"}}),
+       2},
+      {"HevcFine", of(Box::kMp4, Codec::kHevc, Chroma::k444),
+       with({{"codec_name", "hevc"}, {"pix_fmt", "yuv444p"}}), 2},
+      {"HevcLossless", of(Box::kMp4, Codec::kHevc, Chroma::k444, false, 0), with({{"codec_name", "hevc"}}), 2},
+      {"Vp9", of(Box::kWebm, Codec::kVp9), with({{"codec_name", "vp9"}, {"pix_fmt", "yuv420p"}}), 2},
+      {"Vp9Fine", of(Box::kWebm, Codec::kVp9, Chroma::k444), with({{"codec_name", "vp9"}, {"pix_fmt", "yuv444p"}}),
+       2},
+      {"Vp9Lossless", of(Box::kWebm, Codec::kVp9, Chroma::k444, false, 0), with({{"codec_name", "vp9"}}), 2},
+      {"Vp9Transparent", of(Box::kWebm, Codec::kVp9, Chroma::k420, true),
+       with({{"codec_name", "vp9"}, {"TAG:ALPHA_MODE", "1"}}), 2},
+      {"Av1", of(Box::kWebm, Codec::kAv1), with({{"codec_name", "av1"}, {"pix_fmt", "yuv420p"}}), 2},
+      {"ProRes", of(Box::kMov, Codec::kProRes),
+       with({{"codec_name", "prores"}, {"profile", "4444"}, {"codec_tag_string", "ap4h"}, {"nb_frames", "17"}}),
+       2},
+      {"ProResTransparent", of(Box::kMov, Codec::kProRes, Chroma::k420, true),
+       with({{"codec_name", "prores"}, {"pix_fmt", "yuva444p12le"}}), 2},
+      {"Gif", of(Box::kGif, Codec::kGif), {{"codec_name", "gif"}}, 0},
+      {"Apng", of(Box::kApng, Codec::kApng), {{"codec_name", "apng"}, {"pix_fmt", "rgb24"}}, 0},
+      {"ApngTransparent",
+       of(Box::kApng, Codec::kApng, Chroma::k420, true),
+       {{"codec_name", "apng"}, {"pix_fmt", "rgba"}},
+       0},
+  };
+}
+
+class FilmFormats : public ScratchFolder, public testing::WithParamInterface<Format> {
+ protected:
+  void SetUp() override {
+    const FilmCodec codec = GetParam().format.codec;
+    if (!hasEncoder(codec)) GTEST_SKIP() << "this libavcodec has no " << encoderName(codec);
+  }
+  static bool transparent() { return GetParam().format.transparent; }
+
+  /// A film of two segments, 10 and 7 frames long.
+  std::filesystem::path film(const std::string& name = "film") const {
+    const FilmFormat& format = GetParam().format;
+    std::vector<std::filesystem::path> segments;
+    for (const auto& [first, count] : {std::pair(0, 10), std::pair(10, 7)}) {
+      segments.push_back(in("segment_" + std::to_string(first)));
+      VideoSegmentWriter segment(segments.back(), kSize, {25, 1}, format, first);
+      for (int k = first; k < first + count; ++k) segment.write(primaries(k, transparent()), k);
+      segment.finish();
+    }
+    const auto file = in(name + "." + std::string(nameOf(format.container)));
+    joinSegments(segments, file, {format.container, {25, 1}}, {{"comment", "of here"}, {"title", "Primaries"}});
+    return file;
+  }
+};
+
+TEST_P(FilmFormats, SaysWhatItIs) {
+  const auto facts = probed(film());
+  for (const auto& [key, value] : GetParam().facts)
+    EXPECT_EQ(facts.count(key) ? facts.at(key) : "(none)", value) << key;
+  EXPECT_EQ(facts.at("nb_read_packets"), "17");
+  EXPECT_EQ(facts.at("width"), "128");
+  EXPECT_EQ(facts.at("height"), "64");
+  EXPECT_EQ(facts.at("r_frame_rate"), "25/1");
+}
+
+// Oracle: what was drawn. ffmpeg, told nothing, goes by the file's tags.
+TEST_P(FilmFormats, ShowsTheColorsThatWerePutIn) {
+  const auto pictures = shown(film(), kSize, 17);
+  ASSERT_EQ(pictures.size(), 17u);
+  int worst = 0, worstAlpha = 0;
+  for (int k = 0; k < 17; ++k) {
+    const image::Image expected = primaries(k, transparent());
+    for (int y = kCell / 2; y < kSize.height; y += kCell)
+      for (int x = kCell / 2; x < kSize.width; x += kCell) {
+        const std::uint8_t *is = pictures[static_cast<std::size_t>(k)].at(x, y), *was = expected.at(x, y);
+        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(is[c] - was[c]));
+        worstAlpha = std::max(worstAlpha, std::abs(is[3] - (transparent() ? was[3] : 255)));
+      }
+  }
+  EXPECT_LE(worst, GetParam().tolerance);
+  EXPECT_LE(worstAlpha, GetParam().tolerance);
+  RecordProperty("worst", worst);
+  RecordProperty("worstAlpha", worstAlpha);
+}
+
+TEST_P(FilmFormats, HasTheSameBytesEachTime) { EXPECT_EQ(content(film("a")), content(film("b"))); }
+
+TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {
+  const auto file = film();
+  EXPECT_TRUE(isOwnFilm(file));
+  const auto facts = readFilmFacts(file);
+  ASSERT_TRUE(facts);
+  EXPECT_EQ(facts->frames, 17);
+  EXPECT_EQ(facts->comment, "of here");
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) * 2 / 3);
+  const auto cut = readFilmFacts(file);
+  EXPECT_TRUE(!cut || cut->frames < 17);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FilmFormats, testing::ValuesIn(formats()),
+                         [](const auto& tested) { return tested.param.name; });
+
+// ---- what is refused
+
+std::string refusal(const FilmFormat& format, image::PixelSize size = kSize, const core::Rational& fps = {25, 1}) {
+  return messageOf(core::ErrorKind::kUsage, [&] { checkFormat(format, size, fps); });
+}
+
+TEST(FilmFormatRefusals, SayWhatThereIs) {
+  EXPECT_EQ(refusal(of(Box::kMp4, Codec::kVp9)), "codec vp9: does not go into a .mp4; there go: h264, hevc");
+  EXPECT_EQ(
+      refusal(of(Box::kMp4, Codec::kH264, Chroma::k420, true)),
+      "h264 in a .mp4 has no pixels that are half transparent; these have: vp9 in a .webm, prores in a .mov, "
+      ".apng, numbered pictures");
+  EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k420, true)).substr(0, 37),
+            "av1 in a .webm has no pixels that are");
+  EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k444)),
+            "chroma 4:4:4: not with av1; with h264, hevc, prores, vp9, gif, apng");
+  EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k420, false, 0)),
+            "crf 0: av1 is never lossless; h264, hevc, vp9, apng can be");
+  EXPECT_THAT(refusal(of(Box::kWebm, Codec::kVp9, Chroma::k444, true)), HasSubstr("prores in a .mov has both"));
+  EXPECT_EQ(refusal(of(Box::kGif, Codec::kGif), kSize, {60, 1}),
+            "a .gif of 60 frames/s: its players show at most 50");
+  EXPECT_THAT(refusal(of(Box::kMp4, Codec::kH264), {129, 64}), HasSubstr("width and height must be even"));
+  EXPECT_EQ(refusal(of(Box::kMp4, Codec::kH264, Chroma::k444), {129, 63}), "");
+  EXPECT_EQ(refusal(of(Box::kGif, Codec::kGif), {129, 63}), "");
+}
+
+}  // namespace
+}  // namespace poinsot::output
