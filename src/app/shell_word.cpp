@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/shell_word.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poinsot::app {
+namespace {
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// Means nothing but itself to a shell, wherever in a word it stands.
+bool isPlain(char c) {
+  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  return letter || std::string_view("_./:=@%+,-").find(c) != std::string_view::npos;
+}
+
+std::string inSingleQuotes(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+/// $'...', in which bytes have numbers. Of three digits, so that one that follows is not taken for a part of it.
+std::string inNumberedQuotes(std::string_view word) {
+  std::string text = "$'";
+  for (const char c : word)
+    if (isControl(c))
+      text += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    else
+      text += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+std::string shellWord(std::string_view word) {
+  if (!word.empty() && std::ranges::all_of(word, isPlain)) return std::string(word);
+  return std::ranges::any_of(word, isControl) ? inNumberedQuotes(word) : inSingleQuotes(word);
+}
+
+std::string shellWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + shellWord(word);
+  return text;
+}
+
+}  // namespace poinsot::app

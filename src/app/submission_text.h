@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/submission.h"
+
+/// What the scripts of all engines have in common.
+namespace poinsot::app {
+
+/// The output, for commands that are run elsewhere.
+std::filesystem::path outputFile(const Submission& submission);
+
+/// Comment lines: what is made, of how many parts, from which estimate.
+std::string whatText(const Submission& submission, const std::string& how);
+
+/// Lines of bash that go to the folder and say which program runs: $POINSOT if that is set.
+std::vector<std::string> placeLines(const Submission& submission);
+
+/// The same as text.
+std::string placeText(const Submission& submission, const std::string& indent = "");
+
+/// The command of a shard, without `shard`, which a shell expands.
+std::string shardCommand(const Submission& submission, const std::string& shard);
+
+/// The command that joins them.
+std::string joinCommand(const Submission& submission);
+
+}  // namespace poinsot::app
