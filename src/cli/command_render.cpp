@@ -4,28 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/frame_clock.h"
 #include "app/frame_plan.h"
 #include "cli/commands.h"
-#include "cli/rendering.h"
+#include "cli/film_options.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "output/film_format.h"
 
 namespace poinsot::cli {
 namespace {
 
-struct FilmOptions : RenderOptions {
-  std::string frames;
-  bool transparent = false;
-  PartsOptions parts;
-};
-
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
-std::optional<app::FrameRange> askedFrames(const FilmOptions& options) {
-  return options.frames.empty() ? std::nullopt : std::optional(app::parseFrameRange(options.frames));
-}
 
 void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& frames) {
   if (target.kind != app::OutputKind::kPicture || frames.count() == 1) return;
@@ -53,9 +41,6 @@ void addPartsOptions(CLI::App& command, PartsOptions& parts) {
                   "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
       ->type_name("FILE")
       ->check(notEmpty());
-  command.add_option("--segment", parts.segmentFrames, "frames of a segment (default: 30)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10'000));
   command
       .add_option("--shard", parts.shard,
                   "only the segments of the k-th of n processes; then join them with assemble")
@@ -64,14 +49,10 @@ void addPartsOptions(CLI::App& command, PartsOptions& parts) {
 }
 
 int render(const FilmOptions& options) {
-  const auto asked = askedFrames(options);
-  if (!options.output.empty()) app::parseTarget(options.output);  // a wrong name is said before all else
-  auto [request, scene] = requestedScene(options);
-  const auto target = requestedTarget(options, scene.name, ".mp4");
-  const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
-  checkFrameCount(target, frames);
-  checkParts(options.parts, target);
-  return renderTo(options, target, std::move(request), scene, frames, std::nullopt,
+  auto film = requestedFilm(options);
+  checkFrameCount(film.target, film.frames);
+  checkParts(options.parts, film.target);
+  return renderTo(options, film.target, std::move(film.request), film.scene, film.frames, std::nullopt,
                   {std::nullopt, options.transparent}, options.parts);
 }
 
@@ -81,23 +62,8 @@ void addRender(CLI::App& program, Action& chosen) {
   auto options = std::make_shared<FilmOptions>();
   CLI::App* command = program.add_subcommand("render", "make a film, a frame or a numbered sequence from a scene");
   addRenderOptions(*command, *options);
+  addFilmOptions(*command, *options);
   addPartsOptions(*command, options->parts);
-  command
-      ->add_option("-o,--output", options->output,
-                   output::filmFormatsText() + ", NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command->add_option("--frames", options->frames, "only these frames, both ends included")
-      ->type_name("A-B")
-      ->check(notEmpty());
-  command->add_option("--fps", options->fps, "frames per second, such as 30 or 30000/1001")
-      ->type_name("RATE")
-      ->check(notEmpty());
-  command->add_flag("--transparent", options->transparent,
-                    "no paper behind the pictures: .webm, .mov, .apng and PNG");
-  command->add_flag(
-      "--loop", options->loop,
-      "a film that repeats without a jump: changes the start and the speed least, and says by how much");
   command->footer(
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"

@@ -40,6 +40,7 @@ void declare(CLI::App& program, Action& chosen) {
   addGallery(program, chosen);
   addStatus(program, chosen);
   addAssemble(program, chosen);
+  addSubmit(program, chosen);
   addInfo(program, chosen);
   addTrajectory(program, chosen);
   addGrade(program, chosen);

@@ -59,19 +59,23 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
 
 }  // namespace
 
-void addPictureOptions(CLI::App& command, RenderOptions& options) {
+void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH")->check(notEmpty());
   command.add_option("-q,--quality", options.quality, "size and quality: preview, 720p, 1080p or 4k")
       ->type_name("NAME")
       ->check(notEmpty());
-  command.add_option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
   command.add_flag("--force", options.force, "replace a file that this program did not write");
-  command.add_flag("--quiet", options.quiet, "say nothing but errors");
   command.add_option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+}
+
+void addPictureOptions(CLI::App& command, RenderOptions& options) {
+  addLookOptions(command, options);
+  command.add_option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", options.quiet, "say nothing but errors");
   command.add_flag("--reproducible", options.reproducible, "the same pixels on every x86-64 CPU");
   command.add_flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
 }

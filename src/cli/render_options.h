@@ -21,6 +21,9 @@ struct RenderOptions : SceneOptions {
   std::string progress = "auto", backend = "auto";
 };
 
+/// Declares those that every process of a render must be told: size, quality, back end, what may be replaced.
+void addLookOptions(CLI::App& command, RenderOptions& options);
+
 /// Declares those of how pictures are made: size, quality, workers, what may be replaced, back end, dry run.
 void addPictureOptions(CLI::App& command, RenderOptions& options);
 

@@ -125,13 +125,20 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
 
 }  // namespace
 
-int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
-             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
-             const app::PictureForm& form, const PartsOptions& parts) {
+void checkMakeable(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
+                   const app::FrameRange& frames, const app::PictureForm& form) {
   if (target.kind == OutputKind::kFilm)
     output::checkFormat(app::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
                         scene.time.fps);
   if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
+  if (target.kind == OutputKind::kFilm && !app::subtitlesOf(scene, frames).empty())
+    app::checkSubtitleFiles(target.path, options.force);
+}
+
+int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
+             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
+             const app::PictureForm& form, const PartsOptions& parts) {
+  checkMakeable(options, target, scene, frames, form);
   app::RenderRequest render{std::move(request),
                             target,
                             frames,
@@ -148,8 +155,6 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
     render.reproducible = true;  // the machines of a cluster differ
   }
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
-  if (target.kind == OutputKind::kFilm && !app::subtitlesOf(scene, frames).empty())
-    app::checkSubtitleFiles(target.path, options.force);
   if (scene.time.loop && !options.quiet && options.progress != "json")
     writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (options.dryRun) return describe(render, scene);

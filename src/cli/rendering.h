@@ -15,6 +15,12 @@ struct PartsOptions {
   std::string shard, manifest;
 };
 
+/// What can be refused before anything is drawn: a film of no such format, files that stand where it would go.
+/// Makes the folder of an output that was not named, unless this is a dry run.
+/// @throws core::Error
+void checkMakeable(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
+                   const app::FrameRange& frames, const app::PictureForm& form);
+
 /// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be
 /// made), showing progress and what was asked for besides.
 /// @throws core::Error, app::Interrupted

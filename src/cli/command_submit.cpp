@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "app/submission.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/film_options.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "stage/stage.h"
+
+namespace poinsot::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct SubmitOptions : FilmOptions {
+  std::string engine = "slurm";
+  int shards = 0, retries = 3;
+  double frame_s = 0, task_min = 0;
+  bool keep = false;
+};
+
+/// A file's name that is not taken for an option.
+std::string fileWord(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
+
+/// The same request for `render`.
+Words renderWords(const SubmitOptions& options, const app::OutputTarget& target) {
+  Words words{"render", fileWord(options.scene), "-o", fileWord(target.path.string())};
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("-q", options.quality);
+  for (const std::string& text : options.overrides) add("-D", text);
+  add("--size", options.size);
+  add("--fps", options.fps);
+  add("--frames", options.frames);
+  if (options.loop) words.push_back("--loop");
+  if (options.transparent) words.push_back("--transparent");
+  if (options.force) words.push_back("--force");
+  if (options.backend != "auto") add("--backend", options.backend);
+  if (options.parts.segmentFrames != app::kSegmentFrames)
+    add("--segment", std::to_string(options.parts.segmentFrames));
+  add("-j", std::to_string(options.jobs));
+  return words;
+}
+
+Words assembleWords(const SubmitOptions& options, const app::OutputTarget& target) {
+  Words words{"assemble", fileWord(target.path.string())};
+  if (options.force) words.push_back("--force");
+  if (options.keep) words.push_back("--keep");
+  return words;
+}
+
+void checkKind(const app::OutputTarget& target) {
+  if (target.kind == app::OutputKind::kPicture)
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("{}: one picture is made by one process; submit is for films and sequences",
+                                  core::printable(target.path.string())));
+}
+
+std::vector<std::filesystem::path> inputFiles(const SubmitOptions& options, const scene::Scene& scene) {
+  std::vector<std::filesystem::path> files{options.scene};
+  for (const scene::InputFile& input : scene.inputs) files.push_back(files[0].parent_path() / input.path);
+  return files;
+}
+
+app::DivisionRequest divisionRequest(const SubmitOptions& options) {
+  app::DivisionRequest request;
+  request.cpus = options.jobs;
+  if (options.shards > 0) request.shards = options.shards;
+  if (options.task_min > 0) request.task_s = 60 * options.task_min;
+  if (options.frame_s > 0) request.frame_s = options.frame_s;
+  return request;
+}
+
+std::string scriptOf(const std::string& engine, const app::Submission& submission) {
+  if (engine == "parallel") return app::parallelScript(submission);
+  return engine == "make" ? app::makeScript(submission) : app::slurmScript(submission);
+}
+
+int submit(const SubmitOptions& options) {
+  const auto [request, scene, target, frames] = requestedFilm(options);
+  checkKind(target);
+  checkMakeable(options, target, scene, frames, {std::nullopt, options.transparent});
+  const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
+  const auto segments = app::segmentsOf(frames, options.parts.segmentFrames);
+  app::Submission submission;
+  submission.program = std::filesystem::read_symlink("/proc/self/exe");
+  submission.folder = std::filesystem::current_path();
+  submission.output = target;
+  submission.render = renderWords(options, target);
+  submission.assemble = assembleWords(options, target);
+  submission.inputs = inputFiles(options, scene);
+  submission.frames = frames.count();
+  submission.segments = static_cast<std::int64_t>(segments.size());
+  submission.division =
+      app::divisionOf(divisionRequest(options), frames, segments, {scene.output.width, scene.output.height});
+  submission.retries = options.retries;
+  writeOut(scriptOf(options.engine, submission));
+  return kDone;
+}
+
+/// Declares how the work is divided.
+void addDivisionOptions(CLI::App& command, SubmitOptions& options) {
+  options.jobs = 1;
+  command.add_option("--engine", options.engine, "slurm, parallel (GNU parallel) or make (default: slurm)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"slurm", "parallel", "make"}));
+  command.add_option("--shards", options.shards, "how many tasks (default: of so many minutes)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  command.add_option("--task-minutes", options.task_min, "how long a task should be (default: 10)")
+      ->type_name("M")
+      ->check(CLI::Range(0.1, 1e5));
+  command
+      .add_option("--frame-seconds", options.frame_s,
+                  "CPU time of a frame, as --stats of a short render tells (default: guessed from the size)")
+      ->type_name("S")
+      ->check(CLI::Range(1e-3, 1e5));
+  command.add_option("-j,--jobs", options.jobs, "CPUs of a task (default: 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--retries", options.retries, "how often a task that fails is tried again (default: 3)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100));
+  command.add_flag("--keep", options.keep, "keep the segments when the film is ready");
+}
+
+}  // namespace
+
+void addSubmit(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<SubmitOptions>();
+  CLI::App* command = program.add_subcommand(
+      "submit", "print a script that makes a film on a cluster: for Slurm, GNU parallel or make");
+  addSceneOptions(*command, *options);
+  addLookOptions(*command, *options);
+  addFilmOptions(*command, *options);
+  addDivisionOptions(*command, *options);
+  command->footer(
+      "Nothing is started: the script is text to read, change and run. The film has the bytes that render\n"
+      "--reproducible gives on one machine.\n"
+      "Examples:\n"
+      "  poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash football.sh\n"
+      "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "
+      "-j 8");
+  command->callback([options, &chosen] { chosen = [options] { return submit(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/frame_plan.h"
+#include "cli/rendering.h"
+
+namespace poinsot::cli {
+
+/// Words of the command line common to all that make films, as typed.
+struct FilmOptions : RenderOptions {
+  std::string frames;
+  bool transparent = false;
+  PartsOptions parts;
+};
+
+/// Declares the output, the frames and their rate, --loop, and --segment.
+void addFilmOptions(CLI::App& command, FilmOptions& options);
+
+/// What they ask for.
+struct RequestedFilm {
+  app::SceneRequest request;
+  scene::Scene scene;
+  app::OutputTarget target;
+  app::FrameRange frames;
+};
+
+/// @throws scene::SceneErrors, core::Error
+RequestedFilm requestedFilm(const FilmOptions& options);
+
+}  // namespace poinsot::cli
