@@ -16,8 +16,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kCommands{"render", "still", "gallery", "info",    "trajectory",
-                                         "grade",  "check", "schema",  "backends"};
+const std::vector<std::string> kCommands{"render",     "still", "gallery", "submit", "info",
+                                         "trajectory", "grade", "check",   "schema", "backends"};
 
 TEST(Usage, HelpListsTheCommandsThatPeopleType) {
   const ScratchFolder folder;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scripts of submit, run with stand-ins for Slurm and for the program. What real ones do is in tests/faults.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program_run.h"
+#include "support/shell_run.h"
+
+namespace poinsot {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr const char* kHostile = "a film's $HOME `id` {} #1 \"100%A\"\n!";
+
+/// A folder with a scene and stand-ins beside it.
+class Submit : public testing::Test {
+ protected:
+  Submit() {
+    std::filesystem::create_directory(home());
+    std::ofstream(home() / "-it's.toml") << kGoodScene;
+    // Says what it was told, each word in a line, control characters as bash has them.
+    executable("poinsot", "for word; do printf '%q\\n' \"$word\"; done >>\"${0%/*}/words\"\n");
+    // Runs its script at once, for each number of an array, and gives it a number.
+    executable("sbatch",
+               "here=${0%/*}\n"
+               "printf '%q\\n' \"$@\" >>\"$here/asked\"\n"
+               "cat >\"$here/job\"\n"
+               "for word; do [[ $word == --array=1-* ]] && last=${word#--array=1-}; done\n"
+               "for ((k = 1; k <= ${last:-1}; ++k)); do\n"
+               "  cd / && SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=$k bash \"$here/job\" >&2 || exit 1\n"
+               "done\n"
+               "echo '7;cluster'\n");
+  }
+
+  std::filesystem::path home() const { return scratch_ / kHostile; }
+
+  void executable(const std::string& name, const std::string& script) const {
+    scratch_.put(name, "#!/bin/bash\n" + script);
+    std::filesystem::permissions(scratch_ / name, std::filesystem::perms::owner_all);
+  }
+
+  ShellResult shell(const std::string& script) const {
+    const std::string here = scratch_.path().string();
+    return runShell(home(), "PATH=" + here + ":$PATH\n" + script, {"POINSOT=" + here + "/poinsot"});
+  }
+
+  /// The lines that a stand-in has left.
+  std::string left(const std::string& name) const {
+    const std::string text = bytesOf(scratch_ / name);
+    std::filesystem::remove(scratch_ / name);
+    return text;
+  }
+
+  ScratchFolder scratch_;
+};
+
+constexpr const char* kPrint = POINSOT_PROGRAM " submit ./-it\\'s.toml ";
+
+TEST_F(Submit, EachTaskIsToldAllThatRenderWouldBe) {
+  const ShellResult printed =
+      shell(std::string(kPrint) +
+            "-o $'a \\'$x\\n.mp4' -D 'time.duration=2 s' -D 'show.title=\"it'\\''s\"' "
+            "-q preview --fps 30 --frames 0-59 --segment 20 --shards 2 -j 3 --force --keep "
+            ">../script");
+  ASSERT_EQ(printed.exitCode, 0) << printed.out;
+  const ShellResult submitted = shell("cd / && bash \"$OLDPWD/../script\"");
+  ASSERT_EQ(submitted.exitCode, 0) << submitted.out;
+  EXPECT_THAT(submitted.out, HasSubstr("poinsot: tasks: job 7; then joined: job 7\n"));
+  const auto render = [](int k) {
+    return "render\n./-it\\'s.toml\n-o\n$'a \\'$x\\n.mp4'\n-q\npreview\n-D\ntime.duration=2\\ s\n-D\n"
+           "show.title=\\\"it\\'s\\\"\n--fps\n30\n--frames\n0-59\n--force\n--segment\n20\n-j\n3\n--shard\n" +
+           std::to_string(k) + "/2\n";
+  };
+  EXPECT_EQ(left("words"), render(1) + render(2) + "assemble\n$'a \\'$x\\n.mp4'\n--force\n--keep\n");
+  const std::string asked = left("asked");
+  EXPECT_THAT(asked, HasSubstr("--array=1-2\n"));
+  EXPECT_THAT(asked, HasSubstr("--dependency=afterok:7\n"));
+  EXPECT_TRUE(std::filesystem::is_directory(home() / "a '$x\n.mp4.tasks"));
+}
+
+TEST_F(Submit, OnlyTheTasksThatAreNamedAreSubmittedAgain) {
+  ASSERT_EQ(shell(std::string(kPrint) + "-o f.mp4 --shards 4 >../script").exitCode, 0);
+  ASSERT_EQ(shell("bash ../script 1-3").exitCode, 0);
+  EXPECT_THAT(left("asked"), HasSubstr("--array=1-3\n"));
+  const ShellResult none = shell("bash ../script ''");
+  EXPECT_EQ(none.exitCode, 0);
+  EXPECT_THAT(none.out, HasSubstr("no task has work left"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "asked"));
+}
+
+/// Runs one task of a printed script with a program that ends with that code.
+class SubmitTask : public Submit {
+ protected:
+  ShellResult task(const std::string& program, int restarts, const std::string& around = "bash ../job") {
+    executable("sbatch", "[[ -e ${0%/*}/job ]] && cat >/dev/null || cat >\"${0%/*}/job\"\necho 7\n");
+    executable("scontrol", "echo \"$@\" >>\"${0%/*}/asked\"; kill $PPID\n");
+    executable("poinsot", program);
+    EXPECT_EQ(shell(std::string(kPrint) + "-o f.mp4 --retries 2 >../script && bash ../script").exitCode, 0);
+    return shell("export SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=1 SLURM_JOB_ID=9 SLURM_RESTART_COUNT=" +
+                 std::to_string(restarts) + "\n" + around);
+  }
+
+  std::string requeues() const { return std::filesystem::exists(scratch_ / "asked") ? left("asked") : ""; }
+};
+
+TEST_F(SubmitTask, ThatFailsGoesBackIntoTheQueueSoManyTimes) {
+  for (const int restarts : {0, 1}) {
+    task("exit 3\n", restarts);
+    EXPECT_EQ(requeues(), "requeue 7_1\n") << restarts;
+  }
+  EXPECT_EQ(task("exit 3\n", 2).exitCode, 3);
+  EXPECT_THAT(requeues(), IsEmpty());
+}
+
+TEST_F(SubmitTask, ThatIsDoneOrWouldFailAgainOrWasStoppedDoesNot) {
+  for (const int code : {0, 2, 129, 130, 143}) {
+    EXPECT_EQ(task("exit " + std::to_string(code) + "\n", 0).exitCode, code);
+    EXPECT_THAT(requeues(), IsEmpty()) << code;
+  }
+}
+
+// What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back.
+TEST_F(SubmitTask, WhoseTimeIsOverStopsAndComesBack) {
+  task(
+      "trap 'sleep 0.2; echo stopped >\"${0%/*}/stopped\"; exit 143' TERM\n"
+      "touch \"${0%/*}/begun\"\n"
+      "for ((k = 0; k < 100; ++k)); do sleep 0.1; done\n",
+      0, "bash ../job & while [[ ! -e ../begun ]]; do sleep 0.05; done; kill -USR1 $!; wait $!");
+  EXPECT_EQ(left("stopped"), "stopped\n");
+  EXPECT_EQ(requeues(), "requeue 7_1\n");
+}
+
+TEST_F(Submit, TheSameWordsPrintTheSameScript) {
+  for (const std::string engine : {"slurm", "parallel"}) {
+    const std::string command = std::string(kPrint) + "-o f.mp4 --engine " + engine;
+    const ShellResult once = shell(command);
+    EXPECT_EQ(once.exitCode, 0) << once.out;
+    EXPECT_THAT(once.out, StartsWith("#!/bin/bash\n"));
+    EXPECT_EQ(shell(command).out, once.out);
+  }
+}
+
+TEST(SubmitRefuses, WhatCannotBeMadeThere) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  folder.put("bad.toml", std::string(kGoodScene) + "[show]\nelipsoid = true\n");
+  folder.put("theirs.mp4", "not ours");
+  struct Case {
+    std::vector<std::string> words;
+    int exitCode;
+    std::string says;
+  };
+  const Case cases[] = {
+      {{"a.toml", "-o", "a.png"}, 2, "a.png: one picture is made by one process"},
+      {{"a.toml", "-o", "a.mp4", "--engine", "cron"}, 2, "--engine"},
+      {{"bad.toml", "-o", "a.mp4"}, 2, "bad.toml:11:1: error: show.elipsoid"},
+      {{"none.toml", "-o", "a.mp4"}, 2, "none.toml"},
+      {{"a.toml", "-o", "a.mp4", "--size", "63x36"}, 2, "both sides of a film are even"},
+      {{"a.toml", "-o", "a.mp4", "--frames", "0-999"}, 2, "the film has frames 0 to"},
+      {{"a.toml", "-o", "a.mp4", "--shards", "0"}, 2, "--shards"},
+      {{"a.toml", "-o", "a.mp4", "--frame-seconds", "-1"}, 2, "--frame-seconds"},
+      {{"a.toml", "-o", "theirs.mp4"}, 4, "theirs.mp4"},
+      {{"a.toml", "-o", "missing/a.mp4"}, 4, "missing"},
+  };
+  for (const Case& each : cases) {
+    std::vector<std::string> words{"submit"};
+    words.insert(words.end(), each.words.begin(), each.words.end());
+    const RunResult result = run(folder, words);
+    EXPECT_EQ(result.exitCode, each.exitCode) << each.says << result.err;
+    EXPECT_THAT(result.err, HasSubstr(each.says));
+    EXPECT_THAT(result.out, IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace poinsot
