@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes wrong on clusters besides one task that is killed; other machines; the example of the page.
+#include <gmock/gmock.h>
+
+#include <cstdio>
+
+#include "faults/slurm_fixture.h"
+#include "faults/tiny_film.h"
+
+namespace poinsot::faults {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using SlurmNightly = Slurm;
+
+// The job that joins must not wait for ever; and what is left can be submitted by itself.
+TEST_F(SlurmNightly, ATaskThatFailsForGoodJoinsNothingAndIsSubmittedAgainAlone) {
+  film_.writeScript("slurm", "--retries 0");
+  film_.breakShard(2, false);
+  submit("bash \"$script\"");
+  waitForTheEnd();
+  EXPECT_TRUE(film_.died());
+  EXPECT_FALSE(film_.hasFilm());
+  EXPECT_EQ(film_.shell("$poinsot status film.mp4 --shards").out, "2\n");
+  film_.repair();
+  const Watch watch;
+  submit("bash \"$script\" \"$($poinsot status film.mp4 --shards)\"");
+  waitForTheEnd();
+  std::printf("[ measured ] Slurm %.1f s for one task and the joining\n", watch.seconds());
+  expectTheBytesOfALocalRun();
+  EXPECT_EQ(film_.shell("ls film.mp4.tasks | grep -c _2.txt").out, "2\n");  // each array has a file of task 2
+  EXPECT_EQ(film_.shell("ls film.mp4.tasks | grep -c _1.txt").out, "1\n");
+}
+
+TEST_F(SlurmNightly, ALostNodeLosesNoFrame) {
+  film_.writeScript("slurm");
+  film_.hangShard(2);
+  submit("bash \"$script\"");
+  ASSERT_TRUE(film_.waitUntilDied(30)) << said();
+  ASSERT_TRUE(cluster_->waitUntil("[[ $(squeue -h -t RUNNING -o %K) == 2 ]]", 30)) << cluster_->run("squeue").out;
+  const ShellResult lost =
+      cluster_->run("scontrol update State=DOWN Reason=lost NodeName=$(squeue -h -t RUNNING -o %N)");
+  ASSERT_EQ(lost.exitCode, 0) << lost.out;
+  waitForTheEnd();
+  expectTheBytesOfALocalRun();
+  EXPECT_THAT(cluster_->restarts(SubmittedFilm::kTasks), ElementsAre(0, 1, 0));
+}
+
+/// The block of shell of the page, there to be copied, that has those words in it.
+std::string exampleOfThePage(const std::string& words) {
+  const std::string page = bytesOf(POINSOT_SOURCE_DIR "/docs/clusters.md"), fence = "```sh\n";
+  for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
+    at += fence.size();
+    const std::string block = page.substr(at, page.find("```", at) - at);
+    if (block.find(words) != std::string::npos) return block;
+  }
+  ADD_FAILURE() << words;
+  return "false";
+}
+
+/// Commands that run an example as it stands, with a smaller scene of that name: four segments, and so no more
+/// tasks than four.
+std::string preparedExample(const SubmittedFilm& film, const std::string& words) {
+  std::string scene = std::string(kTinyScene) + "[output]\nsize = [64, 36]\n";
+  scene.replace(scene.find("fps = 10"), 8, "fps = 60");
+  film.put("scenes/football.toml", scene);
+  return "mkdir out && ln -s \"$poinsot\" poinsot && set -e\n" + exampleOfThePage(words);
+}
+
+void expectFootballFilm(const SubmittedFilm& film) {
+  const ShellResult same = film.shell(
+      "$poinsot render scenes/football.toml -o local.mp4 --reproducible --quiet && cmp local.mp4 "
+      "out/football.mp4");
+  EXPECT_EQ(same.exitCode, 0) << same.out;
+}
+
+TEST_F(SlurmNightly, TheExampleOfThePageWorksAsItStands) {
+  submit(preparedExample(film_, "--shards 12 > out/football.sh"));
+  waitForTheEnd();
+  expectFootballFilm(film_);
+  EXPECT_THAT(cluster_->restarts(4), ElementsAre(0, 0, 0, 0));
+}
+
+class Page : public testing::TestWithParam<const char*> {};
+
+TEST_P(Page, ItsExampleWorksAsItStands) {
+  const SubmittedFilm film(SubmittedFilm::kFolderForMake);
+  const ShellResult made = film.shell(preparedExample(film, GetParam()));
+  EXPECT_EQ(made.exitCode, 0) << made.out;
+  expectFootballFilm(film);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Page, testing::Values("--engine parallel", "--engine make", "--shard 1/3"));
+
+TEST(ParallelNightly, ATaskThatFailsForGoodJoinsNothingAndTheSameCommandGoesOn) {
+  if (!isInstalled("parallel")) GTEST_SKIP() << "GNU parallel is not installed";
+  SubmittedFilm film;
+  film.writeScript("parallel", "--retries 1");
+  film.breakShard(2, false);
+  EXPECT_NE(film.shell("bash \"$script\" --jobs 1", film.broken()).exitCode, 0);
+  EXPECT_FALSE(film.hasFilm());
+  film.repair();
+  const ShellResult again = film.shell("bash \"$script\"", film.broken());
+  EXPECT_EQ(again.exitCode, 0) << again.out;
+  film.expectTheBytesOfALocalRun(again.out);
+}
+
+// Over a stand-in for ssh, which gives its last words to a shell with nothing of this one's environment in it.
+TEST(ParallelNightly, ReachesOtherMachines) {
+  if (!isInstalled("parallel")) GTEST_SKIP() << "GNU parallel is not installed";
+  SubmittedFilm film;
+  film.writeScript("parallel");
+  const ShellResult made = film.shell(
+      "ssh=$(mktemp -d)/ssh\n"
+      "printf '%s\\n' '#!/bin/bash' 'echo \"$1\" >>\"$0.log\"; shift; [[ $1 == -- ]] && shift' "
+      "'exec env -i HOME=/tmp PATH=\"$PATH\" SHELL=/bin/bash bash -c \"$*\"' >\"$ssh\"\n"
+      "chmod +x \"$ssh\"\n"
+      "PARALLEL_SSH=$ssh bash \"$script\" -S 1/one,1/two\n"
+      "code=$?\n"
+      "sort -u \"$ssh.log\"\n"
+      "rm -r -- \"${ssh%/*}\"\n"
+      "exit $code");
+  EXPECT_EQ(made.exitCode, 0) << made.out;
+  EXPECT_THAT(made.out, HasSubstr("one\n"));
+  EXPECT_THAT(made.out, HasSubstr("two\n"));
+  film.expectTheBytesOfALocalRun(made.out);
+}
+
+// A mark stands for all its pictures, as a rule of make has no room for them.
+TEST(MakeNightly, MakesASequenceOnce) {
+  if (!isInstalled("make")) GTEST_SKIP() << "make is not installed";
+  const SubmittedFilm film(SubmittedFilm::kFolderForMake);
+  const ShellResult made = film.shell(
+      "set -e\n"
+      "$poinsot submit tiny.toml -o 'cluster/t_{frame:03}.png' --size 64x36 --segment 3 --engine make "
+      ">\"$script\"\n"
+      "make -f \"$script\" -j 2\n"
+      "make -f \"$script\" -q\n"
+      "$poinsot render tiny.toml -o 'local/t_{frame:03}.png' --size 64x36 --segment 3 --reproducible\n"
+      "[[ -e cluster/t_017.png && ! -e 'cluster/.t_{frame:03}.png.poinsot' ]]\n"
+      "diff -r -x '*.tasks' cluster local");
+  EXPECT_EQ(made.exitCode, 0) << made.out;
+}
+
+}  // namespace
+}  // namespace poinsot::faults

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <memory>
+
+#include "faults/slurm_cluster.h"
+#include "faults/submitted_film.h"
+
+namespace poinsot::faults {
+
+/// A Slurm of its own, and a film to be made by it. The oracle of each film is the one that one process makes
+/// here: render --reproducible.
+class Slurm : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!SlurmCluster::isInstalled()) GTEST_SKIP() << "slurmctld, slurmd and slurm-client are not installed";
+    cluster_ = std::make_unique<SlurmCluster>();
+  }
+
+  /// Runs the commands, which submit jobs.
+  void submit(const std::string& commands) {
+    const ShellResult submitted = film_.shell(commands, cluster_->environment(film_.broken()));
+    ASSERT_EQ(submitted.exitCode, 0) << submitted.out;
+  }
+
+  void waitForTheEnd() {
+    ASSERT_TRUE(cluster_->waitUntilEmpty(60)) << cluster_->run("squeue; scontrol show job").out;
+  }
+
+  void expectTheBytesOfALocalRun() { film_.expectTheBytesOfALocalRun(said()); }
+
+  /// Of the tasks, for when they did not do as they should.
+  std::string said() const { return film_.shell("tail -n +1 film.mp4.tasks/*").out; }
+
+  SubmittedFilm film_;
+  std::unique_ptr<SlurmCluster> cluster_;
+};
+
+}  // namespace poinsot::faults
