@@ -38,6 +38,14 @@ OutputTarget parseTarget(const std::string& name) {
   return {OutputKind::kSequence, path};
 }
 
+OutputTarget streamTarget(const std::string& format) {
+  if (format == "mp4") return {OutputKind::kFilm, "-.mp4", true};
+  if (format == "png") return {OutputKind::kSequence, "-{frame:09}.png", true};
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("-o - writes to standard output: say what, with --format png or --format mp4{}",
+                                format.empty() ? "" : fmt::format("; got '{}'", core::printable(format))));
+}
+
 OutputTarget parseStillTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (output::figureMedium(path)) return {OutputKind::kFigure, path};

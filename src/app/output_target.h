@@ -17,11 +17,16 @@ enum class OutputKind {
 struct OutputTarget {
   OutputKind kind = OutputKind::kFilm;
   std::filesystem::path path;
+  bool stream = false;  ///< to standard output while it is made; `path` is then only where the parts lie
 };
 
 /// Of a film: reads the kind off the name.
 /// @throws core::Error(kUsage) saying which names work.
 OutputTarget parseTarget(const std::string& name);
+
+/// Of standard output: "png", pictures one after the other, or "mp4".
+/// @throws core::Error(kUsage) for another format.
+OutputTarget streamTarget(const std::string& format);
 
 /// Of a still: a picture or a figure.
 /// @throws core::Error(kUsage) saying which names work.

@@ -53,6 +53,7 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
       waiting_(segments_.begin(), segments_.end()) {
   POINSOT_EXPECT(request_.jobs > 0);
   if (request_.job) writeJobFile(folder_.path(), *request_.job);
+  if (request_.target.stream) stream_.emplace(request_.target, *request_.job, folder_.path());
 }
 
 RenderJob::~RenderJob() { stopWorkers(); }
@@ -120,6 +121,7 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   }
   if (const auto* done = std::get_if<SegmentDone>(&report)) {
     segmentFramesDone_ += done->frames.count();
+    if (stream_) sendOn(done->frames);
     handOut(worker);
   }
   if (const auto* finished = std::get_if<WorkerFinished>(&report)) {
@@ -135,11 +137,17 @@ void RenderJob::handOut(WorkerProcess& worker) {
   waiting_.pop_front();
 }
 
-void RenderJob::publish() const {
+void RenderJob::sendOn(const FrameRange& segment) try { stream_->add(segment); } catch (const core::Error&) {
+  throwIfInterrupted();  // a signal ends a write, too
+  throw;
+}
+
+void RenderJob::publish() {
+  if (stream_) return stream_->finish();
   if (request_.job && !request_.shard) assemble(folder_.path(), *request_.job, request_.target.path);
 }
 
-std::int64_t RenderJob::framesKept() const { return request_.job ? segmentFramesDone_ : 0; }
+std::int64_t RenderJob::framesKept() const { return request_.job && !stream_ ? segmentFramesDone_ : 0; }
 
 void RenderJob::stopWorkers() {
   for (const auto& worker : workers_) worker->askToStop();

@@ -10,6 +10,7 @@
 
 #include "app/render_request.h"
 #include "app/render_summary.h"
+#include "app/segment_stream.h"
 #include "app/work_folder.h"
 #include "app/worker_process.h"
 #include "app/worker_protocol.h"
@@ -45,8 +46,9 @@ class RenderJob {
   void startWorkers();
   void awaitReports();
   void handle(WorkerProcess& worker, const WorkerReport& report);
+  void sendOn(const FrameRange& segment);
   void handOut(WorkerProcess& worker);
-  void publish() const;
+  void publish();
   void stopWorkers();
   double elapsed_s() const;
 
@@ -54,6 +56,7 @@ class RenderJob {
   FrameListener listener_;
   std::chrono::steady_clock::time_point start_;
   WorkFolder folder_;
+  std::optional<SegmentStream> stream_;  ///< where the target is one
   std::vector<FrameRange> segments_;
   std::deque<FrameRange> waiting_;
   std::vector<std::unique_ptr<WorkerProcess>> workers_;  // those still at work

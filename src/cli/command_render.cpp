@@ -27,6 +27,8 @@ void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
   if (!parts.shard.empty()) app::parseShard(parts.shard);
   if (!parts.shard.empty() && !parts.manifest.empty())
     refuse("--manifest: tells of a whole film, and a shard makes a part of one");
+  if (target.stream && (!parts.shard.empty() || !parts.manifest.empty() || parts.resume || parts.keep))
+    refuse("-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
   if (target.kind != app::OutputKind::kPicture) return;
   if (!parts.shard.empty()) refuse("--shard: one picture is made by one process");
   if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
@@ -68,6 +70,7 @@ void addRender(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
       "  poinsot render scenes/football.toml -q preview -D time.duration=4\n"
+      "  poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...\n"
       "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
   command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }

@@ -58,6 +58,7 @@ Words assembleWords(const SubmitOptions& options, const app::OutputTarget& targe
 }
 
 void checkKind(const app::OutputTarget& target) {
+  if (target.stream) throw core::Error(core::ErrorKind::kUsage, "-o -: tasks on several machines write files");
   if (target.kind == app::OutputKind::kPicture)
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("{}: one picture is made by one process; submit is for films and sequences",

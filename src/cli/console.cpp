@@ -34,7 +34,7 @@ void openStandardStreams() {
 
 void writeOut(std::string_view text) {
   const int status = app::writeText(STDOUT_FILENO, text);
-  if (status == EPIPE) throw BrokenPipe();
+  if (status == EPIPE) throw core::BrokenPipe();
   if (status != 0)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("standard output: {}", std::generic_category().message(status)));

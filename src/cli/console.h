@@ -7,13 +7,10 @@
 /// The two streams: data to stdout, where a lost byte is an error; all else to stderr, where it is not.
 namespace poinsot::cli {
 
-/// The reader of stdout is gone.
-class BrokenPipe : public std::exception {};
-
 /// Descriptors 0 to 2 exist from here on: a file opened later cannot land on one of them.
 void openStandardStreams();
 
-/// @throws BrokenPipe, or core::Error(kIo) if stdout takes no more.
+/// @throws core::BrokenPipe, or core::Error(kIo) if stdout takes no more.
 void writeOut(std::string_view text);
 
 void writeErr(std::string_view text);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/frame_clock.h"
+#include "core/error.h"
 #include "output/film_format.h"
 
 namespace poinsot::cli {
@@ -12,8 +13,11 @@ namespace poinsot::cli {
 void addFilmOptions(CLI::App& command, FilmOptions& options) {
   command
       .add_option("-o,--output", options.output,
-                  output::filmFormatsText() + ", NAME.png or NAME_{frame:05}.png (default: out/SCENE.mp4)")
+                  output::filmFormatsText() + ", NAME.png, NAME_{frame:05}.png, or - (default: out/SCENE.mp4)")
       ->type_name("FILE")
+      ->check(notEmpty());
+  command.add_option("--format", options.format, "what -o - writes to standard output: png or mp4")
+      ->type_name("NAME")
       ->check(notEmpty());
   command.add_option("--frames", options.frames, "only these frames, both ends included")
       ->type_name("A-B")
@@ -31,11 +35,23 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
       ->check(CLI::Range(1, 10'000));
 }
 
+namespace {
+
+/// As far as the options alone tell: a wrong name is said before all else.
+std::optional<app::OutputTarget> namedTarget(const FilmOptions& options) {
+  if (options.output == "-") return app::streamTarget(options.format);
+  if (!options.format.empty())
+    throw core::Error(core::ErrorKind::kUsage, "--format goes with -o -; a file's name says what it is");
+  return options.output.empty() ? std::nullopt : std::optional(app::parseTarget(options.output));
+}
+
+}  // namespace
+
 RequestedFilm requestedFilm(const FilmOptions& options) {
   const auto asked = options.frames.empty() ? std::nullopt : std::optional(app::parseFrameRange(options.frames));
-  if (!options.output.empty()) app::parseTarget(options.output);  // a wrong name is said before all else
+  const auto named = namedTarget(options);
   auto [request, scene] = requestedScene(options);
-  const auto target = requestedTarget(options, scene.name, ".mp4");
+  const auto target = named ? *named : app::parseTarget("out/" + scene.name + ".mp4");
   const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
   return {std::move(request), std::move(scene), target, frames};
 }

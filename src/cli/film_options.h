@@ -10,7 +10,7 @@ namespace poinsot::cli {
 
 /// Words of the command line common to all that make films, as typed.
 struct FilmOptions : RenderOptions {
-  std::string frames;
+  std::string frames, format;
   bool transparent = false;
   PartsOptions parts;
 };

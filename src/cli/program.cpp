@@ -138,7 +138,7 @@ int run(int argc, char** argv) {
 int runTranslatingErrors(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const BrokenPipe&) {
+  } catch (const core::BrokenPipe&) {
     return kBrokenPipe;
   } catch (const app::Interrupted& interrupted) {
     return 128 + interrupted.signal();

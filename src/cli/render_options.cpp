@@ -120,11 +120,6 @@ RequestedScene requestedScene(const RenderOptions& options) {
   }
 }
 
-app::OutputTarget requestedTarget(const RenderOptions& options, const std::string& sceneName,
-                                  const std::string& extension) {
-  return app::parseTarget(options.output.empty() ? "out/" + sceneName + extension : options.output);
-}
-
 gl::Backend requestedBackend(const RenderOptions& options) {
   if (options.backend == "osmesa") return gl::Backend::kOsMesa;
   return options.backend == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;

@@ -43,11 +43,6 @@ struct RequestedScene {
 /// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
 RequestedScene requestedScene(const RenderOptions& options);
 
-/// -o, or out/NAME with the extension.
-/// @throws core::Error(kUsage)
-app::OutputTarget requestedTarget(const RenderOptions& options, const std::string& sceneName,
-                                  const std::string& extension);
-
 gl::Backend requestedBackend(const RenderOptions& options);
 
 }  // namespace poinsot::cli

@@ -2,6 +2,7 @@
 #include "cli/rendering.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "app/loop_text.h"
 #include "app/progress.h"
 #include "app/subtitles.h"
+#include "app/temporary_folder.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/error.h"
@@ -32,6 +34,12 @@ void checkTargets(const RenderOptions& options, const app::OutputTarget& target,
     return;
   }
   output::checkSequence(output::FramePattern(target.path.string()), frames.first, frames.last, options.force);
+}
+
+void checkStandardOutput() {
+  if (isatty(STDOUT_FILENO) != 0)
+    throw core::Error(core::ErrorKind::kUsage,
+                      "-o -: standard output is a terminal; send it to a program or a file");
 }
 
 /// The folder of results by default. False when it is missing and a dry run leaves it so.
@@ -112,7 +120,7 @@ bool isMadeInParts(const app::OutputTarget& target) {
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
 std::string readyText(const PartsOptions& parts, const app::OutputTarget& target, const app::FrameRange& frames,
                       const app::RenderSummary& summary) {
-  const std::string what = core::printable(target.path.string());
+  const std::string what = target.stream ? "standard output" : core::printable(target.path.string());
   const std::string reused =
       summary.reused > 0 ? fmt::format(", {} of them were there already", summary.reused) : "";
   if (!parts.shard.empty())
@@ -130,6 +138,7 @@ void checkMakeable(const RenderOptions& options, const app::OutputTarget& target
   if (target.kind == OutputKind::kFilm)
     output::checkFormat(app::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
                         scene.time.fps);
+  if (target.stream) return checkStandardOutput();
   if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
   if (target.kind == OutputKind::kFilm && !app::subtitlesOf(scene, frames).empty())
     app::checkSubtitleFiles(target.path, options.force);
@@ -158,7 +167,9 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   if (scene.time.loop && !options.quiet && options.progress != "json")
     writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (options.dryRun) return describe(render, scene);
-  prepareFolder(target);
+  std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
+  if (target.stream) render.target.path = parked.emplace().path() / target.path;
+  prepareFolder(render.target);
   if (!parts.manifest.empty()) render.manifest = parts.manifest;
   if (isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
   app::watchInterrupts();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -28,8 +29,8 @@ struct SourceLocation {
 /// "file:line:column", leaving out what is unknown.
 std::string toString(const SourceLocation& where);
 
-/// The only exception between layers: bad input, or something outside the program that failed.
-/// A broken contract inside the program is std::logic_error instead (expect.h).
+/// What goes from layer to layer when bad input, or something outside the program, makes it fail. A broken
+/// contract inside the program is std::logic_error instead (expect.h).
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message, std::optional<SourceLocation> where = std::nullopt);
@@ -43,5 +44,8 @@ class Error : public std::runtime_error {
   std::string message_;
   std::optional<SourceLocation> where_;
 };
+
+/// The reader of standard output is gone: nothing is left to do, and nothing to say.
+class BrokenPipe : public std::exception {};
 
 }  // namespace poinsot::core

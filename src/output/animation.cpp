@@ -82,8 +82,8 @@ class Animation {
   Animation(const path& target, const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size,
             const std::vector<FilmText>& texts, const path& temporaryFolder)
       : encoder_(open(track, pixels, size)),
-        file_(target, fileFormat(track.container), *parametersOf(*encoder_), track.fps,
-              TrackWriter::Index::kAtStart, texts, temporaryFolder),
+        file_(target, fileFormat(track.container), *parametersOf(*encoder_), track.fps, Index::kAtStart, texts,
+              temporaryFolder),
         frame_(checkAlloc(FramePtr(av_frame_alloc()))),
         packet_(checkAlloc(PacketPtr(av_packet_alloc()))) {
     frame_->width = size.width;

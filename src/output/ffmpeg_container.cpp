@@ -26,27 +26,28 @@ using WrittenByte = const std::uint8_t;
 using WrittenByte = std::uint8_t;
 #endif
 
-int descriptorOf(void* file) { return static_cast<AtomicFile*>(file)->descriptor(); }
+int descriptorOf(void* target) { return static_cast<ByteTarget*>(target)->descriptor; }
 
-int writeToFile(void* file, WrittenByte* bytes, int size) {
-  const int code = writeAll(descriptorOf(file), {bytes, static_cast<std::size_t>(size)});
+int writeBytes(void* target, WrittenByte* bytes, int size) {
+  const int code = static_cast<ByteTarget*>(target)->sink({bytes, static_cast<std::size_t>(size)});
   return code == 0 ? size : AVERROR(code);
 }
 
-std::int64_t seekInFile(void* file, std::int64_t offset, int whence) {
+std::int64_t seekBytes(void* target, std::int64_t offset, int whence) {
   if ((whence & AVSEEK_SIZE) != 0) {
     struct stat status {};
-    return ::fstat(descriptorOf(file), &status) < 0 ? AVERROR(errno) : status.st_size;
+    return ::fstat(descriptorOf(target), &status) < 0 ? AVERROR(errno) : status.st_size;
   }
-  const off_t at = ::lseek(descriptorOf(file), offset, whence & ~AVSEEK_FORCE);
+  const off_t at = ::lseek(descriptorOf(target), offset, whence & ~AVSEEK_FORCE);
   return at < 0 ? AVERROR(errno) : at;
 }
 
-IoPtr openIo(AtomicFile& file) {
+IoPtr openIo(ByteTarget& target) {
   constexpr int kBuffer = 256 << 10;
   auto* buffer = static_cast<unsigned char*>(av_malloc(kBuffer));
   if (buffer == nullptr) throw std::bad_alloc();
-  AVIOContext* io = avio_alloc_context(buffer, kBuffer, 1, &file, nullptr, writeToFile, seekInFile);
+  auto* const seek = target.descriptor < 0 ? nullptr : seekBytes;
+  AVIOContext* io = avio_alloc_context(buffer, kBuffer, 1, &target, nullptr, writeBytes, seek);
   if (io == nullptr) av_free(buffer);
   return checkAlloc(IoPtr(io));
 }
@@ -102,13 +103,25 @@ void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, cons
   if (parameters.format == AV_PIX_FMT_YUVA420P) setText(&stream->metadata, "alpha_mode", "1");
 }
 
+const char* movFlags(Index index) {
+  switch (index) {
+    case Index::kAtEnd:
+      return "+write_colr";
+    case Index::kAtStart:
+      return "+faststart+write_colr";
+    case Index::kInPieces:
+      return "+frag_keyframe+delay_moov+default_base_moof+write_colr";
+  }
+  return "";
+}
+
 /// What the muxer is told, for its kind of file.
-void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps, bool indexFirst) {
+void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps, Index index) {
   const std::string timescale = isOfQuickTime(format) ? fmt::format("{}", frameClock(fps).timescale) : "";
   switch (format) {
     case FileFormat::kMp4:
     case FileFormat::kMov:
-      options.set("movflags", indexFirst ? "+faststart+write_colr" : "+write_colr");
+      options.set("movflags", movFlags(index));
       options.set("video_track_timescale", timescale);
       return options.set("movie_timescale", timescale);  // else durations are cut to milliseconds
     case FileFormat::kGif:
@@ -118,7 +131,7 @@ void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps
       return options.set("final_delay", fmt::format("{}/{}", fps.den, fps.num));
     case FileFormat::kWebm:
     case FileFormat::kMatroska:
-      if (indexFirst) options.set("cues_to_front", "1");
+      if (index == Index::kAtStart) options.set("cues_to_front", "1");
   }
 }
 
@@ -157,21 +170,20 @@ std::string ownMark() { return fmt::format("poinsot {}", core::version()); }
 
 // ---- writing
 
-TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
-                         const AVCodecParameters& parameters, const core::Rational& fps, Index index,
-                         const std::vector<FilmText>& texts, const std::filesystem::path& temporaryFolder)
-    : file_(target, temporaryFolder),
-      io_(openIo(file_)),
+TrackMuxer::TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters,
+                       const core::Rational& fps, Index index, const std::vector<FilmText>& texts)
+    : target_(std::move(target)),
+      io_(openIo(target_)),
       format_(allocateFormat(factsOf(format).muxer)),
       frame_s_{static_cast<int>(fps.den), static_cast<int>(fps.num)},
       reorderDelay_(reorderDelay(parameters.codec_id)) {
+  POINSOT_EXPECT(index != Index::kAtStart || !target_.file.empty());
   if (format == FileFormat::kGif) end_ = animationEnd(FilmContainer::kGif, texts);
   if (format == FileFormat::kApng) end_ = animationEnd(FilmContainer::kApng, texts);
   AvOptions options;
-  setOptions(options, format, fps, index == Index::kAtStart);
+  setOptions(options, format, fps, index);
   format_->pb = io_.get();
-  // To put the index first, libav reads the file again by name.
-  format_->url = checkAlloc(av_strdup(fileUrl(file_.temporary()).c_str()));
+  format_->url = checkAlloc(av_strdup(fileUrl(target_.file).c_str()));
   describe(*format_, factsOf(format).markKey, texts);
   addTrack(*format_, parameters, fps);
   check(avformat_write_header(format_.get(), options.address()), "starting the film");
@@ -179,19 +191,18 @@ TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
   if (isOfQuickTime(format)) POINSOT_EXPECT(format_->streams[0]->time_base.den == frameClock(fps).timescale);
 }
 
-int TrackWriter::check(int code, std::string_view doing) const {
+int TrackMuxer::check(int code, std::string_view doing) const {
   if (code >= 0) return code;
-  return checkAv(code, fmt::format("{}: {}", core::printable(file_.target().native()), doing), ErrorKind::kIo);
+  if (code == AVERROR(EPIPE)) throw core::BrokenPipe();
+  return checkAv(code, fmt::format("{}: {}", core::printable(target_.name), doing), ErrorKind::kIo);
 }
 
-void TrackWriter::checkIo() const { check(io_->error, "writing"); }
-
 /// Exact in MP4; in Matroska to its millisecond.
-std::int64_t TrackWriter::ticksAt(std::int64_t frame) const {
+std::int64_t TrackMuxer::ticksAt(std::int64_t frame) const {
   return av_rescale_q(frame, frame_s_, format_->streams[0]->time_base);
 }
 
-void TrackWriter::write(AVPacket& packet, std::int64_t frame) {
+void TrackMuxer::write(AVPacket& packet, std::int64_t frame) {
   const std::int64_t place = packets_++ - reorderDelay_;
   POINSOT_EXPECT(place <= frame);
   packet.stream_index = 0;
@@ -200,22 +211,29 @@ void TrackWriter::write(AVPacket& packet, std::int64_t frame) {
   packet.duration = ticksAt(frame + 1) - packet.pts;
   packet.pos = -1;
   check(av_write_frame(format_.get(), &packet), "writing");
-  checkIo();
+  check(io_->error, "writing");
 }
 
-void TrackWriter::writeTextsBehind() {
-  if (::lseek(file_.descriptor(), -static_cast<off_t>(end_->replaced), SEEK_END) < 0)
-    check(AVERROR(errno), "writing");
-  check(AVERROR(writeAll(file_.descriptor(), end_->bytes)), "writing");
-}
-
-void TrackWriter::finish() {
+void TrackMuxer::finish() {
   check(av_write_trailer(format_.get()), "writing the index");
   avio_flush(io_.get());
-  checkIo();
-  format_.reset();
-  io_.reset();
-  if (end_) writeTextsBehind();
+  check(io_->error, "writing");
+  if (!end_) return;
+  if (::lseek(target_.descriptor, -static_cast<off_t>(end_->replaced), SEEK_END) < 0)
+    check(AVERROR(errno), "writing");
+  check(AVERROR(target_.sink(end_->bytes)), "writing");
+}
+
+TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
+                         const AVCodecParameters& parameters, const core::Rational& fps, Index index,
+                         const std::vector<FilmText>& texts, const std::filesystem::path& temporaryFolder)
+    : file_(target, temporaryFolder),
+      muxer_({[this](std::span<const std::uint8_t> bytes) { return writeAll(file_.descriptor(), bytes); },
+              target.native(), file_.descriptor(), file_.temporary()},
+             format, parameters, fps, index, texts) {}
+
+void TrackWriter::finish() {
+  muxer_.finish();
   file_.commit();
 }
 

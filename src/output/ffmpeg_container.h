@@ -35,11 +35,52 @@ FrameClock frameClock(const core::Rational& fps);
 /// What this program writes into its films as their encoder: "poinsot 0.1.0".
 std::string ownMark();
 
-/// One track of pictures in a file that appears under its name when finish() returns.
+/// Where a file keeps what a player must know first.
+enum class Index {
+  kAtEnd,
+  kAtStart,   ///< a player can start before it has all
+  kInPieces,  ///< MP4 only: with each piece from key frame to key frame; nothing written is touched again
+};
+
+/// Where the bytes of a film go.
+struct ByteTarget {
+  ByteSink sink;
+  std::string name;                 ///< for messages
+  int descriptor = -1;              ///< of a file: where its place is set and its end changed
+  std::filesystem::path file = {};  ///< by which it can be read again, for an index at the start
+};
+
+/// One track of pictures, as a file of some kind.
+class TrackMuxer {
+ public:
+  /// @throws core::Error(kIo) with the target's name, or core::BrokenPipe, as do the members below.
+  TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters, const core::Rational& fps,
+             Index index, const std::vector<FilmText>& texts);
+  TrackMuxer(const TrackMuxer&) = delete;
+  TrackMuxer& operator=(const TrackMuxer&) = delete;
+
+  /// The next packet in decoding order; `frame` is its place in the shown order. Consumes the packet's times only.
+  void write(AVPacket& packet, std::int64_t frame);
+  /// After the last packet: all is with the system when it returns.
+  void finish();
+
+ private:
+  int check(int code, std::string_view doing) const;
+  std::int64_t ticksAt(std::int64_t frame) const;
+
+  ByteTarget target_;
+  // The order of destruction matters: the format uses the buffer.
+  IoPtr io_;
+  FormatOutputPtr format_;
+  AVRational frame_s_;
+  std::optional<AnimationEnd> end_;  ///< of what libavformat writes no texts into
+  std::int64_t reorderDelay_;
+  std::int64_t packets_ = 0;
+};
+
+/// A TrackMuxer's file, which appears under its name when finish() returns.
 class TrackWriter {
  public:
-  enum class Index { kAtEnd, kAtStart };
-
   /// @throws core::Error(kIo) with the path, as do the members below.
   TrackWriter(const std::filesystem::path& target, FileFormat format, const AVCodecParameters& parameters,
               const core::Rational& fps, Index index, const std::vector<FilmText>& texts,
@@ -47,24 +88,12 @@ class TrackWriter {
   TrackWriter(const TrackWriter&) = delete;
   TrackWriter& operator=(const TrackWriter&) = delete;
 
-  /// The next packet in decoding order; `frame` is its place in the shown order. Consumes the packet's times only.
-  void write(AVPacket& packet, std::int64_t frame);
+  void write(AVPacket& packet, std::int64_t frame) { muxer_.write(packet, frame); }
   void finish();
 
  private:
-  void writeTextsBehind();
-  int check(int code, std::string_view doing) const;
-  void checkIo() const;
-  std::int64_t ticksAt(std::int64_t frame) const;
-
-  // The order of destruction matters: the format uses the buffer, and that the file.
   AtomicFile file_;
-  IoPtr io_;
-  FormatOutputPtr format_;
-  AVRational frame_s_;
-  std::optional<AnimationEnd> end_;  ///< of what libavformat writes no texts into
-  std::int64_t reorderDelay_;
-  std::int64_t packets_ = 0;
+  TrackMuxer muxer_;
 };
 
 /// The packets of the one video track of a file.

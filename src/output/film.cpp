@@ -83,7 +83,8 @@ void checkLike(const Segment& first, const Segment& segment) {
 }
 
 /// Writes all packets; `start` is the film's frame at which the segment begins. Returns the number of frames.
-std::int64_t append(Segment& segment, std::int64_t start, TrackWriter& film) {
+template <class Film>
+std::int64_t append(Segment& segment, std::int64_t start, Film& film) {
   const std::int64_t delay = reorderDelay(segment.parameters().codec_id);
   std::vector<std::int64_t> frames;
   do {
@@ -106,8 +107,8 @@ void joinSegments(const std::vector<path>& segments, const path& target, const F
   POINSOT_EXPECT(!segments.empty());
   if (isMadeWhole(track.container)) return animate(segments, target, track, texts, temporaryFolder);
   const Segment first(segments.front(), track);
-  TrackWriter film(target, fileFormat(track.container), first.parameters(), track.fps,
-                   TrackWriter::Index::kAtStart, texts, temporaryFolder);
+  TrackWriter film(target, fileFormat(track.container), first.parameters(), track.fps, Index::kAtStart, texts,
+                   temporaryFolder);
   std::int64_t frames = 0;
   for (const path& file : segments) {
     Segment segment(file, track);
@@ -115,6 +116,37 @@ void joinSegments(const std::vector<path>& segments, const path& target, const F
     frames += append(segment, frames, film);
   }
   film.finish();
+}
+
+struct FilmStream::Parts {
+  Parts(const ByteSink& sink, const FilmTrack& filmTrack, const path& first)
+      : track(filmTrack),
+        example(first, track),
+        film({sink, "standard output"}, fileFormat(track.container), example.parameters(), track.fps,
+             Index::kInPieces, {}) {}
+
+  FilmTrack track;
+  Segment example;  ///< whose settings all have
+  TrackMuxer film;
+  std::int64_t frames = 0;
+};
+
+FilmStream::FilmStream(ByteSink sink, const FilmTrack& track) : sink_(std::move(sink)), track_(track) {
+  POINSOT_EXPECT(track.container == FilmContainer::kMp4);
+}
+
+FilmStream::~FilmStream() = default;
+
+void FilmStream::append(const path& segmentFile) {
+  if (!parts_) parts_ = std::make_unique<Parts>(sink_, track_, segmentFile);
+  Segment segment(segmentFile, track_);
+  checkLike(parts_->example, segment);
+  parts_->frames += output::append(segment, parts_->frames, parts_->film);
+}
+
+void FilmStream::finish() {
+  POINSOT_EXPECT(parts_);
+  parts_->film.finish();
 }
 
 std::optional<FilmFacts> readFilmFacts(const path& film) try {

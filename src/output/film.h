@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,30 @@ struct FilmTrack {
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                   const FilmTrack& track, const std::vector<FilmText>& texts = {},
                   const std::filesystem::path& temporaryFolder = {});
+
+/// Takes bytes in their order. @returns 0 or an errno.
+using ByteSink = std::function<int(std::span<const std::uint8_t>)>;
+
+/// An MP4 that is sent on while it is made, in pieces of a segment: what is written is never touched again.
+class FilmStream {
+ public:
+  /// @pre an MP4.
+  FilmStream(ByteSink sink, const FilmTrack& track);
+  ~FilmStream();
+  FilmStream(const FilmStream&) = delete;
+  FilmStream& operator=(const FilmStream&) = delete;
+
+  /// The next segment's pictures. @throws core::Error(kIo) as joinSegments(); core::BrokenPipe.
+  void append(const std::filesystem::path& segment);
+  /// After at least one.
+  void finish();
+
+ private:
+  struct Parts;  // keeps libav's headers out of this one
+  ByteSink sink_;
+  FilmTrack track_;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// What a film tells of itself.
 struct FilmFacts {

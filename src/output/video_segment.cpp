@@ -36,8 +36,7 @@ struct VideoSegmentWriter::Parts {
   Parts(const std::filesystem::path& target, image::PixelSize size, const core::Rational& fps,
         const FilmFormat& format)
       : encoder(size, fps, format),
-        file(target, segmentFormat(format.container), *parametersOf(encoder.context()), fps,
-             TrackWriter::Index::kAtEnd, {}) {}
+        file(target, segmentFormat(format.container), *parametersOf(encoder.context()), fps, Index::kAtEnd, {}) {}
 
   FilmEncoder encoder;
   TrackWriter file;

@@ -22,10 +22,10 @@ int openOutput(const std::filesystem::path& file) {
 
 int openStdout(const std::filesystem::path& file, Stdout to) {
   if (to == Stdout::kFull) return open("/dev/full", O_WRONLY | O_CLOEXEC);
-  if (to != Stdout::kBrokenPipe) return openOutput(file);
+  if (to != Stdout::kBrokenPipe && to != Stdout::kUnread) return openOutput(file);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-  close(ends[0]);
+  if (to == Stdout::kBrokenPipe) close(ends[0]);  // the other stays, until this test ends
   return ends[1];
 }
 

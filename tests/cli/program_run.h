@@ -17,8 +17,8 @@ struct RunResult {
   std::string out, err;
 };
 
-/// Where the program's stdout leads.
-enum class Stdout { kFile, kClosed, kBrokenPipe, kFull };
+/// Where the program's stdout leads: kUnread is a pipe whose reader never reads.
+enum class Stdout { kFile, kClosed, kBrokenPipe, kUnread, kFull };
 
 /// The built program as a process of its own group, in a folder of its own.
 class ProgramRun {

@@ -159,7 +159,7 @@ TEST(SubmitRefuses, WhatCannotBeMadeThere) {
       {{"a.toml", "-o", "a.mp4", "--engine", "cron"}, 2, "--engine"},
       {{"bad.toml", "-o", "a.mp4"}, 2, "bad.toml:11:1: error: show.elipsoid"},
       {{"none.toml", "-o", "a.mp4"}, 2, "none.toml"},
-      {{"a.toml", "-o", "a.mp4", "--size", "63x36"}, 2, "both sides of a film are even"},
+      {{"a.toml", "-o", "a.mp4", "--size", "63x36"}, 2, "width and height must be even"},
       {{"a.toml", "-o", "a.mp4", "--frames", "0-999"}, 2, "the film has frames 0 to"},
       {{"a.toml", "-o", "a.mp4", "--shards", "0"}, 2, "--shards"},
       {{"a.toml", "-o", "a.mp4", "--frame-seconds", "-1"}, 2, "--frame-seconds"},
