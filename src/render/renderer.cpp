@@ -68,20 +68,34 @@ std::uint8_t backgroundByte(const draw::Color& background, int channel) {
   return draw::srgb8FromLinear(background[channel]);
 }
 
-std::vector<std::uint8_t> readBack(glm::ivec2 size) {
-  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  return rgba;
+// The back end gives RGBA, and 4K of it are 32 MiB: a picture without alpha takes it a band at a time.
+constexpr int kBandRows = 64;
+
+void readRows(int first, int count, int width, std::uint8_t* rgba) {
+  glReadPixels(0, first, width, count, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
-image::Image withoutAlpha(const std::vector<std::uint8_t>& rgba, image::PixelSize size) {
-  image::Image picture(size, 3);
-  std::uint8_t* to = picture.pixels.data();
-  for (std::size_t from = 0; from < rgba.size(); from += 4, to += 3) {
-    to[0] = rgba[from];
-    to[1] = rgba[from + 1];
-    to[2] = rgba[from + 2];
+void dropAlpha(const std::uint8_t* rgba, std::size_t pixels, std::uint8_t* rgb) {
+  for (std::size_t i = 0; i < pixels; ++i, rgba += 4, rgb += 3) {
+    rgb[0] = rgba[0];
+    rgb[1] = rgba[1];
+    rgb[2] = rgba[2];
+  }
+}
+
+image::Image readBack(image::PixelSize size, bool transparent) {
+  image::Image picture(size, transparent ? 4 : 3);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  if (transparent) {
+    readRows(0, size.height, size.width, picture.pixels.data());
+    return picture;
+  }
+  const auto width = static_cast<std::size_t>(size.width);
+  std::vector<std::uint8_t> band(4 * width * static_cast<std::size_t>(std::min(size.height, kBandRows)));
+  for (int first = 0; first < size.height; first += kBandRows) {
+    const int rows = std::min(kBandRows, size.height - first);
+    readRows(first, rows, size.width, band.data());
+    dropAlpha(band.data(), width * static_cast<std::size_t>(rows), picture.at(0, first));
   }
   return picture;
 }
@@ -159,16 +173,6 @@ struct Renderer::Passes {
     glFinish();
   }
 
-  image::Image read(image::PixelSize size, bool transparent) {
-    auto rgba = readBack({size.width, size.height});
-    if (!transparent) return withoutAlpha(rgba, size);
-    image::Image picture;
-    picture.size = size;
-    picture.channels = 4;
-    picture.pixels = std::move(rgba);
-    return picture;
-  }
-
   /// One view with its type, as large as its camera says.
   image::Image panel(const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
@@ -179,7 +183,7 @@ struct Renderer::Passes {
     }
     {
       const Stopwatch watch(times.read_s);
-      picture = read({size.x, size.y}, options.transparent);
+      picture = readBack({size.x, size.y}, options.transparent);
     }
     const Stopwatch watch(times.text_s);
     text.paint(list.texts, picture);
