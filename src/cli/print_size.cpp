@@ -36,14 +36,14 @@ Sides sidesOf(const app::PrintSize& print, image::PixelSize proportion) {
 
 bool fits(const Sides& sides) {
   const auto within = [](double side) { return side >= scene::kLeastSide && side <= scene::kMostSide; };
-  return within(sides.width) && within(sides.height) && sides.width * sides.height <= scene::kMostPixels;
+  return within(sides.width) && within(sides.height);
 }
 
 /// The whole number of dpi nearest to those asked that fits, in words; empty where none does.
 std::string advice(app::PrintSize print, image::PixelSize proportion) {
   const Sides asked = sidesOf(print, proportion);
   const auto [least, most] = std::minmax(asked.width, asked.height);
-  const double shrink = std::min(scene::kMostSide / most, std::sqrt(scene::kMostPixels / (least * most)));
+  const double shrink = scene::kMostSide / most;
   print.dpi = shrink < 1 ? std::floor(print.dpi * shrink) : std::ceil(print.dpi * scene::kLeastSide / least);
   return fits(sidesOf(print, proportion)) ? fmt::format("; --dpi {:.0f} would do", print.dpi) : "";
 }
@@ -67,10 +67,9 @@ image::PixelSize printedPixels(const app::PrintSize& print, image::PixelSize pro
   if (fits(sides)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
   throw core::Error(
       core::ErrorKind::kLimit,
-      fmt::format("{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels, {} million "
-                  "pixels in all at most{}",
+      fmt::format("{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels{}",
                   print.width_mm, print.dpi, sides.width, sides.height, scene::kLeastSide, scene::kMostSide,
-                  scene::kMostPixels / 1'000'000, advice(print, proportion)));
+                  advice(print, proportion)));
 }
 
 }  // namespace poinsot::cli

@@ -98,12 +98,9 @@ image::PixelSize parseSize(const std::string& text) {
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
   const auto fits = [](int side) { return side >= scene::kLeastSide && side <= scene::kMostSide; };
-  const bool few = std::int64_t{*width} * *height <= scene::kMostPixels;
-  if (!fits(*width) || !fits(*height) || !few)
-    throw core::Error(
-        core::ErrorKind::kLimit,
-        fmt::format("--size {}x{}: sides are from {} to {} pixels, {} million pixels in all at most", *width,
-                    *height, scene::kLeastSide, scene::kMostSide, scene::kMostPixels / 1'000'000));
+  if (!fits(*width) || !fits(*height))
+    throw core::Error(core::ErrorKind::kLimit, fmt::format("--size {}x{}: sides are from {} to {} pixels", *width,
+                                                           *height, scene::kLeastSide, scene::kMostSide));
   return {*width, *height};
 }
 

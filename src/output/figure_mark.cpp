@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kProgram = "poinsot ";
 constexpr std::size_t kMostBytes = std::size_t{1}
-                                   << 30;  // 64 million pixels, uncompressed and in base 64, are less
+                                   << 30;  // 8192x8192 pixels, uncompressed and in base 64, are less
 
 // FNV-1a, 64 bit: told apart are versions of one file, not what somebody made to look alike.
 // Source: Fowler, Noll, Vo, Eastlake, "The FNV Non-Cryptographic Hash Algorithm", IETF draft, section 5.

@@ -310,8 +310,6 @@ class Checker {
     for (const Node& element : *array)
       if (const auto value = side(element)) sides.push_back(*value);
     if (sides.size() != 2) return std::nullopt;
-    if (sides[0] * sides[1] > static_cast<double>(kMostPixels))
-      return refuse(node, fmt::format("may have at most {} pixels, got {} x {}", kMostPixels, sides[0], sides[1]));
     return wrapped(sides);
   }
 

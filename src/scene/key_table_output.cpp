@@ -34,7 +34,7 @@ std::vector<Key> outputKeys() {
        .type = kPixels,
        .range = {.least = kLeastSide, .most = kMostSide},
        .example = "[1280, 720]",
-       .help = "Width and height of the picture in pixels, both even; 64 million pixels at most.",
+       .help = "Width and height of the picture in pixels, both even.",
        .put = into([](Draft& d) { return &d.size_px; })},
       {.path = "output.crf",
        .type = kInteger,

@@ -10,8 +10,7 @@
 namespace poinsot::scene {
 
 constexpr int kLeastSide = 16;
-constexpr int kMostSide = 8192;  ///< llvmpipe can do 16 384
-constexpr std::int64_t kMostPixels = 64'000'000;
+constexpr int kMostSide = 8192;  ///< llvmpipe can do 16 384; what a picture takes of memory: app/memory.h
 constexpr std::int64_t kMostFrames = 36'000;  ///< twenty minutes at 30 frames a second
 constexpr double kMostFps = 1000;
 constexpr double kLongestFilm_s = 3600;

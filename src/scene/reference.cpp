@@ -159,13 +159,14 @@ std::string limits() {
       "## Limits\n\nA scene comes from anywhere, so it is bounded: at most {} MiB of text, {} KiB in one string, "
       "{} "
       "levels of nesting,\n{} values, {} elements of an array of tables; {} frames, {} frames per second, {} s of "
-      "film; sides of {} to {} pixels,\n{} pixels in all. Numbers are finite; unknown and repeated keys are "
+      "film; sides of {} to {} "
+      "pixels.\nNumbers are finite; unknown and repeated keys are "
       "refused. "
       "A scene holds no code and no expressions.\nThe files that it names (meshes, torques) are regular files in "
       "its "
       "own folder or below it, of at most {} MiB: no absolute\npath, no `..`, no symbolic link.\n",
       kMostBytes >> 20, kLongestString >> 10, kDeepestNesting, kMostNodes, kMostElements, kMostFrames, kMostFps,
-      kLongestFilm_s, kLeastSide, kMostSide, kMostPixels, kMostFileBytes >> 20);
+      kLongestFilm_s, kLeastSide, kMostSide, kMostFileBytes >> 20);
 }
 
 }  // namespace
