@@ -16,9 +16,11 @@ constexpr double kMostTasks = 1000;
 /// a time limit that is too short costs more than a task that ends early.
 double guessedFrame_s(double megapixels) { return 0.05 + 0.1 * megapixels; }
 
-/// MiB of a worker. Measured as above: 176, 369 and 1029; here with half of it to spare, in steps of 256.
-std::int64_t workerMemory(double megapixels) {
-  return 256 * static_cast<std::int64_t>(std::ceil((256 + 150 * megapixels) * 1.5 / 256));
+/// MiB of a task for each worker: half of what it needs to spare, its parent's, in steps of 256.
+std::int64_t taskMemory(double worker_bytes) {
+  constexpr double kParent_MiB = 64, kStep_MiB = 256;
+  const double needed_MiB = kParent_MiB + 1.5 * worker_bytes / (1 << 20);
+  return static_cast<std::int64_t>(kStep_MiB * std::ceil(needed_MiB / kStep_MiB));
 }
 
 /// Frames of the first shard, which has the most segments.
@@ -31,12 +33,12 @@ std::int64_t framesOfFirst(int shards, const std::vector<FrameRange>& segments) 
 }  // namespace
 
 Division divisionOf(const DivisionRequest& request, const FrameRange& frames,
-                    const std::vector<FrameRange>& segments, image::PixelSize size) {
+                    const std::vector<FrameRange>& segments, image::PixelSize size, double worker_bytes) {
   POINSOT_EXPECT(request.cpus > 0 && request.task_s > 0 && !segments.empty());
   const double megapixels = 1e-6 * size.width * size.height;
   Division division;
   division.cpus = request.cpus;
-  division.memory = workerMemory(megapixels);
+  division.memory = taskMemory(worker_bytes);
   division.frame_s = request.frame_s.value_or(guessedFrame_s(megapixels));
   const double taskWork_s = request.task_s * request.cpus;
   const double wanted = std::ceil(static_cast<double>(frames.count()) * division.frame_s / taskWork_s);

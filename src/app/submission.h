@@ -33,8 +33,9 @@ struct DivisionRequest {
 
 /// Never more shards than segments, and of itself at most 1000: Slurm numbers the tasks of an array up to 1000
 /// unless its administrators say otherwise (MaxArraySize).
+/// @param worker_bytes  as app/memory.h has it.
 Division divisionOf(const DivisionRequest& request, const FrameRange& frames,
-                    const std::vector<FrameRange>& segments, image::PixelSize size);
+                    const std::vector<FrameRange>& segments, image::PixelSize size, double worker_bytes);
 
 /// One submission, everything checked. Names and words are as typed, to be read in `folder`.
 struct Submission {

@@ -2,6 +2,7 @@
 #include "app/worker.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <signal.h>
 
 #include <cstdlib>
@@ -102,6 +103,7 @@ Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, cons
       reportReused(segment, reports);
     else
       makeSegment(segment, reports, source, *sinkOf(segment), keeper, spent);
+    malloc_trim(0);  // an encoder's large blocks leave holes that the next one does not fit into
     report(reports, SegmentDone{segment});
   }
   spent.first_s = -spent.making.sum_s();

@@ -11,11 +11,13 @@
 
 #include "app/contact_sheet.h"
 #include "app/interrupt.h"
+#include "app/memory.h"
 #include "app/still_batch.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/render_options.h"
+#include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "image/png_file.h"
@@ -39,6 +41,7 @@ struct GalleryOptions : RenderOptions {
 /// A picture to make, and how the scene is called.
 struct Item {
   std::string name;
+  image::PixelSize size;
   app::RenderRequest request;
 };
 
@@ -129,6 +132,7 @@ Item itemOf(const GalleryOptions& options, const fs::path& file, const fs::path&
   const fs::path target = folder / (scene.name + ".png");
   checkTarget(options, target);
   return {scene.name,
+          {scene.output.width, scene.output.height},
           {std::move(request),
            {app::OutputKind::kPicture, target},
            {0, 0},
@@ -194,9 +198,18 @@ class Gallery {
       if (failure) writeError(fmt::format("{}: {}", target, failure->what()));
       if (!failure) say(options_, target + " is ready");
     };
-    failures_ = app::makeStills(requests, options_.jobs > 0 ? options_.jobs : app::availableCpus(), listener);
+    failures_ = app::makeStills(requests, workers(), listener);
     for (const auto& failure : failures_)
       if (failure) fail(failure->kind());
+  }
+
+  /// As many as have memory while each makes the largest picture.
+  int workers() const {
+    const auto pixels = [](const Item& item) { return std::int64_t{item.size.width} * item.size.height; };
+    const auto largest = std::ranges::max_element(items_, {}, pixels);
+    if (largest == items_.end()) return 1;
+    return workerCount(options_, static_cast<int>(items_.size()),
+                       app::workerMemory_bytes(largest->size, std::nullopt), largest->size);
   }
 
   /// Of the pictures that this run made; without any there is no sheet.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/memory.h"
 #include "app/submission.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -101,7 +102,8 @@ int submit(const SubmitOptions& options) {
   submission.frames = frames.count();
   submission.segments = static_cast<std::int64_t>(segments.size());
   submission.division =
-      app::divisionOf(divisionRequest(options), frames, segments, {scene.output.width, scene.output.height});
+      app::divisionOf(divisionRequest(options), frames, segments, {scene.output.width, scene.output.height},
+                      app::workerMemory_bytes(target, scene.output, {std::nullopt, options.transparent}));
   submission.retries = options.retries;
   writeOut(scriptOf(options.engine, submission));
   return kDone;

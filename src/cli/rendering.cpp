@@ -11,11 +11,13 @@
 #include "app/interrupt.h"
 #include "app/job_identity.h"
 #include "app/loop_text.h"
+#include "app/memory.h"
 #include "app/progress.h"
 #include "app/subtitles.h"
 #include "app/temporary_folder.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/figure.h"
@@ -113,6 +115,14 @@ app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequ
   }
 }
 
+/// What is refused for want of memory is refused here, before anything is made.
+int workersOf(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
+              const app::FrameRange& frames, const app::PictureForm& form, std::int64_t segmentFrames) {
+  const auto segments = static_cast<int>(app::segmentsOf(frames, segmentFrames).size());
+  return workerCount(options, segments, app::workerMemory_bytes(target, scene.output, form),
+                     {scene.output.width, scene.output.height});
+}
+
 bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
@@ -152,7 +162,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             target,
                             frames,
                             time_s,
-                            options.jobs > 0 ? options.jobs : app::availableCpus(),
+                            workersOf(options, target, scene, frames, form, parts.segmentFrames),
                             requestedBackend(options),
                             options.reproducible,
                             form,

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/memory.h"
 #include "app/shell_word.h"
 #include "core/error.h"
 #include "support/shell_run.h"
@@ -62,7 +63,7 @@ TEST(ShellWord, PlainWordsStandAsTheyAre) {
 
 Division divided(const DivisionRequest& request, std::int64_t frames, image::PixelSize size = {1920, 1080}) {
   const FrameRange all{0, frames - 1};
-  return divisionOf(request, all, segmentsOf(all), size);
+  return divisionOf(request, all, segmentsOf(all), size, workerMemory_bytes(size, output::FilmFormat()));
 }
 
 TEST(Division, IsIntoTasksOfTheTimeAsked) {
@@ -95,7 +96,7 @@ TEST(Division, ALargePictureTakesLongerAndMore) {
   const Division small = divided({}, 300, {640, 360}), large = divided({}, 300, {3840, 2160});
   EXPECT_GT(large.frame_s, 5 * small.frame_s);
   EXPECT_GT(large.memory, small.memory);
-  EXPECT_EQ(large.memory % 256, 0);
+  EXPECT_EQ(large.memory, 1536);  // a worker takes 920 MiB, its parent 40
 }
 
 Submission tiny() {

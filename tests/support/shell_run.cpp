@@ -2,6 +2,7 @@
 #include "support/shell_run.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,6 +30,10 @@ std::string readAll(int fd) {
   return text;
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 }  // namespace
 
 ShellResult runShell(const std::filesystem::path& folder, const std::string& script,
@@ -42,8 +47,10 @@ ShellResult runShell(const std::filesystem::path& folder, const std::string& scr
   result.out = readAll(ends[0]);
   close(ends[0]);
   int status = 0;
-  if (pid < 0 || waitpid(pid, &status, 0) < 0) throw std::runtime_error("no process");
+  rusage spent{};
+  if (pid < 0 || wait4(pid, &status, 0, &spent) < 0) throw std::runtime_error("no process");
   result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result.cpu_s = seconds(spent.ru_utime) + seconds(spent.ru_stime);
   return result;
 }
 

@@ -11,6 +11,7 @@ namespace poinsot {
 struct ShellResult {
   int exitCode = -1;  ///< 128 + signal if a signal ended it
   std::string out;    ///< stdout and stderr together
+  double cpu_s = 0;   ///< of it and of all that it waited for; others that use the machine do not lengthen it
 };
 
 /// Runs `script` with bash in `folder` to its end. `environment`: "NAME=value", on top of this process's own.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/output_target.h"
+#include "app/picture_form.h"
+#include "image/image.h"
+#include "output/film_format.h"
+#include "scene/scene.h"
+
+/// What a render takes of memory, known before it begins.
+namespace poinsot::app {
+
+/// Bytes that a worker process holds at its peak, of the picture's size and of the film's encoder; a picture has
+/// none. Measured; a scene of large meshes takes more. See memory.cpp.
+double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film);
+
+/// The same of an output as it is asked for.
+double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form);
+
+/// Bytes that may be had.
+struct FreeMemory {
+  double machine_bytes = 0;  ///< by all processes together: the machine's, or what this control group has left
+  double process_bytes = 0;  ///< by one process (ulimit -v)
+};
+
+/// As the kernel says now; infinite where it says nothing. @param root  of the file system, for tests.
+FreeMemory freeMemory(const std::filesystem::path& root = "/");
+
+/// How many workers of `each_bytes` fit, `wanted` at most.
+int workersThatFit(int wanted, double each_bytes, const FreeMemory& free);
+
+}  // namespace poinsot::app

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "support/scratch_folder.h"
+
+namespace poinsot::app {
+namespace {
+
+constexpr double kMib = 1 << 20;
+
+/// A machine as its kernel describes it.
+class FreeMemoryTest : public testing::Test {
+ protected:
+  void say(const std::string& file, const std::string& text) const {
+    std::filesystem::create_directories((folder_ / file).parent_path());
+    folder_.put(file, text);
+  }
+  void sayMachine() const {
+    say("proc/meminfo",
+        "MemTotal:  4096 kB\nMemFree:  10 kB\nMemAvailable:  3072 kB\nSwapTotal: 9 kB\nSwapFree:  1024 kB\n");
+  }
+  double machine_MiB() const { return freeMemory(folder_.path()).machine_bytes / kMib; }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(FreeMemoryTest, IsWhatTheKernelCallsAvailableWithSwap) {
+  sayMachine();
+  EXPECT_EQ(machine_MiB(), 4);
+  EXPECT_GT(freeMemory().machine_bytes, kMib);  // of this machine
+  EXPECT_TRUE(std::isfinite(freeMemory().machine_bytes));
+}
+
+TEST_F(FreeMemoryTest, IsUnboundedWhereNothingIsSaid) { EXPECT_TRUE(std::isinf(machine_MiB())); }
+
+// Of 2 MiB, 1.5 are used, of which 1 is cached files; half of it belongs to a tmpfs and stays.
+TEST_F(FreeMemoryTest, IsNoMoreThanItsControlGroupsHave) {
+  sayMachine();
+  say("proc/self/cgroup", "3:cpu:/other\n0::/slurm/job_7\n");
+  say("sys/fs/cgroup/slurm/memory.max", "2097152\n");
+  say("sys/fs/cgroup/slurm/memory.current", "1572864\n");
+  say("sys/fs/cgroup/slurm/memory.stat", "anon 1\nfile 1048576\nshmem 524288\n");
+  say("sys/fs/cgroup/slurm/job_7/memory.max", "max\n");
+  EXPECT_EQ(machine_MiB(), 1);
+  say("sys/fs/cgroup/slurm/job_7/memory.max", "262144\n");
+  EXPECT_EQ(machine_MiB(), 0.25);
+  say("sys/fs/cgroup/memory.max", "131072\n");  // as in a container
+  EXPECT_EQ(machine_MiB(), 0.125);
+}
+
+TEST_F(FreeMemoryTest, IsBoundedForEachProcess) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit limit{1 << 28, 1 << 28};
+    ::setrlimit(RLIMIT_AS, &limit);
+    ::_exit(freeMemory().process_bytes == 1 << 28 ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(WorkersThatFit, AreAsManyAsTheMemoryHolds) {
+  const double unbounded = INFINITY;
+  EXPECT_EQ(workersThatFit(4, 100, {400, unbounded}), 4);
+  EXPECT_EQ(workersThatFit(4, 100, {399, unbounded}), 3);
+  EXPECT_EQ(workersThatFit(4, 100, {99, unbounded}), 0);
+  EXPECT_EQ(workersThatFit(4, 100, {-5, unbounded}), 0);
+  EXPECT_EQ(workersThatFit(4, 100, {unbounded, unbounded}), 4);
+  EXPECT_EQ(workersThatFit(4, 100, {unbounded, 100}), 4);
+  EXPECT_EQ(workersThatFit(4, 100, {unbounded, 99}), 0);
+}
+
+TEST(WorkerMemory, GrowsWithThePictureAndTheEncoder) {
+  const image::PixelSize small{1920, 1080}, large{3840, 2160};
+  output::FilmFormat fine;
+  fine.chroma = output::Chroma::k444;
+  EXPECT_LT(workerMemory_bytes(small, {}), workerMemory_bytes(small, output::FilmFormat()));
+  EXPECT_LT(workerMemory_bytes(small, output::FilmFormat()), workerMemory_bytes(small, fine));
+  EXPECT_LT(workerMemory_bytes(large, output::FilmFormat()), 1024 * kMib);  // the promise for 4K
+}
+
+}  // namespace
+}  // namespace poinsot::app
