@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memory of a worker, measured: at 4K over many frames, and against what app/memory.h says of each encoder.
+#include <gmock/gmock.h>
+
+#include <cstdio>
+
+#include "app/memory.h"
+#include "faults/memory_watch.h"
+#include "faults/tiny_film.h"
+
+namespace poinsot::faults {
+namespace {
+
+std::vector<std::string> arguments(const char* target, image::PixelSize size, int frames, const char* segment) {
+  return {"render",     "tiny.toml",
+          "-o",         target,
+          "--size",     std::to_string(size.width) + "x" + std::to_string(size.height),
+          "-j",         "1",
+          "--progress", "json",
+          "--segment",  segment,
+          "-D",         "time.duration=" + std::to_string(frames / 10.0)};
+}
+
+// Segments of 10 frames: encoders come and go three times as often as by default.
+TEST(MemoryNightly, OfA4kFilmIsFlatBelowAGibibyte) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const MemoryWatch watch(folder, arguments("t.mp4", {3840, 2160}, 240, "10"));
+  ASSERT_EQ(watch.frames(), 240);
+  const double early_MiB = watch.workerPeak_MiB(40, 140), late_MiB = watch.workerPeak_MiB(140, 240);
+  std::printf("frames 40 to 140: %.1f MiB, 140 to 240: %.1f MiB\n", early_MiB, late_MiB);
+  EXPECT_LE(late_MiB - early_MiB, 4);
+  const double later_MiB = std::max(late_MiB - early_MiB, 0.0) * 10000 / 100;
+  EXPECT_LE(late_MiB + later_MiB, 1024);
+}
+
+struct Measured {
+  const char *name, *target;
+  image::PixelSize size;
+  output::FilmFormat format;
+  std::vector<std::string> more = {};
+  int frames = 12;  // more than any encoder looks ahead, but for AV1's
+};
+
+// What GoogleTest and ctest print of a case.
+void PrintTo(const Measured& measured, std::ostream* out) { *out << measured.target; }
+
+using output::Chroma, output::Effort, output::FilmCodec, output::FilmContainer;
+
+class Estimate : public testing::TestWithParam<Measured> {};
+
+TEST_P(Estimate, IsWithinAFifthOfThePeak) {
+  const Measured& m = GetParam();
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  auto words = arguments(m.target, m.size, m.frames, "30");
+  words.insert(words.end(), m.more.begin(), m.more.end());
+  const MemoryWatch watch(folder, words);
+  const bool isFilm = !std::string(m.target).ends_with(".png");
+  const double expected_MiB =
+      app::workerMemory_bytes(m.size, isFilm ? std::optional(m.format) : std::nullopt) / (1 << 20);
+  const double peak_MiB = watch.workerPeak_MiB(0, m.frames + 1);
+  std::printf("%s: peak %.0f MiB, estimate %.0f MiB, ratio %.2f\n", m.name, peak_MiB, expected_MiB,
+              expected_MiB / peak_MiB);
+  EXPECT_LE(expected_MiB, 1.2 * peak_MiB);
+  EXPECT_GE(expected_MiB, peak_MiB / 1.2);
+}
+
+constexpr image::PixelSize kHd{1920, 1080}, k4k{3840, 2160}, kLargest{8192, 8192};
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Estimate,
+    testing::Values(
+        Measured{"Picture", "t_{frame}.png", kHd, {}, {}, 2},
+        Measured{"SmallPicture", "t_{frame}.png", {640, 360}, {}, {}, 2},
+        Measured{"LargestPicture", "t_{frame}.png", kLargest, {}, {}, 2}, Measured{"Film", "t.mp4", kHd, {}},
+        Measured{"SmallFilm", "t.mp4", {640, 360}, {}}, Measured{"Film4k", "t.mp4", k4k, {}},
+        Measured{"LargestFilm", "t.mp4", kLargest, {}, {}, 10},
+        Measured{"FineFilm", "t.mp4", kHd, {.chroma = Chroma::k444}, {"-D", "output.chroma=\"4:4:4\""}},
+        Measured{"SlowFilm", "t.mp4", kHd, {.effort = Effort::kSlow}, {"-D", "output.effort=\"slow\""}},
+        Measured{"Hevc", "t.mp4", kHd, {.codec = FilmCodec::kHevc}, {"-D", "output.codec=\"hevc\""}},
+        Measured{"Vp9", "t.webm", kHd, {.container = FilmContainer::kWebm, .codec = FilmCodec::kVp9}},
+        Measured{"Av1",
+                 "t.webm",
+                 kHd,
+                 {.container = FilmContainer::kWebm, .codec = FilmCodec::kAv1},
+                 {"-D", "output.codec=\"av1\""}},
+        Measured{"TransparentVp9",
+                 "t.webm",
+                 kHd,
+                 {.container = FilmContainer::kWebm, .codec = FilmCodec::kVp9, .transparent = true},
+                 {"--transparent"}},
+        Measured{"ProRes", "t.mov", kHd, {.container = FilmContainer::kMov, .codec = FilmCodec::kProRes}},
+        Measured{"Gif", "t.gif", kHd, {.container = FilmContainer::kGif, .codec = FilmCodec::kGif}}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace poinsot::faults
