@@ -8,9 +8,11 @@
 
 #include <cerrno>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/sha256.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
 
@@ -45,10 +47,18 @@ core::FileHandle openLocked(const std::filesystem::path& folder, WorkFolderUse u
   }
 }
 
+/// A name may have 255 bytes. One that leaves no room for what is put around it is cut, and told from others by
+/// its digest.
+std::string shortEnough(const std::string& name) {
+  constexpr std::size_t kMost = 255 - std::string_view("..poinsot").size(), kKept = 200;
+  if (name.size() <= kMost) return name;
+  return name.substr(0, kKept) + '-' + core::toHex(core::sha256(name)).substr(0, 16);
+}
+
 }  // namespace
 
 std::filesystem::path workFolderOf(const std::filesystem::path& target) {
-  return output::folderOf(target) / ("." + target.filename().string() + ".poinsot");
+  return output::folderOf(target) / ("." + shortEnough(target.filename().string()) + ".poinsot");
 }
 
 WorkFolder::WorkFolder(const std::filesystem::path& target, WorkFolderUse use)

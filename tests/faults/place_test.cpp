@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where no output can be, that is said before the first frame; and streams that are closed do not become outputs.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+
+#include "faults/tiny_film.h"
+#include "support/shell_run.h"
+
+namespace poinsot::faults {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct BadPlace {
+  const char* name;
+  std::string target;
+  const char* says;
+  const char* before = ":";  ///< what makes it so
+};
+
+// What GoogleTest and ctest print of a case.
+void PrintTo(const BadPlace& place, std::ostream* out) { *out << place.says; }
+
+class BadPlaceTest : public testing::TestWithParam<BadPlace> {
+ protected:
+  void SetUp() override {
+    folder_.put("tiny.toml", kTinyScene);
+    ::chmod(folder_.path().c_str(), 0755);
+  }
+
+  /// As nobody, where there is a choice: root may write anywhere.
+  static std::string program() {
+    const std::string other = "setpriv --reuid=65534 --regid=65534 --clear-groups ";
+    return (::geteuid() == 0 ? other : "") + POINSOT_PROGRAM;
+  }
+
+  ScratchFolder folder_;
+};
+
+// CPU time, the least of three runs. Measured 0.04.
+TEST_P(BadPlaceTest, IsRefusedBeforeTheFirstFrame) {
+  const BadPlace& place = GetParam();
+  ASSERT_EQ(runShell(folder_.path(), place.before).exitCode, 0);
+  const std::string command =
+      "exec " + program() + " render tiny.toml --progress json -j 1 --size 64x36 -o '" + place.target + "'";
+  double least_s = 1e9;
+  for (int i = 0; i < 3; ++i) {
+    const ShellResult refused = runShell(folder_.path(), command);
+    least_s = std::min(least_s, refused.cpu_s);
+    if (refused.exitCode == 126) GTEST_SKIP() << "nobody may run the program where it was built: " << refused.out;
+    EXPECT_EQ(refused.exitCode, 4) << refused.out;
+    EXPECT_THAT(refused.out, HasSubstr(place.says));
+    EXPECT_THAT(refused.out, Not(HasSubstr("{")));  // no frame was reported
+  }
+  EXPECT_LE(least_s, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Is, BadPlaceTest,
+    testing::Values(BadPlace{"NotOurs", "t.mp4", "cannot be written to: Permission denied"},
+                    BadPlace{"NotOursForASequence", "t_{frame}.png", "cannot be written to: Permission denied"},
+                    BadPlace{"NoFolder", "no/such/t.mp4", "no such folder; make it with: mkdir -p no/such"},
+                    BadPlace{"NoFolderForASequence", "no/such/t_{frame}.png", "no such folder"},
+                    BadPlace{"InAFile", "tiny.toml/t.mp4", "not a folder"},
+                    BadPlace{"AFolder", "t.mp4", "is a folder", "mkdir t.mp4 && chmod 777 ."},
+                    BadPlace{"APipe", "t.mp4", "is a pipe", "mkfifo t.mp4 && chmod 777 ."},
+                    BadPlace{"ALink", "t.mp4", "is a symbolic link", "ln -s /dev/null t.mp4 && chmod 777 ."},
+                    BadPlace{
+                        "ASocket", "t.mp4", "is a device or socket",
+                        "perl -MIO::Socket::UNIX -e 'IO::Socket::UNIX->new(Local => \"t.mp4\", Listen => 1)' && "
+                        "chmod 777 ."},
+                    BadPlace{"TooLong", std::string(252, 'n') + ".mp4", "File name too long", "chmod 777 ."},
+                    BadPlace{"TooLongForASequence", std::string(250, 'n') + "_{frame}.png", "File name too long",
+                             "chmod 777 ."}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+// A name of 255 bytes is as long as a name may be; what stands beside it while it is made must not be longer.
+TEST(LongName, IsAFilmLikeAnyOther) {
+  for (const std::size_t length : {std::size_t{243}, std::size_t{251}}) {
+    const ScratchFolder folder;
+    folder.put("tiny.toml", kTinyScene);
+    const Output film{std::string(length, 'n') + ".mp4", 0.6};
+    const RunResult made = run(folder, renderArguments(film));
+    EXPECT_EQ(made.exitCode, 0) << length << made.err;
+  }
+}
+
+class ClosedStreams : public testing::TestWithParam<const char*> {};
+
+// An open() gets the lowest free number. Were it 1 or 2, messages would be written into the film.
+TEST_P(ClosedStreams, AreNobodyElses) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  std::string command = POINSOT_PROGRAM;
+  for (const std::string& word : renderArguments(kShortFilm, {"--progress", "plain", "--stats"}))
+    command += ' ' + word;
+  EXPECT_EQ(runShell(folder.path(), command + ' ' + GetParam()).exitCode, 0);
+  EXPECT_EQ(filesOf(folder.path()), undisturbed(kShortFilm));
+}
+
+std::string streamsOf(const testing::TestParamInfo<const char*>& info) {
+  const char* const names[] = {"Input", "Output", "Messages", "All"};
+  return names[info.index];
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ClosedStreams, testing::Values("<&-", ">&-", "2>&-", "<&- >&- 2>&-"), streamsOf);
+
+}  // namespace
+}  // namespace poinsot::faults
