@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another CPU does not change a pixel of what --reproducible draws, nor a bit of a trajectory. That of 2008 has
+// neither FMA nor AVX, and is emulated.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/scratch_folder.h"
+#include "support/shell_run.h"
+
+namespace poinsot {
+namespace {
+
+struct Printed {
+  std::string cpu, hashes;
+};
+
+/// What a program prints, its first line apart.
+Printed printedBy(const std::string& command, const std::vector<std::string>& environment = {}) {
+  const ScratchFolder folder;
+  const ShellResult result = runShell(folder.path(), command, environment);
+  EXPECT_EQ(result.exitCode, 0) << command << "\n" << result.out;
+  const auto line = result.out.find('\n') + 1;
+  return {result.out.substr(0, line), result.out.substr(line)};
+}
+
+/// With solids, meshes, cones and type.
+std::string pictures(const std::string& options = "") {
+  std::string command = POINSOT_PICTURE_HASH + options;
+  for (const char* name : {"poinsot_construction", "football", "cones_prolate", "t_handle"})
+    command += std::string(" " POINSOT_SOURCE_DIR "/scenes/") + name + ".toml";
+  return command;
+}
+
+class AnyCpu : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!__builtin_cpu_supports("fma"))
+      GTEST_SKIP() << "this CPU has no FMA, so that there is nothing to compare with";
+  }
+};
+
+class EmulatedCpu : public AnyCpu {
+ protected:
+  void SetUp() override {
+    AnyCpu::SetUp();
+    if (!isInstalled("qemu-x86_64")) GTEST_SKIP() << "qemu-x86_64 is not installed (Debian: qemu-user)";
+  }
+};
+
+const std::string kNehalem = "qemu-x86_64 -cpu Nehalem ";
+
+TEST_F(AnyCpu, MayHideItsUnitsFromTheCLibrary) {
+  // Names of glibc 2.33 and later, and those before.
+  const std::string hidden = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable";
+  EXPECT_EQ(printedBy(pictures(), {hidden}).hashes, printedBy(pictures()).hashes);
+}
+
+TEST_F(EmulatedCpu, DrawsTheSamePixels) {
+  const Printed here = printedBy(pictures()), there = printedBy(kNehalem + pictures());
+  EXPECT_EQ(here.cpu, "avx2=1 fma=1\n");
+  EXPECT_EQ(there.cpu, "avx2=0 fma=0\n");
+  EXPECT_EQ(there.hashes, here.hashes);
+  EXPECT_EQ(here.hashes.size(), 4u * 65);
+  // The control: as it comes, the driver uses what the CPU has, and that shows.
+  EXPECT_NE(printedBy(pictures(" --unpinned")).hashes, here.hashes);
+}
+
+TEST_F(EmulatedCpu, MovesTheBodyAlike) {
+  EXPECT_EQ(printedBy(kNehalem + POINSOT_TRAJECTORY_HASH).cpu, printedBy(POINSOT_TRAJECTORY_HASH).cpu);
+  // The control: the C library's functions differ.
+  EXPECT_NE(printedBy(kNehalem + POINSOT_TRAJECTORY_HASH " --libm").cpu,
+            printedBy(POINSOT_TRAJECTORY_HASH " --libm").cpu);
+}
+
+}  // namespace
+}  // namespace poinsot
