@@ -67,7 +67,7 @@ std::optional<JobFile> readJobFile(const path& workFolder) try {
   job.scene = json.at("scene").get<std::string>();
   job.settings = json.at("settings").get<std::string>();
   job.kind = static_cast<OutputKind>(json.at("kind").get<int>());
-  job.film = filmOf(json);
+  if (job.kind == OutputKind::kFilm) job.film = filmOf(json);
   job.frames = {json.at("frames").at(0).get<std::int64_t>(), json.at("frames").at(1).get<std::int64_t>()};
   job.segmentFrames = json.at("segment_frames").get<std::int64_t>();
   job.shards = json.at("shards").get<int>();
