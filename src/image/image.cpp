@@ -6,26 +6,37 @@
 namespace poinsot::image {
 namespace {
 
-std::size_t byteCount(PixelSize size, int channels) {
+std::size_t sampleCount(PixelSize size, int channels) {
   POINSOT_EXPECT(size.width > 0 && size.height > 0);
   POINSOT_EXPECT(channels == 3 || channels == 4);
   return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
          static_cast<std::size_t>(channels);
 }
 
-std::size_t offset(const Image& image, int x, int y) {
+template <typename Sample>
+std::size_t offset(const BasicImage<Sample>& image, int x, int y) {
   POINSOT_ASSERT(x >= 0 && x < image.size.width && y >= 0 && y < image.size.height);
-  return static_cast<std::size_t>(y) * image.rowBytes() +
+  return static_cast<std::size_t>(y) * image.rowSamples() +
          static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels);
 }
 
 }  // namespace
 
-Image::Image(PixelSize imageSize, int channelCount)
-    : size(imageSize), channels(channelCount), pixels(byteCount(imageSize, channelCount)) {}
+template <typename Sample>
+BasicImage<Sample>::BasicImage(PixelSize imageSize, int channelCount)
+    : size(imageSize), channels(channelCount), pixels(sampleCount(imageSize, channelCount)) {}
 
-std::uint8_t* Image::at(int x, int y) { return pixels.data() + offset(*this, x, y); }
+template <typename Sample>
+Sample* BasicImage<Sample>::at(int x, int y) {
+  return pixels.data() + offset(*this, x, y);
+}
 
-const std::uint8_t* Image::at(int x, int y) const { return pixels.data() + offset(*this, x, y); }
+template <typename Sample>
+const Sample* BasicImage<Sample>::at(int x, int y) const {
+  return pixels.data() + offset(*this, x, y);
+}
+
+template struct BasicImage<std::uint8_t>;
+template struct BasicImage<std::uint16_t>;
 
 }  // namespace poinsot::image

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <variant>
 #include <vector>
 
 namespace poinsot::image {
@@ -14,22 +16,37 @@ struct PixelSize {
   friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-/// 8-bit sRGB pixels, row 0 at the top, 3 (RGB) or 4 (RGBA, straight alpha) channels, rows without padding.
-struct Image {
+/// sRGB pixels, row 0 at the top, 3 (RGB) or 4 (RGBA, straight alpha) channels, rows without padding.
+template <typename Sample>
+struct BasicImage {
+  /// Of a sample: full light, or opaque. 0 is none.
+  static constexpr Sample kMost = std::numeric_limits<Sample>::max();
+
   PixelSize size;
   int channels = 3;
-  std::vector<std::uint8_t> pixels;
+  std::vector<Sample> pixels;
 
-  Image() = default;
-  /// All bytes zero. @pre width, height > 0, channels 3 or 4.
-  Image(PixelSize size, int channels);
+  BasicImage() = default;
+  /// All samples zero. @pre width, height > 0, channels 3 or 4.
+  BasicImage(PixelSize size, int channels);
 
-  /// First byte of pixel (x, y). @pre inside the picture.
-  std::uint8_t* at(int x, int y);
-  const std::uint8_t* at(int x, int y) const;
-  std::size_t rowBytes() const { return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(channels); }
+  /// First sample of pixel (x, y). @pre inside the picture.
+  Sample* at(int x, int y);
+  const Sample* at(int x, int y) const;
+  std::size_t rowSamples() const {
+    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(channels);
+  }
+  std::size_t rowBytes() const { return rowSamples() * sizeof(Sample); }
 
-  friend bool operator==(const Image&, const Image&) = default;
+  friend bool operator==(const BasicImage&, const BasicImage&) = default;
 };
+
+using Image = BasicImage<std::uint8_t>;
+/// 16 bits a sample, for gradients that are worked on further.
+using DeepImage = BasicImage<std::uint16_t>;
+using AnyImage = std::variant<Image, DeepImage>;
+
+extern template struct BasicImage<std::uint8_t>;
+extern template struct BasicImage<std::uint16_t>;
 
 }  // namespace poinsot::image

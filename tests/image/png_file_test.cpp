@@ -27,6 +27,13 @@ Image noise(PixelSize size, int channels) {
   return picture;
 }
 
+DeepImage deepNoise(PixelSize size, int channels) {
+  DeepImage picture(size, channels);
+  std::mt19937 random(12);
+  for (auto& v : picture.pixels) v = static_cast<std::uint16_t>(random());
+  return picture;
+}
+
 /// A PNG written by libpng itself, of a kind encodePng does not write.
 struct Foreign {
   png_uint_32 width = 0, height = 0;
@@ -100,6 +107,55 @@ TEST(Png, RoundTripsEveryShape) {
       EXPECT_EQ(decodePng(encodePng(picture), "x"), picture)
           << size.width << "x" << size.height << "x" << channels;
     }
+}
+
+/// What libpng makes of the file, samples as they are in it.
+struct Raw {
+  int depth = 0, type = -1;
+  Bytes samples;
+};
+
+Raw rawOf(Bytes bytes) {
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  std::span<const std::uint8_t> rest(bytes);
+  png_set_read_fn(png, &rest, [](png_structp from, png_bytep to, std::size_t size) {
+    auto* left = static_cast<std::span<const std::uint8_t>*>(png_get_io_ptr(from));
+    std::copy_n(left->begin(), size, to);
+    *left = left->subspan(size);
+  });
+  png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+  Raw raw{png_get_bit_depth(png, info), png_get_color_type(png, info), {}};
+  for (png_uint_32 y = 0; y < png_get_image_height(png, info); ++y) {
+    const png_bytep row = png_get_rows(png, info)[y];
+    raw.samples.insert(raw.samples.end(), row, row + png_get_rowbytes(png, info));
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  return raw;
+}
+
+TEST(Png, HasSixteenBitsOfADeepPicture) {
+  for (const PixelSize size : {PixelSize{1, 1}, {9, 1}, {17, 13}, {320, 240}})
+    for (const int channels : {3, 4}) {
+      const DeepImage picture = deepNoise(size, channels);
+      const Raw raw = rawOf(encodePng(picture));
+      EXPECT_EQ(raw.depth, 16);
+      EXPECT_EQ(raw.type, channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA);
+      ASSERT_EQ(raw.samples.size(), 2 * picture.pixels.size());
+      for (std::size_t i = 0; i < picture.pixels.size(); ++i)  // big-endian
+        ASSERT_EQ(raw.samples[2 * i] << 8 | raw.samples[2 * i + 1], picture.pixels[i]) << i;
+    }
+}
+
+TEST(Png, OfADeepPictureSaysTheSame) {
+  const std::vector<PngText> texts = {{"Title", "Polhode"}};
+  const Bytes deep = encodePng(deepNoise({4, 4}, 3), texts, 300), flat = encodePng(noise({4, 4}, 3), texts, 300);
+  const auto untilPixels = [](const Bytes& bytes) {
+    const std::string text(bytes.begin(), bytes.end());
+    return text.substr(33, text.find("IDAT") - 37);  // from the end of IHDR
+  };
+  EXPECT_EQ(untilPixels(deep), untilPixels(flat));
+  EXPECT_EQ(deep, encodePng(deepNoise({4, 4}, 3), texts, 300));
 }
 
 TEST(Png, IsTaggedAndHasNoTime) {
