@@ -9,10 +9,14 @@ namespace {
 
 double decode(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
-std::array<float, 256> makeDecodeTable() {
-  std::array<float, 256> table{};
-  for (std::size_t v = 0; v < table.size(); ++v)
-    table[v] = static_cast<float>(decode(static_cast<double>(v) / 255));
+double encode(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
+
+/// Linear light of every value.
+template <std::size_t count>
+std::array<float, count> makeDecodeTable() {
+  std::array<float, count> table{};
+  for (std::size_t v = 0; v < count; ++v)
+    table[v] = static_cast<float>(decode(static_cast<double>(v) / (count - 1)));
   return table;
 }
 
@@ -39,7 +43,7 @@ std::array<std::uint8_t, kStarts> makeStarts(const std::array<float, 255>& thres
 }  // namespace
 
 float linearFromSrgb8(std::uint8_t value) {
-  static const auto table = makeDecodeTable();
+  static const auto table = makeDecodeTable<256>();
   return table[value];
 }
 
@@ -51,6 +55,17 @@ std::uint8_t srgb8FromLinear(float linear) {
   std::size_t v = starts[static_cast<std::size_t>(linear * kStarts)];
   while (linear >= thresholds[v]) ++v;
   return static_cast<std::uint8_t>(v);
+}
+
+float linearFromSrgb16(std::uint16_t value) {
+  static const auto table = makeDecodeTable<65536>();
+  return table[value];
+}
+
+std::uint16_t srgb16FromLinear(float linear) {
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 65535;
+  return static_cast<std::uint16_t>(65535 * encode(static_cast<double>(linear)) + 0.5);
 }
 
 Color fromSrgb(std::uint32_t hex) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <type_traits>
 
 namespace poinsot::draw {
 
@@ -15,6 +16,28 @@ float linearFromSrgb8(std::uint8_t value);
 
 /// Nearest 8-bit sRGB value of a linear light, clamped to [0, 1].
 std::uint8_t srgb8FromLinear(float linear);
+
+/// The same of 16 bits: 257 times an 8-bit value is the same light.
+float linearFromSrgb16(std::uint16_t value);
+std::uint16_t srgb16FromLinear(float linear);
+
+/// By the type of the sample.
+template <typename Sample>
+float linearFromSrgb(Sample value) {
+  static_assert(std::is_same_v<Sample, std::uint8_t> || std::is_same_v<Sample, std::uint16_t>);
+  if constexpr (sizeof(Sample) == 1)
+    return linearFromSrgb8(value);
+  else
+    return linearFromSrgb16(value);
+}
+template <typename Sample>
+Sample srgbFromLinear(float linear) {
+  static_assert(std::is_same_v<Sample, std::uint8_t> || std::is_same_v<Sample, std::uint16_t>);
+  if constexpr (sizeof(Sample) == 1)
+    return srgb8FromLinear(linear);
+  else
+    return srgb16FromLinear(linear);
+}
 
 /// Linear light of an sRGB colour written 0xRRGGBB.
 Color fromSrgb(std::uint32_t hex);
