@@ -29,8 +29,10 @@ float slopeInFront(ivec2 texel, ivec2 step, float depth, float number) {
 }
 #endif
 
-// `solid` is its number, of 65535; 1: it has no seams, as a flat line.
+// `solid` is its number, of 65535; 1: it has no seams, as a flat line. Light brighter than white is kept as white,
+// in floats as in 16 bits, or its edges would be jagged.
 void emit(float solid, vec3 color, float coverage, float depth) {
+  color = min(color, 1.0);
 #if EDGES == 2
   vec2 slope = vec2(dFdx(depth), dFdy(depth));
   ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -10,44 +10,45 @@
 namespace poinsot::render {
 namespace {
 
-using Pixel = std::array<std::uint8_t, 4>;
-
 /// Blends one colour, and remembers the last pixel: flat areas over plain paper ask for the same one again and
 /// again.
+template <typename Sample>
 class Blender {
  public:
   Blender(const draw::Color& color, float opacity, int channels)
       : color_(color), opacity_(opacity), channels_(static_cast<std::size_t>(channels)) {}
 
-  void blend(std::uint8_t* pixel, std::uint8_t coverage) {
+  void blend(Sample* pixel, std::uint8_t coverage) {
     if (coverage != coverage_ || !std::equal(pixel, pixel + channels_, under_.begin())) remember(pixel, coverage);
     std::copy_n(blended_.begin(), channels_, pixel);
   }
 
  private:
-  void remember(const std::uint8_t* pixel, std::uint8_t coverage) {
+  void remember(const Sample* pixel, std::uint8_t coverage) {
     coverage_ = coverage;
     std::copy_n(pixel, channels_, under_.begin());
     const float share = opacity_ * static_cast<float>(coverage) / 255.0f;
-    const float below = channels_ == 4 ? static_cast<float>(under_[3]) / 255.0f : 1.0f;
+    const float below = channels_ == 4 ? static_cast<float>(under_[3]) / kMost : 1.0f;
     const float alpha = share + below * (1 - share);
     if (alpha <= 0) {
       blended_ = under_;
       return;
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      const float under = draw::linearFromSrgb8(under_[c]);
+      const float under = draw::linearFromSrgb(under_[c]);
       const float over = color_[static_cast<glm::length_t>(c)];
-      blended_[c] = draw::srgb8FromLinear((over * share + under * below * (1 - share)) / alpha);
+      blended_[c] = draw::srgbFromLinear<Sample>((over * share + under * below * (1 - share)) / alpha);
     }
-    blended_[3] = static_cast<std::uint8_t>(alpha * 255.0f + 0.5f);
+    blended_[3] = static_cast<Sample>(alpha * kMost + 0.5f);
   }
+
+  static constexpr float kMost = image::BasicImage<Sample>::kMost;
 
   draw::Color color_;
   float opacity_;
   std::size_t channels_;
   std::uint8_t coverage_ = 0;  // as no pixel that is blended has it, nothing is remembered yet
-  Pixel under_{}, blended_{};
+  std::array<Sample, 4> under_{}, blended_{};
 };
 
 // Most of a map is empty: eight pixels at once.
@@ -58,8 +59,8 @@ bool nextEightEmpty(const std::uint8_t* coverage) {
 }
 
 /// Calls use(pixel, coverage) where the map, cut to the picture, is not empty.
-template <class Use>
-void forEachCovered(const text::CoverageMap& map, image::Image& picture, Use use) {
+template <typename Sample, class Use>
+void forEachCovered(const text::CoverageMap& map, image::BasicImage<Sample>& picture, Use use) {
   const int left = std::max(map.left, 0), right = std::min(map.left + map.width, picture.size.width);
   const int bottom = std::min(map.top + map.height, picture.size.height);
   for (int y = std::max(map.top, 0); y < bottom; ++y) {
@@ -76,18 +77,25 @@ void forEachCovered(const text::CoverageMap& map, image::Image& picture, Use use
 
 }  // namespace
 
-void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture) {
-  Blender blender(color, opacity, picture.channels);
-  forEachCovered(map, picture,
-                 [&](std::uint8_t* pixel, std::uint8_t coverage) { blender.blend(pixel, coverage); });
+template <typename Sample>
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity,
+                   image::BasicImage<Sample>& picture) {
+  Blender<Sample> blender(color, opacity, picture.channels);
+  forEachCovered(map, picture, [&](Sample* pixel, std::uint8_t coverage) { blender.blend(pixel, coverage); });
 }
 
-void eraseCoverage(const text::CoverageMap& map, float opacity, image::Image& picture) {
+template <typename Sample>
+void eraseCoverage(const text::CoverageMap& map, float opacity, image::BasicImage<Sample>& picture) {
   POINSOT_EXPECT(picture.channels == 4);
-  forEachCovered(map, picture, [&](std::uint8_t* pixel, std::uint8_t coverage) {
+  forEachCovered(map, picture, [&](Sample* pixel, std::uint8_t coverage) {
     const float left = 1 - opacity * static_cast<float>(coverage) / 255.0f;
-    pixel[3] = static_cast<std::uint8_t>(left * static_cast<float>(pixel[3]) + 0.5f);
+    pixel[3] = static_cast<Sample>(left * static_cast<float>(pixel[3]) + 0.5f);
   });
 }
+
+template void blendCoverage(const text::CoverageMap&, const draw::Color&, float, image::Image&);
+template void blendCoverage(const text::CoverageMap&, const draw::Color&, float, image::DeepImage&);
+template void eraseCoverage(const text::CoverageMap&, float, image::Image&);
+template void eraseCoverage(const text::CoverageMap&, float, image::DeepImage&);
 
 }  // namespace poinsot::render

@@ -9,9 +9,12 @@ namespace poinsot::render {
 
 /// Lays `color` over the picture where `map` covers it, in linear light. A fourth channel is straight alpha. What
 /// of the map lies outside the picture is cut.
-void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity, image::Image& picture);
+template <typename Sample>
+void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity,
+                   image::BasicImage<Sample>& picture);
 
 /// Takes the picture away where `map` covers it, down to its paper. @pre four channels
-void eraseCoverage(const text::CoverageMap& map, float opacity, image::Image& picture);
+template <typename Sample>
+void eraseCoverage(const text::CoverageMap& map, float opacity, image::BasicImage<Sample>& picture);
 
 }  // namespace poinsot::render

@@ -16,14 +16,16 @@ std::vector<float> numbers(const std::vector<glm::vec2>& points) {
 
 }  // namespace
 
-void FlatPainter::paint(const draw::Area& area, image::Image& picture) {
+template <typename Sample>
+void FlatPainter::paint(const draw::Area& area, image::BasicImage<Sample>& picture) {
   const auto [width, height] = picture.size;
   const auto make = [&] { return areaCoverage(area, {width, height}); };
   const auto& map = coverage_.get({width, height, numbers(area.points_px), 0.0f, 0.0f, true}, make);
   blendCoverage(map, area.color, area.opacity, picture);
 }
 
-void FlatPainter::paint(const draw::Stroke& stroke, image::Image& picture) {
+template <typename Sample>
+void FlatPainter::paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture) {
   if (stroke.width_px <= 0) return;
   const auto [width, height] = picture.size;
   const auto make = [&] { return strokeCoverage(stroke, {width, height}); };
@@ -32,9 +34,13 @@ void FlatPainter::paint(const draw::Stroke& stroke, image::Image& picture) {
   blendCoverage(map, stroke.color, stroke.opacity, picture);
 }
 
-void FlatPainter::paint(const draw::Picture& flat, image::Image& picture) {
+template <typename Sample>
+void FlatPainter::paint(const draw::Picture& flat, image::BasicImage<Sample>& picture) {
   for (const draw::Area& area : flat.areas) paint(area, picture);
   for (const draw::Stroke& stroke : flat.strokes) paint(stroke, picture);
 }
+
+template void FlatPainter::paint(const draw::Picture&, image::Image&);
+template void FlatPainter::paint(const draw::Picture&, image::DeepImage&);
 
 }  // namespace poinsot::render

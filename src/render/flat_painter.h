@@ -19,14 +19,17 @@ class FlatPainter {
   void beginPicture() { coverage_.beginPicture(); }
 
   /// Areas first, then strokes, each in the order of the list.
-  void paint(const draw::Picture& flat, image::Image& picture);
+  template <typename Sample>
+  void paint(const draw::Picture& flat, image::BasicImage<Sample>& picture);
 
  private:
   /// What a coverage map depends on: picture size, points, width (0: an area), dash, whether closed.
   using Key = std::tuple<int, int, std::vector<float>, float, float, bool>;
 
-  void paint(const draw::Area& area, image::Image& picture);
-  void paint(const draw::Stroke& stroke, image::Image& picture);
+  template <typename Sample>
+  void paint(const draw::Area& area, image::BasicImage<Sample>& picture);
+  template <typename Sample>
+  void paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture);
 
   PictureCache<Key, text::CoverageMap> coverage_;  // axes and past curves stand still
 };

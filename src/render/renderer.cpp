@@ -35,26 +35,45 @@ class Stopwatch {
   double start_;
 };
 
-/// The buffers of one picture size. Colours are 16-bit linear light: 8 bits would band, float costs twice.
+/// What OpenGL is told of pictures of a kind of sample.
+struct Formats {
+  GLenum light;    ///< of the linear light of solids
+  GLenum picture;  ///< of the last pass
+  GLenum sample;   ///< of what is read back
+};
+// For 8 bits of sRGB, 8 bits of linear light would band, and float costs twice what 16 do. For 16 bits of sRGB, 16
+// of linear light would band: near black its steps are 13 times as wide.
+constexpr Formats kFormats{GL_RGBA16, GL_RGBA8, GL_UNSIGNED_BYTE};
+constexpr Formats kDeepFormats{GL_RGBA32F, GL_RGBA16, GL_UNSIGNED_SHORT};
+
+template <typename Sample>
+constexpr const Formats& formatsOf() {
+  return sizeof(Sample) == 1 ? kFormats : kDeepFormats;
+}
+
+/// The buffers of one picture size.
 struct Buffers {
+  const Formats* formats;
   gl::Framebuffer full, edge, nextEdge, picture;
-  explicit Buffers(glm::ivec2 size)
-      : full(size, {GL_RGBA16}, GL_DEPTH_COMPONENT32F),
-        edge(size, {GL_RGBA16}, GL_DEPTH_COMPONENT32F),
-        nextEdge(size, {GL_RGBA16}, GL_DEPTH_COMPONENT32F),
-        picture(size, {GL_RGBA8}, 0) {}
+  Buffers(glm::ivec2 size, const Formats& f)
+      : formats(&f),
+        full(size, {f.light}, GL_DEPTH_COMPONENT32F),
+        edge(size, {f.light}, GL_DEPTH_COMPONENT32F),
+        nextEdge(size, {f.light}, GL_DEPTH_COMPONENT32F),
+        picture(size, {f.picture}, 0) {}
 };
 
 /// The buffers of the sizes used of late: a picture's panels have few sizes, and the same ones in every frame.
 class BufferShelf {
  public:
-  const Buffers& of(glm::ivec2 size) {
-    const auto known = std::ranges::find(shelf_, size, [](const Buffers& b) { return b.picture.size(); });
+  const Buffers& of(glm::ivec2 size, const Formats& formats) {
+    const auto known = std::ranges::find_if(
+        shelf_, [&](const Buffers& b) { return b.picture.size() == size && b.formats == &formats; });
     if (known != shelf_.end()) {
       std::rotate(shelf_.begin(), known, known + 1);
     } else {
       if (shelf_.size() == kSizes) shelf_.pop_back();  // before a new one needs its memory
-      shelf_.emplace_front(size);
+      shelf_.emplace_front(size, formats);
     }
     return shelf_.front();
   }
@@ -64,18 +83,16 @@ class BufferShelf {
   std::deque<Buffers> shelf_;  // the last used first
 };
 
-std::uint8_t backgroundByte(const draw::Color& background, int channel) {
-  return draw::srgb8FromLinear(background[channel]);
-}
-
 // The back end gives RGBA, and 4K of it are 32 MiB: a picture without alpha takes it a band at a time.
 constexpr int kBandRows = 64;
 
-void readRows(int first, int count, int width, std::uint8_t* rgba) {
-  glReadPixels(0, first, width, count, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+template <typename Sample>
+void readRows(int first, int count, int width, Sample* rgba) {
+  glReadPixels(0, first, width, count, GL_RGBA, formatsOf<Sample>().sample, rgba);
 }
 
-void dropAlpha(const std::uint8_t* rgba, std::size_t pixels, std::uint8_t* rgb) {
+template <typename Sample>
+void dropAlpha(const Sample* rgba, std::size_t pixels, Sample* rgb) {
   for (std::size_t i = 0; i < pixels; ++i, rgba += 4, rgb += 3) {
     rgb[0] = rgba[0];
     rgb[1] = rgba[1];
@@ -83,15 +100,16 @@ void dropAlpha(const std::uint8_t* rgba, std::size_t pixels, std::uint8_t* rgb) 
   }
 }
 
-image::Image readBack(image::PixelSize size, bool transparent) {
-  image::Image picture(size, transparent ? 4 : 3);
+template <typename Sample>
+image::BasicImage<Sample> readBack(image::PixelSize size, bool transparent) {
+  image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   if (transparent) {
     readRows(0, size.height, size.width, picture.pixels.data());
     return picture;
   }
   const auto width = static_cast<std::size_t>(size.width);
-  std::vector<std::uint8_t> band(4 * width * static_cast<std::size_t>(std::min(size.height, kBandRows)));
+  std::vector<Sample> band(4 * width * static_cast<std::size_t>(std::min(size.height, kBandRows)));
   for (int first = 0; first < size.height; first += kBandRows) {
     const int rows = std::min(kBandRows, size.height - first);
     readRows(first, rows, size.width, band.data());
@@ -100,19 +118,21 @@ image::Image readBack(image::PixelSize size, bool transparent) {
   return picture;
 }
 
-image::Image blankPicture(image::PixelSize size, const draw::Color& background, bool transparent) {
-  image::Image picture(size, transparent ? 4 : 3);
+template <typename Sample>
+image::BasicImage<Sample> blankPicture(image::PixelSize size, const draw::Color& background, bool transparent) {
+  image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
   const auto channels = static_cast<std::size_t>(picture.channels);
   for (std::size_t c = 0; c < 3; ++c) {
-    const std::uint8_t value = backgroundByte(background, static_cast<int>(c));
+    const auto value = draw::srgbFromLinear<Sample>(background[static_cast<int>(c)]);
     for (std::size_t i = c; i < picture.pixels.size(); i += channels) picture.pixels[i] = value;
   }
   return picture;
 }
 
-void place(const image::Image& panel, glm::ivec2 origin_px, image::Image& picture) {
+template <typename Sample>
+void place(const image::BasicImage<Sample>& panel, glm::ivec2 origin_px, image::BasicImage<Sample>& picture) {
   for (int y = 0; y < panel.size.height; ++y)
-    std::copy_n(panel.at(0, y), panel.rowBytes(), picture.at(origin_px.x, origin_px.y + y));
+    std::copy_n(panel.at(0, y), panel.rowSamples(), picture.at(origin_px.x, origin_px.y + y));
 }
 
 }  // namespace
@@ -152,51 +172,70 @@ struct Renderer::Passes {
     meshes.draw(which, inputs);
   }
 
+  template <typename Sample>
   void clearPicture(const draw::DrawList& list, bool transparent) {
     buffers->picture.bind();
-    const auto channel = [&](int c) { return static_cast<float>(backgroundByte(list.background, c)) / 255.0f; };
+    const auto channel = [&](int c) {
+      const float value = draw::srgbFromLinear<Sample>(list.background[c]);
+      return value / image::BasicImage<Sample>::kMost;
+    };
     glClearColor(channel(0), channel(1), channel(2), transparent ? 0.0f : 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
   }
 
+  template <typename Sample>
   void draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
-    buffers = &shelf.of(size);
+    buffers = &shelf.of(size, formatsOf<Sample>());
     glViewport(0, 0, size.x, size.y);
     TileMask tiles(list.camera.size_px);
     SeamMask seams(list.camera.size_px);
     const auto meshEdges = meshes.prepare(list, options.sharpness, tiles, seams);
     solids.prepare(list, meshEdges, options.sharpness, tiles, seams);
     drawSolids(tiles, seams);
-    clearPicture(list, options.transparent);
+    clearPicture<Sample>(list, options.transparent);
     compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, options.sharpness,
                     options.transparent);
     glFinish();
   }
 
   /// One view with its type, as large as its camera says.
-  image::Image panel(const draw::DrawList& list, const RenderOptions& options) {
+  template <typename Sample>
+  image::BasicImage<Sample> panel(const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
-    image::Image picture;
+    image::BasicImage<Sample> picture;
     {
       const Stopwatch watch(times.draw_s);
-      draw(list, size, options);
+      draw<Sample>(list, size, options);
     }
     {
       const Stopwatch watch(times.read_s);
-      picture = readBack({size.x, size.y}, options.transparent);
+      picture = readBack<Sample>({size.x, size.y}, options.transparent);
     }
     const Stopwatch watch(times.text_s);
     text.paint(list.texts, picture);
     return picture;
   }
 
-  image::Image panels(const draw::Picture& picture, const RenderOptions& options) {
+  template <typename Sample>
+  image::BasicImage<Sample> panels(const draw::Picture& picture, const RenderOptions& options) {
     const image::PixelSize size{picture.size_px.x, picture.size_px.y};
     if (picture.panels.size() == 1 && sizeOf(picture.panels[0]) == picture.size_px)
-      return panel(picture.panels[0].list, options);
-    image::Image whole = blankPicture(size, picture.background, options.transparent);
-    for (const draw::Panel& p : picture.panels) place(panel(p.list, options), p.origin_px, whole);
+      return panel<Sample>(picture.panels[0].list, options);
+    auto whole = blankPicture<Sample>(size, picture.background, options.transparent);
+    for (const draw::Panel& p : picture.panels) place(panel<Sample>(p.list, options), p.origin_px, whole);
     return whole;
+  }
+
+  /// The panels, and what lies over them.
+  template <typename Sample>
+  image::BasicImage<Sample> whole(const draw::Picture& picture, const RenderOptions& options) {
+    expectWithin(picture);
+    beginPicture();
+    auto made = panels<Sample>(picture, options);
+    const Stopwatch watch(times.text_s);
+    flat.paint(picture, made);
+    text.paint(picture.texts, made);
+    return made;
   }
 
   static glm::ivec2 sizeOf(const draw::Panel& p) { return glm::ivec2(p.list.camera.size_px); }
@@ -217,17 +256,15 @@ Renderer::~Renderer() = default;
 image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options) {
   POINSOT_EXPECT(list.camera.size_px == glm::vec2(size.width, size.height));
   passes_->beginPicture();
-  return passes_->panel(list, options);
+  return passes_->panel<std::uint8_t>(list, options);
 }
 
 image::Image Renderer::render(const draw::Picture& picture, const RenderOptions& options) {
-  Passes::expectWithin(picture);
-  passes_->beginPicture();
-  image::Image whole = passes_->panels(picture, options);
-  const Stopwatch watch(passes_->times.text_s);
-  passes_->flat.paint(picture, whole);
-  passes_->text.paint(picture.texts, whole);
-  return whole;
+  return passes_->whole<std::uint8_t>(picture, options);
+}
+
+image::DeepImage Renderer::renderDeep(const draw::Picture& picture, const RenderOptions& options) {
+  return passes_->whole<std::uint16_t>(picture, options);
 }
 
 const RenderTimes& Renderer::times() const { return passes_->times; }

@@ -20,7 +20,8 @@ const text::CoverageMap& TextPainter::coverage(const draw::Text& item, float out
   });
 }
 
-void TextPainter::paint(const draw::Text& item, image::Image& picture) {
+template <typename Sample>
+void TextPainter::paint(const draw::Text& item, image::BasicImage<Sample>& picture) {
   if (item.halo && item.halo_px > 0 && picture.channels == 4)
     eraseCoverage(coverage(item, item.halo_px), item.opacity, picture);
   else if (item.halo && item.halo_px > 0)
@@ -29,8 +30,12 @@ void TextPainter::paint(const draw::Text& item, image::Image& picture) {
   blendCoverage(coverage(item, 0), item.color, item.opacity, picture);
 }
 
-void TextPainter::paint(const std::vector<draw::Text>& texts, image::Image& picture) {
+template <typename Sample>
+void TextPainter::paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture) {
   for (const draw::Text& item : texts) paint(item, picture);
 }
+
+template void TextPainter::paint(const std::vector<draw::Text>&, image::Image&);
+template void TextPainter::paint(const std::vector<draw::Text>&, image::DeepImage&);
 
 }  // namespace poinsot::render

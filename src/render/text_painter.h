@@ -22,13 +22,15 @@ class TextPainter {
 
   /// In a picture of four channels a halo is its paper too: nothing, whatever colour the list has for it.
   /// @throws core::Error(kUsage) for TeX that cannot be set.
-  void paint(const std::vector<draw::Text>& texts, image::Image& picture);
+  template <typename Sample>
+  void paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture);
 
  private:
   /// What a coverage map depends on: the text, its size, the left end of its baseline, the width of its halo.
   using Key = std::tuple<std::string, float, float, float, float>;
 
-  void paint(const draw::Text& text, image::Image& picture);
+  template <typename Sample>
+  void paint(const draw::Text& text, image::BasicImage<Sample>& picture);
   const text::GlyphRun& run(const std::string& tex);
   const text::CoverageMap& coverage(const draw::Text& text, float outline_px);
 
