@@ -25,7 +25,7 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
   /// @throws core::Error
-  virtual image::Image frame(std::int64_t k) = 0;
+  virtual image::AnyImage frame(std::int64_t k) = 0;
   /// Of all that decides the frame's bytes; far cheaper than the frame. @throws core::Error
   virtual core::Digest digest(std::int64_t k) = 0;
   virtual FrameTimes times() const { return {}; }

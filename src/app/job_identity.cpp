@@ -43,6 +43,7 @@ std::string renderSettings(const OutputTarget& target, const PictureForm& form, 
                                   {"size", {scene.output.width, scene.output.height}},
                                   {"reproducible", reproducible}};
   if (form.transparent) settings["transparent"] = true;
+  if (form.bits != 8) settings["bits"] = form.bits;
   if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
   if (target.kind != OutputKind::kFilm) {
     settings["libpng"] = image::libpngVersion();

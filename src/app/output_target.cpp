@@ -23,6 +23,10 @@ namespace {
 
 }  // namespace
 
+bool takesDeepPictures(const OutputTarget& target) {
+  return target.kind == OutputKind::kPicture || target.kind == OutputKind::kSequence;
+}
+
 OutputTarget parseTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (name.empty() || !path.has_filename()) refuse(name, "not a file name");

@@ -20,6 +20,9 @@ struct OutputTarget {
   bool stream = false;  ///< to standard output while it is made; `path` is then only where the parts lie
 };
 
+/// Whether pictures of 16 bits a sample can go there: PNG.
+bool takesDeepPictures(const OutputTarget& target);
+
 /// Of a film: reads the kind off the name.
 /// @throws core::Error(kUsage) saying which names work.
 OutputTarget parseTarget(const std::string& name);

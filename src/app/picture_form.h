@@ -11,10 +11,11 @@ struct PrintSize {
   double dpi = 600;
 };
 
-/// How a single picture is made, besides its pixels.
+/// How pictures are made, besides their size.
 struct PictureForm {
   std::optional<PrintSize> print;  ///< none: for a screen, type and lines sized by the picture
   bool transparent = false;        ///< without paper
+  int bits = 8;                    ///< of a sample; 16 only where takesDeepPictures()
 };
 
 }  // namespace poinsot::app

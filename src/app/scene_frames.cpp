@@ -24,13 +24,16 @@ core::Digest SceneFrames::digest(std::int64_t k) {
   return digestOf_(picture_);
 }
 
-image::Image SceneFrames::frame(std::int64_t k) {
+image::AnyImage SceneFrames::frame(std::int64_t k) {
   compose(k);
   render::RenderOptions options;
   options.transparent = form_.transparent;
-  image::Image image = renderer_.render(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, options);
-  if (form_.transparent) output::fitAlpha(image, picture_.background);
-  return image;
+  const auto finished = [&](auto image) -> image::AnyImage {
+    if (form_.transparent) output::fitAlpha(image, picture_.background);
+    return image;
+  };
+  if (form_.bits == 16) return finished(renderer_.renderDeep(picture_, options));
+  return finished(renderer_.render(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, options));
 }
 
 void SceneFrames::compose(std::int64_t k) {

@@ -25,7 +25,7 @@ class SceneFrames : public FrameSource {
               const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
               const std::string& settings = "");
 
-  image::Image frame(std::int64_t k) override;
+  image::AnyImage frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
   /// What the last frame was drawn from, whole.
   const draw::Picture& picture() const { return picture_; }

@@ -20,7 +20,7 @@ class FilmSegment : public output::FrameSink {
               std::int64_t first, EncodingTimes& times)
       : writer_(file, {scene.output.width, scene.output.height}, scene.time.fps, format, first), times_(times) {}
 
-  void write(const image::Image& picture, std::int64_t k) override { writer_.write(picture, k); }
+  void write(const image::AnyImage& picture, std::int64_t k) override { writer_.write(picture, k); }
 
   void finish() override {
     writer_.finish();
@@ -39,7 +39,7 @@ class SinglePicture : public output::FrameSink {
   SinglePicture(std::filesystem::path target, std::vector<image::PngText> texts, double dpi,
                 output::FrameDigestText digestOf)
       : target_(std::move(target)), texts_(std::move(texts)), dpi_(dpi), digestOf_(std::move(digestOf)) {}
-  void write(const image::Image& picture, std::int64_t k) override {
+  void write(const image::AnyImage& picture, std::int64_t k) override {
     std::vector<image::PngText> texts = texts_;
     texts.push_back(output::digestText(digestOf_(k)));
     output::writePng(target_, picture, texts, dpi_);
@@ -58,8 +58,8 @@ class SingleFigure : public output::FrameSink {
  public:
   SingleFigure(std::filesystem::path target, output::FigureOptions options, const SceneFrames& frames)
       : target_(std::move(target)), options_(std::move(options)), frames_(frames) {}
-  void write(const image::Image& imagePart, std::int64_t) override {
-    output::writeFigure(target_, frames_.picture(), imagePart, options_);
+  void write(const image::AnyImage& imagePart, std::int64_t) override {
+    output::writeFigure(target_, frames_.picture(), std::get<image::Image>(imagePart), options_);
   }
   void finish() override {}
 
@@ -76,7 +76,7 @@ class TimedPictures : public output::FrameSink {
       : sink_(std::move(sink)), times_(times) {}
 
   bool has(std::int64_t k) const override { return sink_->has(k); }
-  void write(const image::Image& picture, std::int64_t k) override {
+  void write(const image::AnyImage& picture, std::int64_t k) override {
     timed([&] { sink_->write(picture, k); });
   }
   void finish() override {

@@ -31,7 +31,7 @@ void reportReused(const FrameRange& segment, int reports) {
 }
 
 void makeFrame(std::int64_t k, FrameSource& source, output::FrameSink& sink, Statistics& spent) {
-  const image::Image picture = source.frame(k);
+  const image::AnyImage picture = source.frame(k);
   if (spent.frames++ == 0) spent.making -= source.times();  // told apart from the other frames
   sink.write(picture, k);
 }

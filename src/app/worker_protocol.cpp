@@ -33,13 +33,13 @@ SceneRequest sceneOf(const Json& json) {
 }
 
 Json toJson(const PictureForm& form) {
-  Json json{{"transparent", form.transparent}};
+  Json json{{"transparent", form.transparent}, {"bits", form.bits}};
   if (form.print) json["print"] = {form.print->width_mm, form.print->dpi};
   return json;
 }
 
 PictureForm formOf(const Json& json) {
-  PictureForm form{std::nullopt, json.at("transparent").get<bool>()};
+  PictureForm form{std::nullopt, json.at("transparent").get<bool>(), json.at("bits").get<int>()};
   if (json.contains("print"))
     form.print = PrintSize{json.at("print").at(0).get<double>(), json.at("print").at(1).get<double>()};
   return form;

@@ -11,6 +11,7 @@ namespace poinsot::output {
 /// is what keeps the ink nearest to its colour, so that an edge has no fringe of the paper's, whatever the picture
 /// is laid on.
 /// @pre four channels
-void fitAlpha(image::Image& picture, const draw::Color& paper);
+template <typename Sample>
+void fitAlpha(image::BasicImage<Sample>& picture, const draw::Color& paper);
 
 }  // namespace poinsot::output

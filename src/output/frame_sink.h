@@ -13,8 +13,9 @@ class FrameSink {
   virtual ~FrameSink() = default;
   /// Whether frame k is there already, as it would be written: then it need not come.
   virtual bool has(std::int64_t /*k*/) const { return false; }
+  /// @pre 8 bits a sample, unless the sink takes more.
   /// @throws core::Error(kIo or kEncode).
-  virtual void write(const image::Image& picture, std::int64_t k) = 0;
+  virtual void write(const image::AnyImage& picture, std::int64_t k) = 0;
   /// Makes everything written so far complete and durable. A sink destroyed without it leaves nothing incomplete
   /// behind.
   virtual void finish() = 0;

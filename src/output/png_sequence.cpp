@@ -26,13 +26,18 @@ void createFolder(const std::filesystem::path& folder) {
                                                       core::printable(folder.native()), failure.message()));
 }
 
+std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<image::PngText>& texts,
+                                  double dpi = 0) {
+  return std::visit([&](const auto& picture) { return image::encodePng(picture, texts, dpi); }, any);
+}
+
 }  // namespace
 
 image::PngText digestText(const std::string& digest) { return {kDigestKey, digest}; }
 
-void writePng(const std::filesystem::path& target, const image::Image& picture,
+void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts, double dpi) {
-  writeFileAtomically(target, image::encodePng(picture, texts, dpi));
+  writeFileAtomically(target, encoded(picture, texts, dpi));
 }
 
 PngSequence::PngSequence(FramePattern pattern, SequenceOptions options)
@@ -49,12 +54,12 @@ bool PngSequence::has(std::int64_t k) const {
   return texts && std::ranges::any_of(*texts, said);
 }
 
-void PngSequence::write(const image::Image& picture, std::int64_t k) {
+void PngSequence::write(const image::AnyImage& picture, std::int64_t k) {
   const auto target = pattern_.path(k);
   std::vector<image::PngText> texts = options_.texts;
   if (options_.digestOf) texts.push_back(digestText(options_.digestOf(k)));
   AtomicFile file(target, options_.temporaryFolder);
-  file.write(image::encodePng(picture, texts));
+  file.write(encoded(picture, texts));
   file.commit(Durability::kRenamed);
   unsynced_.push_back(target);
 }

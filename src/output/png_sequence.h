@@ -13,7 +13,7 @@
 namespace poinsot::output {
 
 /// One picture, atomic and durable; `dpi` as in encodePng. @throws core::Error(kIo).
-void writePng(const std::filesystem::path& target, const image::Image& picture,
+void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts = {}, double dpi = 0);
 
 /// What a frame's file says of its own digest: hexadecimal.
@@ -29,7 +29,7 @@ struct SequenceOptions {
   std::filesystem::path temporaryFolder;  ///< for what is not complete; empty: beside the frames
 };
 
-/// Frames as numbered PNG files, each appearing under its name only when complete.
+/// Frames as numbered PNG files of 8 or 16 bits a sample, each appearing under its name only when complete.
 /// Frames already written stay if the sink is destroyed without finish(): each is whole, and a resumed run keeps
 /// it.
 class PngSequence : public FrameSink {
@@ -38,7 +38,7 @@ class PngSequence : public FrameSink {
   explicit PngSequence(FramePattern pattern, SequenceOptions options = {});
 
   bool has(std::int64_t k) const override;
-  void write(const image::Image& picture, std::int64_t k) override;
+  void write(const image::AnyImage& picture, std::int64_t k) override;
   /// Syncs files and folder once: a sync per frame would wait for the disk each time.
   void finish() override;
 

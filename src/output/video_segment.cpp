@@ -50,7 +50,8 @@ VideoSegmentWriter::VideoSegmentWriter(const std::filesystem::path& target, imag
 
 VideoSegmentWriter::~VideoSegmentWriter() = default;
 
-void VideoSegmentWriter::write(const image::Image& picture, std::int64_t k) {
+void VideoSegmentWriter::write(const image::AnyImage& any, std::int64_t k) {
+  const auto& picture = std::get<image::Image>(any);
   POINSOT_EXPECT(k == nextFrame_);
   POINSOT_EXPECT(picture.size == size_);
   ++nextFrame_;

@@ -28,8 +28,8 @@ class VideoSegmentWriter : public FrameSink {
                      const FilmFormat& format, std::int64_t firstFrame);
   ~VideoSegmentWriter() override;
 
-  /// @pre the constructor's size.
-  void write(const image::Image& picture, std::int64_t k) override;
+  /// @pre the constructor's size, 8 bits a sample.
+  void write(const image::AnyImage& picture, std::int64_t k) override;
   /// @pre at least one frame was written.
   void finish() override;
 

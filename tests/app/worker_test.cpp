@@ -12,7 +12,7 @@ namespace {
 
 /// Frame k is one grey pixel of value k.
 struct GreySource : FrameSource {
-  image::Image frame(std::int64_t k) override {
+  image::AnyImage frame(std::int64_t k) override {
     image::Image picture({1, 1}, 3);
     picture.pixels.assign(3, static_cast<std::uint8_t>(k));
     ++made;
@@ -28,7 +28,9 @@ using Written = std::vector<std::pair<std::int64_t, int>>;  // k and grey value,
 
 struct RecordingSink : output::FrameSink {
   explicit RecordingSink(Written& log) : log_(log) {}
-  void write(const image::Image& picture, std::int64_t k) override { log_.emplace_back(k, picture.pixels[0]); }
+  void write(const image::AnyImage& picture, std::int64_t k) override {
+    log_.emplace_back(k, std::get<image::Image>(picture).pixels[0]);
+  }
   void finish() override { log_.emplace_back(0, -1); }
   Written& log_;
 };
@@ -83,7 +85,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
                       gl::Backend::kEgl,
                       true,
                       2,
-                      {PrintSize{86.25, 599.9}, true},
+                      {PrintSize{86.25, 599.9}, true, 16},
                       7,
                       true,
                       "0123"};
@@ -106,6 +108,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_EQ(read.form.print->width_mm, 86.25);
   EXPECT_EQ(read.form.print->dpi, 599.9);
   EXPECT_TRUE(read.form.transparent);
+  EXPECT_EQ(read.form.bits, 16);
   EXPECT_EQ(read.segmentFrames, 7);
   EXPECT_TRUE(read.resume);
   EXPECT_EQ(read.job, job.job);
@@ -117,6 +120,7 @@ TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
   EXPECT_EQ(read.time_s, std::nullopt);
   EXPECT_FALSE(read.form.print);
   EXPECT_FALSE(read.form.transparent);
+  EXPECT_EQ(read.form.bits, 8);
 }
 
 TEST(WorkerProtocol, CarriesReports) {

@@ -47,6 +47,20 @@ TEST(FitAlpha, HalfOfBlackOverWhiteIsALittle) {
   EXPECT_EQ(fitted({255, 255, 255, 128}, draw::Color(0)), (Pixel{255, 255, 255, 188}));
 }
 
+// The same with 16 bits, worked out by hand: 32768/65535 of the light is 48191.3 of 65535, so 17343.7 are dark.
+TEST(FitAlpha, SixteenBitsAreFittedAsExactly) {
+  image::DeepImage pixel({1, 1}, 4);
+  pixel.pixels = {0, 0, 0, 32768};
+  fitAlpha(pixel, draw::Color(1));
+  EXPECT_EQ(pixel.pixels, (std::vector<std::uint16_t>{0, 0, 0, 17344}));
+  const std::vector<std::uint16_t> whole{1, 2, 3, 65535}, nothing{9, 8, 7, 0};
+  for (const auto& stays : {whole, nothing}) {
+    pixel.pixels = stays;
+    fitAlpha(pixel, draw::Color(1));
+    EXPECT_EQ(pixel.pixels, stays);
+  }
+}
+
 TEST(FitAlpha, WhatIsWholeOrNothingStays) {
   const Pixel all[] = {{1, 2, 3, 255}, {200, 90, 10, 0}, {255, 255, 255, 77}};
   for (const Pixel& p : all) EXPECT_EQ(fitted(p, draw::Color(1)), p);

@@ -33,6 +33,14 @@ TEST_F(PngSequenceTest, WritesEachFrameUnderItsNumber) {
   EXPECT_TRUE(image::isOwnPng(in("frames/f_0008.png")));
 }
 
+TEST_F(PngSequenceTest, WritesSixteenBits) {
+  image::DeepImage picture({2, 1}, 3);
+  picture.pixels = {0, 257, 514, 20000, 65535, 1};
+  PngSequence(FramePattern(in("f_{frame}.png"))).write(picture, 1);
+  EXPECT_EQ(content(in("f_1.png")).at(24), 16);  // bits, says IHDR
+  EXPECT_EQ(image::readPng(in("f_1.png")).pixels, (std::vector<std::uint8_t>{0, 1, 2, 78, 255, 0}));
+}
+
 TEST_F(PngSequenceTest, WritesTheSameBytesEachTime) {
   PngSequence(FramePattern(in("a_{frame}.png"))).write(grey(10), 1);
   PngSequence(FramePattern(in("b_{frame}.png"))).write(grey(10), 1);
