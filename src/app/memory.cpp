@@ -87,19 +87,20 @@ double encoderMemory_bytes(const output::FilmFormat& format) {
 }  // namespace
 
 // Peak memory of a worker over the size of its pictures is a straight line: at nothing are the libraries and the
-// driver's shaders; each pixel then takes 40 bytes of the renderer's buffers (renderer.cpp), its picture, and what
-// the encoder keeps of the frames it looks at. Measured from 640x360 to 8192x8192, see
+// driver's shaders; each pixel then takes 40 bytes of the renderer's buffers, 68 for 16 bits (renderer.cpp), its
+// picture, and what the encoder keeps of the frames it looks at. Measured from 640x360 to 8192x8192, see
 // tests/faults/memory_nightly_test.cpp.
-double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film) {
-  constexpr double kStart_bytes = 148e6, kPicture_bytes = 46;
+double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
+  constexpr double kStart_bytes = 148e6;
+  const double picture_bytes = bits == 8 ? 46 : 80;
   const double encoder_bytes = film ? encoderMemory_bytes(*film) : 0;
-  return kStart_bytes + (kPicture_bytes + encoder_bytes) * size.width * size.height;
+  return kStart_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
 }
 
 double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form) {
   std::optional<output::FilmFormat> film;
   if (target.kind == OutputKind::kFilm) film = filmFormat(target, asked, form);
-  return workerMemory_bytes({asked.width, asked.height}, film);
+  return workerMemory_bytes({asked.width, asked.height}, film, form.bits);
 }
 
 FreeMemory freeMemory(const path& root) { return {std::min(ofMachine(root), ofGroups(root)), ofProcess()}; }

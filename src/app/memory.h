@@ -13,9 +13,9 @@
 /// What a render takes of memory, known before it begins.
 namespace poinsot::app {
 
-/// Bytes that a worker process holds at its peak, of the picture's size and of the film's encoder; a picture has
-/// none. Measured; a scene of large meshes takes more. See memory.cpp.
-double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film);
+/// Bytes that a worker process holds at its peak, of the picture's size, the bits of its samples and the film's
+/// encoder; a picture has none. Measured; a scene of large meshes takes more. See memory.cpp.
+double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits = 8);
 
 /// The same of an output as it is asked for.
 double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form);
