@@ -55,7 +55,7 @@ int render(const FilmOptions& options) {
   checkFrameCount(film.target, film.frames);
   checkParts(options.parts, film.target);
   return renderTo(options, film.target, std::move(film.request), film.scene, film.frames, std::nullopt,
-                  {std::nullopt, options.transparent}, options.parts);
+                  pictureForm(options), options.parts);
 }
 
 }  // namespace

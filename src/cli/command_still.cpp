@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/picture_bits.h"
 #include "cli/print_size.h"
 #include "cli/rendering.h"
 #include "cli/time_word.h"
@@ -20,6 +21,7 @@ struct StillOptions : RenderOptions {
   std::string width;
   std::optional<double> dpi;
   bool transparent = false;
+  int bits = 8;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
@@ -31,7 +33,7 @@ app::OutputTarget targetOf(const StillOptions& options, const std::string& scene
 
 /// A figure has a size on paper, a picture only where one is asked for.
 app::PictureForm formOf(const StillOptions& options, app::OutputKind kind) {
-  app::PictureForm form{std::nullopt, options.transparent};
+  app::PictureForm form{std::nullopt, options.transparent, options.bits};
   if (kind == app::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
   if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
   if (options.dpi && !form.print) refuse("--dpi needs --width: pixels to the inch of a picture that has a width");
@@ -54,7 +56,9 @@ std::optional<double> askedTime_s(const StillOptions& options) {
 }
 
 int still(const StillOptions& options) {
-  const auto form = formOf(options, targetOf(options, "SCENE").kind);  // what is typed wrong is said first
+  const auto named = targetOf(options, "SCENE");  // what is typed wrong is said first
+  checkBits(options.bits, named);
+  const auto form = formOf(options, named.kind);
   const auto asked_s = askedTime_s(options);
   RequestedScene requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;
@@ -91,6 +95,7 @@ void addStill(CLI::App& program, Action& chosen) {
       ->type_name("N")
       ->check(CLI::Range(1.0, 10000.0));
   command->add_flag("--transparent", options->transparent, "no paper behind the picture");
+  addBitsOption(*command, options->bits);
   command->footer(
       "Examples:\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png\n"

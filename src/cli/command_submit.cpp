@@ -43,6 +43,7 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   add("--frames", options.frames);
   if (options.loop) words.push_back("--loop");
   if (options.transparent) words.push_back("--transparent");
+  if (options.bits != 8) add("--bits", std::to_string(options.bits));
   if (options.force) words.push_back("--force");
   if (options.backend != "auto") add("--backend", options.backend);
   if (options.parts.segmentFrames != app::kSegmentFrames)
@@ -89,7 +90,7 @@ std::string scriptOf(const std::string& engine, const app::Submission& submissio
 int submit(const SubmitOptions& options) {
   const auto [request, scene, target, frames] = requestedFilm(options);
   checkKind(target);
-  checkMakeable(options, target, scene, frames, {std::nullopt, options.transparent});
+  checkMakeable(options, target, scene, frames, pictureForm(options));
   const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
   const auto segments = app::segmentsOf(frames, options.parts.segmentFrames);
   app::Submission submission;
@@ -103,7 +104,7 @@ int submit(const SubmitOptions& options) {
   submission.segments = static_cast<std::int64_t>(segments.size());
   submission.division =
       app::divisionOf(divisionRequest(options), frames, segments, {scene.output.width, scene.output.height},
-                      app::workerMemory_bytes(target, scene.output, {std::nullopt, options.transparent}));
+                      app::workerMemory_bytes(target, scene.output, pictureForm(options)));
   submission.retries = options.retries;
   writeOut(scriptOf(options.engine, submission));
   return kDone;

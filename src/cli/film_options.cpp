@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/frame_clock.h"
+#include "cli/picture_bits.h"
 #include "core/error.h"
 #include "output/film_format.h"
 
@@ -27,6 +28,7 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
       ->check(notEmpty());
   command.add_flag("--transparent", options.transparent,
                    "no paper behind the pictures: .webm, .mov, .apng and PNG");
+  addBitsOption(command, options.bits);
   command.add_flag(
       "--loop", options.loop,
       "a film that repeats without a jump: changes the start and the speed least, and says by how much");
@@ -47,9 +49,14 @@ std::optional<app::OutputTarget> namedTarget(const FilmOptions& options) {
 
 }  // namespace
 
+app::PictureForm pictureForm(const FilmOptions& options) {
+  return {std::nullopt, options.transparent, options.bits};
+}
+
 RequestedFilm requestedFilm(const FilmOptions& options) {
   const auto asked = options.frames.empty() ? std::nullopt : std::optional(app::parseFrameRange(options.frames));
   const auto named = namedTarget(options);
+  checkBits(options.bits, named.value_or(app::OutputTarget{}));  // without a name, a film
   auto [request, scene] = requestedScene(options);
   const auto target = named ? *named : app::parseTarget("out/" + scene.name + ".mp4");
   const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);

@@ -12,6 +12,7 @@ namespace poinsot::cli {
 struct FilmOptions : RenderOptions {
   std::string frames, format;
   bool transparent = false;
+  int bits = 8;
   PartsOptions parts;
 };
 
@@ -25,6 +26,9 @@ struct RequestedFilm {
   app::OutputTarget target;
   app::FrameRange frames;
 };
+
+/// How its pictures are made.
+app::PictureForm pictureForm(const FilmOptions& options);
 
 /// @throws scene::SceneErrors, core::Error
 RequestedFilm requestedFilm(const FilmOptions& options);

@@ -11,6 +11,7 @@
 
 #include "cli/program_run.h"
 #include "image/png_file.h"
+#include "support/shell_run.h"
 
 namespace poinsot {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class RenderCommand : public ::testing::Test {
  protected:
@@ -64,6 +66,53 @@ TEST_F(RenderCommand, StillBetweenTwoFramesIsNeither) {
   good({"still", "a.toml", "--time", "1.0333333333333333", "-o", "after.png"});
   EXPECT_FALSE(bytes("between.png") == bytes("before.png"));
   EXPECT_FALSE(bytes("between.png") == bytes("after.png"));
+}
+
+TEST_F(RenderCommand, PicturesHaveSixteenBitsWhereAskedFor) {
+  // Of what ffprobe says; as big-endian as a PNG is.
+  const auto kind = [&](const std::string& name) {
+    return runShell(folder_.path(), "ffprobe -v error -show_entries stream=pix_fmt -of csv=p=0 " + name).out;
+  };
+  good({"still", "a.toml", "--time", "2", "--bits", "16", "-o", "deep.png"});
+  EXPECT_EQ(kind("deep.png"), "rgb48be\n");
+  good({"still", "a.toml", "--time", "2", "--bits", "16", "--transparent", "-o", "clear.png"});
+  EXPECT_EQ(kind("clear.png"), "rgba64be\n");
+  good({"still", "a.toml", "--time", "2", "--bits", "8", "-o", "eight.png"});
+  EXPECT_EQ(kind("eight.png"), "rgb24\n");
+  good({"still", "a.toml", "--time", "2", "-o", "plain.png"});
+  EXPECT_TRUE(bytes("eight.png") == bytes("plain.png"));
+  good({"still", "a.toml", "--time", "2", "--bits", "16", "--backend", "osmesa", "-o", "osmesa.png"});
+  good({"still", "a.toml", "--time", "2", "--bits", "16", "--backend", "egl", "-o", "egl.png"});
+  EXPECT_TRUE(bytes("osmesa.png") == bytes("egl.png"));
+  // Rounded to 8 bits it is the picture of 8.
+  const image::Image deep = image::readPng(folder_ / "deep.png"), eight = image::readPng(folder_ / "eight.png");
+  ASSERT_EQ(deep.size, eight.size);
+  ASSERT_EQ(deep.channels, 3);
+  for (std::size_t i = 0; i < deep.pixels.size(); ++i) ASSERT_NEAR(deep.pixels[i], eight.pixels[i], 1) << i;
+}
+
+TEST_F(RenderCommand, ASequenceOfSixteenBitsIsTheSameHoweverItIsMade) {
+  const std::vector<std::string> names{"0058.png", "0059.png", "0060.png", "0061.png"};
+  const auto render = [&](const std::string& folder, std::vector<std::string> more) {
+    std::vector<std::string> words{"render", "a.toml", "--frames", "58-61", "-o", folder + "/{frame:04}.png"};
+    words.insert(words.end(), more.begin(), more.end());
+    return good(words);
+  };
+  const auto expectSame = [&](const std::string& a, const std::string& b) {
+    for (const auto& name : names) EXPECT_TRUE(bytes(a + "/" + name) == bytes(b + "/" + name)) << b << name;
+  };
+  render("one", {"--bits", "16", "-j", "1"});
+  render("two", {"--bits", "16", "-j", "2"});
+  expectSame("one", "two");
+  // What is there is kept; a file that is gone is made again, as it was.
+  std::filesystem::remove(folder_ / "two/0059.png");
+  EXPECT_THAT(render("two", {"--bits", "16", "--resume"}).err, HasSubstr("3 of them were there already"));
+  expectSame("one", "two");
+  // Frames of 8 bits are others, either way.
+  EXPECT_THAT(render("two", {"--resume"}).err, Not(HasSubstr("there already")));
+  EXPECT_FALSE(bytes("one/0060.png") == bytes("two/0060.png"));
+  EXPECT_THAT(render("two", {"--bits", "16", "--resume"}).err, Not(HasSubstr("there already")));
+  expectSame("one", "two");
 }
 
 TEST_F(RenderCommand, BackEndsDrawTheSameBytes) {

@@ -144,6 +144,15 @@ TEST_F(Submit, TheSameWordsPrintTheSameScript) {
   }
 }
 
+TEST(SubmitHandsOn, HowManyBitsThePicturesHave) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const RunResult deep =
+      run(folder, {"submit", "a.toml", "-o", "{frame:05}.png", "--bits", "16", "--transparent"});
+  EXPECT_EQ(deep.exitCode, 0) << deep.err;
+  EXPECT_THAT(deep.out, HasSubstr(" --transparent --bits 16 "));
+}
+
 TEST(SubmitRefuses, WhatCannotBeMadeThere) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);

@@ -105,6 +105,14 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
       {{"still", "a.toml", "--time", "", "-o", "a.png"}, "--time '': expected a time"},
       {{"still", "a.toml", "--time", "nan", "-o", "a.png"}, "--time nan"},
       {{"still", "a.toml", "-o", "a.mp4"}, "a still is one NAME.png"},
+      {{"render", "a.toml", "--bits", "16", "-o", "a.mov"},
+       "--bits 16: the pictures of a film have 8; NAME_{frame:05}.png and NAME.png can have 16"},
+      {{"render", "a.toml", "--bits", "16"}, "--bits 16: the pictures of a film have 8"},
+      {{"render", "none.toml", "--bits", "16"}, "--bits 16: the pictures of a film have 8"},
+      {{"submit", "a.toml", "--bits", "16", "-o", "a.mp4"}, "--bits 16: the pictures of a film have 8"},
+      {{"still", "a.toml", "--bits", "16", "-o", "a.pdf"},
+       "--bits 16: the pictures in a figure have 8; NAME.png can have 16"},
+      {{"still", "a.toml", "--bits", "10", "-o", "a.png"}, "--bits: "},
       {{"check"}, "SCENE is required"},
   };
   for (const BadUsage& bad : cases) {
