@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "app/shell_word.h"
 #include "app/submission.h"
 #include "app/submission_text.h"
 #include "core/error.h"
+#include "core/shell_word.h"
 #include "core/text.h"
 
 namespace poinsot::app {
@@ -66,7 +66,7 @@ equals := =
 std::string header(const Submission& submission) {
   return fmt::format(kHeader, fmt::arg("what", whatText(submission, " of make, and then joined")),
                      fmt::arg("jobs", std::max(2, 8 / submission.division.cpus)),
-                     fmt::arg("output", shellWord(outputFile(submission).string())));
+                     fmt::arg("output", core::shellWord(outputFile(submission).string())));
 }
 
 /// Names of the marks: an empty file for each shard that is done, named by its number.
@@ -80,7 +80,7 @@ std::string marks(const Submission& submission) {
 std::string shardRule(const Submission& submission) {
   std::string inputs;
   for (const std::filesystem::path& file : submission.inputs) inputs += " " + makeName(submission, file);
-  const std::string folder = shellWord(tasksFolderOf(submission).string());
+  const std::string folder = core::shellWord(tasksFolderOf(submission).string());
   // The last part of the mark's name. Not $(@F), which takes a space for the end of a name.
   return "$(shards):" + inputs + "\n" +
          recipe(submission, "; shard=$(lastword $(subst /, ,$@))",
@@ -94,9 +94,9 @@ std::string joinRule(const Submission& submission) {
   const std::filesystem::path folder = tasksFolderOf(submission);
   const std::filesystem::path target = film ? submission.output.path : folder / "all";
   Lines lines{joinCommand(submission),
-              fmt::format("rm -f -- {}/{{1..{}}}", shellWord(folder.string()), submission.division.shards)};
-  lines.push_back(film ? "rmdir --ignore-fail-on-non-empty -- " + shellWord(folder.string())
-                       : "touch -- " + shellWord(target.string()));
+              fmt::format("rm -f -- {}/{{1..{}}}", core::shellWord(folder.string()), submission.division.shards)};
+  lines.push_back(film ? "rmdir --ignore-fail-on-non-empty -- " + core::shellWord(folder.string())
+                       : "touch -- " + core::shellWord(target.string()));
   const std::string name = makeName(submission, target);
   return ".PRECIOUS: " + name + "\n.SECONDARY: $(shards)\n\n" + name + ": $(shards)\n" +
          recipe(submission, "", lines) + "\n";

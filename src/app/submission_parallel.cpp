@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "app/shell_word.h"
 #include "app/submission.h"
 #include "app/submission_text.h"
+#include "core/shell_word.h"
 
 namespace poinsot::app {
 namespace {
@@ -41,14 +41,15 @@ parallel --env task --env POINSOT --jobs {percent}% --retries {tries} --halt soo
 
 std::string parallelScript(const Submission& submission) {
   const Division& division = submission.division;
-  return fmt::format(
-      kScript, fmt::arg("what", whatText(submission, " of GNU parallel, and then joined")),
-      fmt::arg("output", shellWord(outputFile(submission).string())), fmt::arg("retries", submission.retries),
-      fmt::arg("said", shellWord(tasksFolderOf(submission).string())),
-      fmt::arg("indented", placeText(submission, "  ")), fmt::arg("shard", shardCommand(submission, "$1")),
-      fmt::arg("place", placeText(submission)), fmt::arg("percent", std::max(1, 100 / division.cpus)),
-      fmt::arg("tries", submission.retries + 1), fmt::arg("shards", division.shards),
-      fmt::arg("join", joinCommand(submission)));
+  return fmt::format(kScript, fmt::arg("what", whatText(submission, " of GNU parallel, and then joined")),
+                     fmt::arg("output", core::shellWord(outputFile(submission).string())),
+                     fmt::arg("retries", submission.retries),
+                     fmt::arg("said", core::shellWord(tasksFolderOf(submission).string())),
+                     fmt::arg("indented", placeText(submission, "  ")),
+                     fmt::arg("shard", shardCommand(submission, "$1")), fmt::arg("place", placeText(submission)),
+                     fmt::arg("percent", std::max(1, 100 / division.cpus)),
+                     fmt::arg("tries", submission.retries + 1), fmt::arg("shards", division.shards),
+                     fmt::arg("join", joinCommand(submission)));
 }
 
 }  // namespace poinsot::app

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "app/shell_word.h"
 #include "app/submission.h"
 #include "app/submission_text.h"
 #include "core/error.h"
+#include "core/shell_word.h"
 #include "core/text.h"
 
 namespace poinsot::app {
@@ -96,12 +96,12 @@ std::string slurmScript(const Submission& submission) {
       kScript,
       fmt::arg("what",
                whatText(submission, " of a Slurm job array; a job that waits for them joins what they made")),
-      fmt::arg("output", shellWord(outputFile(submission).string())), fmt::arg("retries", submission.retries),
-      fmt::arg("said", shellWord(saidFolder(submission))), fmt::arg("shards", division.shards),
-      fmt::arg("place", placeText(submission)),
+      fmt::arg("output", core::shellWord(outputFile(submission).string())),
+      fmt::arg("retries", submission.retries), fmt::arg("said", core::shellWord(saidFolder(submission))),
+      fmt::arg("shards", division.shards), fmt::arg("place", placeText(submission)),
       fmt::arg("shard", shardCommand(submission, "$SLURM_ARRAY_TASK_ID")),
       fmt::arg("join", joinCommand(submission)),
-      fmt::arg("name", shellWord("poinsot " + submission.output.path.filename().string())),
+      fmt::arg("name", core::shellWord("poinsot " + submission.output.path.filename().string())),
       fmt::arg("cpus", division.cpus), fmt::arg("memory", division.memory),
       fmt::arg("minutes", limit_min(division)));
 }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/shell_word.h"
+#include "core/shell_word.h"
 #include "core/version.h"
 
 namespace poinsot::app {
@@ -32,14 +32,14 @@ std::string whatText(const Submission& submission, const std::string& how) {
       "# {}\n"
       "# {} in {}, made by {}{}.\n"
       "# Reckoned: {:.2g} s of CPU time a frame, {} a task. Printed by poinsot {}; see poinsot submit --help.\n",
-      shellWord(submission.output.path.string()), counted(submission.frames, "frame"),
+      core::shellWord(submission.output.path.string()), counted(submission.frames, "frame"),
       counted(submission.segments, "segment"), counted(division.shards, "task"), how, division.frame_s,
       durationText(division.task_s), core::version());
 }
 
 std::vector<std::string> placeLines(const Submission& submission) {
-  return {fmt::format("cd -- {} || exit 4", shellWord(submission.folder.string())),
-          fmt::format("poinsot=${{POINSOT:-{}}}", shellWord(submission.program.string()))};
+  return {fmt::format("cd -- {} || exit 4", core::shellWord(submission.folder.string())),
+          fmt::format("poinsot=${{POINSOT:-{}}}", core::shellWord(submission.program.string()))};
 }
 
 std::string placeText(const Submission& submission, const std::string& indent) {
@@ -49,10 +49,12 @@ std::string placeText(const Submission& submission, const std::string& indent) {
 }
 
 std::string shardCommand(const Submission& submission, const std::string& shard) {
-  return fmt::format("\"$poinsot\" {} --shard \"{}/{}\"", shellWords(submission.render), shard,
+  return fmt::format("\"$poinsot\" {} --shard \"{}/{}\"", core::shellWords(submission.render), shard,
                      submission.division.shards);
 }
 
-std::string joinCommand(const Submission& submission) { return "\"$poinsot\" " + shellWords(submission.assemble); }
+std::string joinCommand(const Submission& submission) {
+  return "\"$poinsot\" " + core::shellWords(submission.assemble);
+}
 
 }  // namespace poinsot::app

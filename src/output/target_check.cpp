@@ -6,14 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <optional>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/shell_word.h"
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/atomic_file.h"
@@ -27,21 +26,12 @@ namespace {
   throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason));
 }
 
-/// As a shell needs it typed.
-std::string shellWord(const std::string& text) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) || std::string_view("_-./").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (std::all_of(text.begin(), text.end(), plain)) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return core::printable(word + "'");
-}
-
 void checkFolder(const std::filesystem::path& folder) {
   struct stat status {};
   if (::stat(folder.c_str(), &status) < 0) {
-    if (errno == ENOENT) refuse(folder, "no such folder; make it with: mkdir -p " + shellWord(folder.native()));
+    if (errno == ENOENT)
+      refuse(folder,
+             "no such folder; make it with: mkdir -p " + core::printable(core::shellWord(folder.native())));
     refuse(folder, std::strerror(errno));
   }
   if (!S_ISDIR(status.st_mode)) refuse(folder, "not a folder");

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "app/memory.h"
-#include "app/shell_word.h"
 #include "core/error.h"
+#include "support/hostile_words.h"
 #include "support/shell_run.h"
 
 namespace poinsot::app {
@@ -15,51 +15,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::vector<std::string> kHostileWords{"",
-                                             "a b",
-                                             "it's",
-                                             "$HOME",
-                                             "`id`",
-                                             "$(id)",
-                                             "a\"b",
-                                             "\\",
-                                             "a\\'b",
-                                             "*",
-                                             "~",
-                                             "!!",
-                                             "a;b&c|d",
-                                             "<a>",
-                                             "{1..3}",
-                                             "-n",
-                                             "#",
-                                             "a=b",
-                                             "\n",
-                                             "a\nb'",
-                                             "\t\x1b[1m",
-                                             "100%",
-                                             "\u00e9\u65e5",
-                                             "'",
-                                             "\x01"
-                                             "2",
-                                             "\x7f",
-                                             "[ab]?",
-                                             "{frame:05}"};
-
-// The oracle is bash itself.
-TEST(ShellWord, BashReadsItBack) {
-  for (const std::string& word : kHostileWords) {
-    const std::string written = shellWord(word);
-    EXPECT_EQ(runShell("/", "x=" + written + "; printf '%s.' \"$x\" " + written).out, word + "." + word + ".")
-        << written;
-    EXPECT_THAT(written, Not(HasSubstr("\n")));
-  }
-}
-
-TEST(ShellWord, PlainWordsStandAsTheyAre) {
-  EXPECT_EQ(shellWord("out/film_1-2.mp4"), "out/film_1-2.mp4");
-  EXPECT_EQ(shellWords({"-D", "time.fps=30", "a b"}), "-D time.fps=30 'a b'");
-}
 
 Division divided(const DivisionRequest& request, std::int64_t frames, image::PixelSize size = {1920, 1080}) {
   const FrameRange all{0, frames - 1};

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace poinsot::app {
+namespace poinsot::core {
 
 /// A word as bash reads it back: bare where that is safe, else in quotes. Control characters are written as
 /// numbers, so that the result is always one line, in a here-document and behind a # too.
@@ -14,4 +14,4 @@ std::string shellWord(std::string_view word);
 /// Words with spaces between them.
 std::string shellWords(const std::vector<std::string>& words);
 
-}  // namespace poinsot::app
+}  // namespace poinsot::core

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/shell_word.h"
+#include "core/shell_word.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace poinsot::app {
+namespace poinsot::core {
 namespace {
 
 bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
@@ -46,4 +46,4 @@ std::string shellWords(const std::vector<std::string>& words) {
   return text;
 }
 
-}  // namespace poinsot::app
+}  // namespace poinsot::core
