@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <random>
 #include <regex>
 
@@ -32,15 +31,6 @@ int framesDone(const std::string& err) {
   const std::regex line("\"done\":([0-9]+)");
   for (std::sregex_iterator at(err.begin(), err.end(), line), end; at != end; ++at) done = std::stoi((*at)[1]);
   return done;
-}
-
-/// How long a run is on this machine, with two workers.
-double secondsOfARun(const Output& output) {
-  const ScratchFolder folder;
-  folder.put("tiny.toml", kTinyScene);
-  const auto before = std::chrono::steady_clock::now();
-  EXPECT_EQ(run(folder, renderArguments(output, {"-j", "2"})).exitCode, 0);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
 }
 
 class Kill : public testing::TestWithParam<Output> {};

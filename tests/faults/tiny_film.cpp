@@ -2,6 +2,7 @@
 #include "faults/tiny_film.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 #include "image/png_file.h"
@@ -82,6 +83,14 @@ const std::vector<std::pair<std::string, std::string>>& undisturbed(const Output
     EXPECT_FALSE(place->second.empty());
   }
   return place->second;
+}
+
+double secondsOfARun(const Output& output) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const auto before = std::chrono::steady_clock::now();
+  EXPECT_EQ(run(folder, renderArguments(output, {"-j", "2"})).exitCode, 0);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
 }
 
 }  // namespace poinsot::faults

@@ -57,4 +57,7 @@ void expectAllWhole(const std::filesystem::path& folder, const std::string& wher
 /// What an uninterrupted run makes of it; made once.
 const std::vector<std::pair<std::string, std::string>>& undisturbed(const Output& output);
 
+/// How long a run is on this machine, with two workers.
+double secondsOfARun(const Output& output);
+
 }  // namespace poinsot::faults

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/shader_cache.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/sha256.h"
+
+namespace poinsot::gl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view setting(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// Where caches are kept; empty if nowhere. A relative path in the environment is none (XDG base directories).
+fs::path cacheHome() {
+  const std::string_view own = setting("POINSOT_CACHE");
+  if (!own.empty()) return own == "off" || !own.starts_with('/') ? fs::path() : fs::path(own);
+  if (const auto xdg = setting("XDG_CACHE_HOME"); xdg.starts_with('/')) return fs::path(xdg) / "poinsot";
+  if (const auto home = setting("HOME"); home.starts_with('/')) return fs::path(home) / ".cache" / "poinsot";
+  return {};
+}
+
+/// Family, model and features. Mesa's own key has most of them; LLVM goes by the model, too.
+std::array<unsigned, 6> processor() {
+  std::array<unsigned, 6> facts{};
+#if defined(__x86_64__)
+  unsigned unused = 0;
+  // Leaf 1: EBX has the number of the core it runs on, which is not the processor's.
+  __get_cpuid(1, &facts[0], &unused, &facts[1], &facts[2]);
+  __get_cpuid_count(7, 0, &unused, &facts[3], &facts[4], &facts[5]);
+#endif
+  return facts;
+}
+
+/// Two profiles or CPUs never share a folder.
+std::string folderName(bool reproducible) {
+  core::Sha256 hash;
+  hash.add(reproducible ? "reproducible" : "native");
+  const auto facts = processor();
+  hash.add(std::as_bytes(std::span<const unsigned>(facts)));
+  return "shaders-" + core::toHex(hash.finish()).substr(0, 12);
+}
+
+/// Makes a folder, with those above it, unless that would be in a folder of somebody else's (sudo keeps HOME).
+bool make(const fs::path& folder) {
+  struct stat facts {};
+  if (::stat(folder.c_str(), &facts) == 0) return facts.st_uid == ::geteuid();
+  if (folder == folder.root_path() || !make(folder.parent_path())) return false;
+  return ::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST;
+}
+
+bool isOursAlone(const fs::path& folder) {
+  struct stat facts {};
+  return ::lstat(folder.c_str(), &facts) == 0 && S_ISDIR(facts.st_mode) && facts.st_uid == ::geteuid() &&
+         (facts.st_mode & (S_IWGRP | S_IWOTH)) == 0 && ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
+}
+
+}  // namespace
+
+fs::path shaderCacheFolder(bool reproducible) {
+  const fs::path home = cacheHome();
+  if (home.empty()) return {};
+  fs::path folder = home / folderName(reproducible);
+  return make(folder) && isOursAlone(folder) ? folder : fs::path();
+}
+
+}  // namespace poinsot::gl

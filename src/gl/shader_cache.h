@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace poinsot::gl {
+
+/// The folder in which Mesa keeps the machine code of shaders from one process to the next; made if need be. Empty
+/// where there is none: compiling takes each process 0.5 to 3 s then.
+///
+/// It is $POINSOT_CACHE/shaders-..., else $XDG_CACHE_HOME/poinsot/..., else $HOME/.cache/poinsot/...; the name
+/// ends in a hash of the profile and of what the CPU can do, since a home folder may be shared by many machines.
+/// Code is run from there: a folder that is not this user's alone to write is not used. POINSOT_CACHE=off: none.
+std::filesystem::path shaderCacheFolder(bool reproducible);
+
+}  // namespace poinsot::gl

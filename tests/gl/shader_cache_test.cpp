@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where compiled code is kept, and where it is not: XDG base directories 0.8, and nobody else may write there.
+#include "gl/shader_cache.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "support/scratch_folder.h"
+
+namespace poinsot::gl {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ShaderCacheTest : public testing::Test {
+ protected:
+  ~ShaderCacheTest() override {
+    for (const char* name : {"XDG_CACHE_HOME", "HOME", "POINSOT_CACHE"}) unsetenv(name);
+  }
+
+  /// The folder with these variables set and none besides.
+  static fs::path folderWith(const std::map<std::string, std::string>& environment) {
+    for (const char* name : {"XDG_CACHE_HOME", "HOME", "POINSOT_CACHE"}) unsetenv(name);
+    for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+    return shaderCacheFolder(false);
+  }
+
+  const ScratchFolder scratch_;
+  const std::string home_ = scratch_.path().string();
+};
+
+TEST_F(ShaderCacheTest, IsWhereTheFirstOfThreeVariablesSays) {
+  EXPECT_EQ(folderWith({{"HOME", home_}}).parent_path(), scratch_ / ".cache" / "poinsot");
+  EXPECT_EQ(folderWith({{"HOME", home_}, {"XDG_CACHE_HOME", home_ + "/x"}}).parent_path(),
+            scratch_ / "x" / "poinsot");
+  EXPECT_EQ(folderWith({{"XDG_CACHE_HOME", home_ + "/x"}, {"POINSOT_CACHE", home_ + "/p"}}).parent_path(),
+            scratch_ / "p");
+}
+
+TEST_F(ShaderCacheTest, IsMadeForTheUserAlone) {
+  const fs::path folder = folderWith({{"HOME", home_}});
+  for (const fs::path& made : {folder, folder.parent_path(), scratch_ / ".cache"})
+    EXPECT_EQ(fs::status(made).permissions(), fs::perms::owner_all) << made;
+  EXPECT_EQ(shaderCacheFolder(false), folder);  // and found again
+}
+
+TEST_F(ShaderCacheTest, IsNoneWhereNoPlaceIsGiven) {
+  EXPECT_EQ(folderWith({}), fs::path());
+  EXPECT_EQ(folderWith({{"HOME", "here"}, {"XDG_CACHE_HOME", "there"}}), fs::path());
+  EXPECT_EQ(folderWith({{"HOME", home_}, {"POINSOT_CACHE", "off"}}), fs::path());
+  EXPECT_TRUE(fs::is_empty(scratch_.path()));
+}
+
+TEST_F(ShaderCacheTest, IsNotSharedByTheTwoProfiles) {
+  const fs::path native = folderWith({{"HOME", home_}});
+  EXPECT_NE(shaderCacheFolder(true), native);
+  EXPECT_EQ(shaderCacheFolder(true).parent_path(), native.parent_path());
+}
+
+TEST_F(ShaderCacheTest, IsNotUsedWhereOthersMayWrite) {
+  const fs::path folder = folderWith({{"HOME", home_}});
+  for (const mode_t mode : {0770, 0707}) {
+    ::chmod(folder.c_str(), mode);
+    EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path()) << std::oct << mode;
+  }
+  ::chmod(folder.c_str(), 0700);
+  fs::rename(folder, scratch_ / "elsewhere");
+  fs::create_symlink(scratch_ / "elsewhere", folder);
+  EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());
+}
+
+TEST_F(ShaderCacheTest, IsNeitherMadeNorUsedAtSomebodyElses) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
+  const fs::path folder = folderWith({{"HOME", home_}});
+  ASSERT_EQ(::chown(folder.c_str(), 65534, 65534), 0);
+  EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());
+  fs::remove_all(scratch_ / ".cache");
+  ASSERT_EQ(::chown(home_.c_str(), 65534, 65534), 0);
+  EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());  // as with sudo
+  EXPECT_TRUE(fs::is_empty(home_));
+}
+
+}  // namespace
+}  // namespace poinsot::gl
