@@ -23,6 +23,7 @@ void addSubmit(CLI::App& program, Action& chosen);
 void addInfo(CLI::App& program, Action& chosen);
 void addTrajectory(CLI::App& program, Action& chosen);
 void addGrade(CLI::App& program, Action& chosen);
+void addDiff(CLI::App& program, Action& chosen);
 void addCheck(CLI::App& program, Action& chosen);
 void addSchema(CLI::App& program, Action& chosen);
 void addBackends(CLI::App& program, Action& chosen);

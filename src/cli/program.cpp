@@ -41,6 +41,7 @@ void declare(CLI::App& program, Action& chosen) {
   addStatus(program, chosen);
   addAssemble(program, chosen);
   addSubmit(program, chosen);
+  addDiff(program, chosen);
   addInfo(program, chosen);
   addTrajectory(program, chosen);
   addGrade(program, chosen);

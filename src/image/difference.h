@@ -1,48 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <string_view>
+#include <optional>
+#include <vector>
 
+#include "image/flip.h"
 #include "image/image.h"
+#include "image/ssim.h"
 
 namespace poinsot::image {
 
-enum class Verdict { kIdentical, kNear, kDifferent };
+/// One pixel of two pictures; channel values as they are stored.
+struct DifferingPixel {
+  int x = 0, y = 0;
+  double difference = 0;  ///< of its channels, the largest; counts in 1/255
+  std::array<int, 4> a{}, b{};
+};
 
-/// "identical", "near", "different".
-std::string_view toString(Verdict verdict);
-
-/// How two pictures of the same size and channel count differ. Channel values count in 1/255.
+/// How two pictures of the same size and channel count differ. Channel values count in 1/255, those of 16 bits in
+/// parts of that.
 struct ImageDifference {
   std::int64_t differingPixels = 0;
   double differingShare = 0;  ///< of all pixels, 0 to 1
-  int maxAbs = 0;             ///< over all pixels and channels
+  double maxAbs = 0;          ///< over all pixels and channels
   double meanAbs = 0;
-  double psnr_dB = 0;  ///< infinite when identical
-  double flipMean = 0;
-  double flipMax = 0;
-  int worstX = 0;  ///< the first pixel with maxAbs; 0, 0 when identical
-  int worstY = 0;
+  double rmse = 0;
+  std::optional<double> psnr_dB;    ///< nothing when identical
+  std::optional<SsimFigures> ssim;  ///< nothing below a window of 11x11
+  FlipFigures flip;
+  std::vector<DifferingPixel> worst;  ///< the largest first, of equal ones from the top left; ten at most
 };
 
-/// Limits for two pictures of one scene from two driver versions or processors: all of them must hold, none alone
-/// is enough (a missing facet has a small mean, a whole picture one level brighter a small maximum).
-struct NearRule {
-  int maxAbs = 2;
-  double differingShare = 0.005;
-  double flipMean = 1e-3;
-  double flipMax = 0.05;
+/// The figures, and what FLIP has of every pixel.
+struct Comparison {
+  ImageDifference difference;
+  FlipMap flip;
 };
 
 /// @throws core::Error(kIo) if sizes or channel counts differ: that is no difference of pixels, and nothing is
 /// resized.
-ImageDifference compare(const Image& a, const Image& b);
-
-Verdict verdict(const ImageDifference& difference, const NearRule& rule = {});
+Comparison compare(const Image& a, const Image& b, double pixelsPerDegree = kFlipPixelsPerDegree);
+Comparison compare(const DeepImage& a, const DeepImage& b, double pixelsPerDegree = kFlipPixelsPerDegree);
+/// Where one has 8 bits a sample and the other 16, both are compared in 16.
+Comparison compare(const AnyImage& a, const AnyImage& b, double pixelsPerDegree = kFlipPixelsPerDegree);
 
 /// RGB picture of |a - b| times `factor`, cut at 255: black where equal.
 /// @throws as compare.
 Image amplifiedDifference(const Image& a, const Image& b, int factor = 16);
+Image amplifiedDifference(const AnyImage& a, const AnyImage& b, int factor = 16);
 
 }  // namespace poinsot::image

@@ -19,10 +19,18 @@ struct FlipMap {
   double max() const;
 };
 
+/// A map in a few numbers. The median and the quartiles are weighted: half, a quarter, three quarters of the whole
+/// error is in the pixels below them. All are 0 for equal pictures.
+struct FlipFigures {
+  double mean = 0, min = 0, firstQuartile = 0, median = 0, thirdQuartile = 0, max = 0;
+};
+FlipFigures figuresOf(const FlipMap& map);
+
 /// The FLIP difference of two sRGB pictures (alpha is left out), in double precision; symmetric in a and b.
-/// @pre same size.
+/// @pre same size; pixelsPerDegree > 0.
 /// Source: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for
 /// Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020.
 FlipMap flip(const Image& a, const Image& b, double pixelsPerDegree = kFlipPixelsPerDegree);
+FlipMap flip(const DeepImage& a, const DeepImage& b, double pixelsPerDegree = kFlipPixelsPerDegree);
 
 }  // namespace poinsot::image

@@ -182,10 +182,13 @@ bool readHeader(png_structp png, png_infop info) {
   return true;
 }
 
-bool prepareRows(png_structp png, png_infop info) {
+bool prepareRows(png_structp png, png_infop info, bool keep16) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_expand(png);  // palette, 1 to 4 bit grey and tRNS to 8-bit samples and alpha
-  png_set_scale_16(png);
+  if (!keep16)
+    png_set_scale_16(png);
+  else if (std::endian::native == std::endian::little)
+    png_set_swap(png);
   png_set_gray_to_rgb(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
@@ -201,15 +204,18 @@ bool readPixels(png_structp png, png_bytepp rows) {
 
 void checkSize(png_structp png, png_infop info, std::string_view name) {
   const std::uint64_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
-  if (width <= kLargestPngSide && height <= kLargestPngSide && width * height * 4 <= kLargestPngBytes) return;
+  const std::uint64_t pixelBytes = png_get_bit_depth(png, info) == 16 ? 8 : 4;
+  if (width <= kLargestPngSide && height <= kLargestPngSide && width * height * pixelBytes <= kLargestPngBytes)
+    return;
   throw Error(ErrorKind::kLimit,
               fmt::format("{}: the picture is {}x{} pixels; at most {} a side and {} MiB decoded are read",
                           core::printable(name), width, height, kLargestPngSide, kLargestPngBytes >> 20));
 }
 
-std::vector<png_bytep> rowsOf(Image& picture) {
+template <typename Sample>
+std::vector<png_bytep> rowsOf(BasicImage<Sample>& picture) {
   std::vector<png_bytep> rows;
-  for (int y = 0; y < picture.size.height; ++y) rows.push_back(picture.at(0, y));
+  for (int y = 0; y < picture.size.height; ++y) rows.push_back(reinterpret_cast<png_bytep>(picture.at(0, y)));
   return rows;
 }
 
@@ -254,20 +260,38 @@ std::vector<std::uint8_t> encoded(const BasicImage<Sample>& picture, const std::
   return std::move(writer.bytes());
 }
 
-Image decoded(Reader& reader, std::string_view name) {
-  const auto check = [&](bool done) {
-    if (done) return;
-    throw Error(ErrorKind::kIo, fmt::format("{}: not a readable PNG: {}", core::printable(name),
-                                            core::printable(reader.complaint())));
-  };
-  check(readHeader(reader.png(), reader.info()));
-  checkSize(reader.png(), reader.info(), name);
-  check(prepareRows(reader.png(), reader.info()));
+void check(bool done, const Reader& reader, std::string_view name) {
+  if (done) return;
+  throw Error(ErrorKind::kIo, fmt::format("{}: not a readable PNG: {}", core::printable(name),
+                                          core::printable(reader.complaint())));
+}
+
+/// Channels of the file, those of a palette being its colours'.
+int channelsOf(png_structp png, png_infop info) {
+  const int type = png_get_color_type(png, info);
+  const bool alpha = (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+  return ((type & PNG_COLOR_MASK_COLOR) != 0 ? 3 : 1) + (alpha ? 1 : 0);
+}
+
+/// The picture of a reader that has read the header.
+template <typename Sample>
+BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
+  check(prepareRows(reader.png(), reader.info(), sizeof(Sample) == 2), reader, name);
   const PixelSize size = {static_cast<int>(png_get_image_width(reader.png(), reader.info())),
                           static_cast<int>(png_get_image_height(reader.png(), reader.info()))};
-  Image picture(size, png_get_channels(reader.png(), reader.info()));
-  check(readPixels(reader.png(), rowsOf(picture).data()));
+  BasicImage<Sample> picture(size, png_get_channels(reader.png(), reader.info()));
+  check(readPixels(reader.png(), rowsOf(picture).data()), reader, name);
   return picture;
+}
+
+void readHeader(Reader& reader, std::string_view name) {
+  check(readHeader(reader.png(), reader.info()), reader, name);
+  checkSize(reader.png(), reader.info(), name);
+}
+
+Image decoded(Reader& reader, std::string_view name) {
+  readHeader(reader, name);
+  return decodedPixels<std::uint8_t>(reader, name);
 }
 
 }  // namespace
@@ -283,6 +307,19 @@ std::vector<std::uint8_t> encodePng(const DeepImage& picture, const std::vector<
 Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name) {
   Reader reader(bytes);
   return decoded(reader, name);
+}
+
+PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_view name) {
+  Reader reader(bytes);
+  readHeader(reader, name);
+  const int channels = channelsOf(reader.png(), reader.info());
+  if (png_get_bit_depth(reader.png(), reader.info()) == 16)
+    return {decodedPixels<std::uint16_t>(reader, name), channels};
+  return {decodedPixels<std::uint8_t>(reader, name), channels};
+}
+
+PngPicture readPngAsStored(const std::filesystem::path& path) {
+  return decodePngAsStored(asBytes(fileBytes(path)), path.native());
 }
 
 Image readPng(const std::filesystem::path& path) { return decodePng(asBytes(fileBytes(path)), path.native()); }

@@ -19,7 +19,7 @@ struct PngText {
   std::string value;
 };
 
-/// Largest side in pixels and largest decoded picture in bytes that decodePng accepts.
+/// Largest side in pixels and largest decoded picture in bytes (of RGBA) that is read.
 inline constexpr std::uint32_t kLargestPngSide = 16384;
 inline constexpr std::uint64_t kLargestPngBytes = std::uint64_t{256} << 20;
 
@@ -36,7 +36,17 @@ std::vector<std::uint8_t> encodePng(const DeepImage& picture, const std::vector<
 /// @throws core::Error(kIo) if damaged, truncated or no PNG; core::Error(kLimit) if larger than the limits above.
 Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name);
 
-/// @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
+/// A picture with the bits that its file has: 8 (of fewer, too) or 16.
+struct PngPicture {
+  AnyImage picture;  ///< RGB or RGBA
+  int channels = 3;  ///< of the file: 1 grey, 2 grey and alpha, 3, 4; those of a palette are its colours'
+};
+
+/// @throws as decodePng.
+PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_view name);
+
+/// Those of files. @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
+PngPicture readPngAsStored(const std::filesystem::path& path);
 Image readPng(const std::filesystem::path& path);
 
 /// The texts of a PNG file that is whole: every checksum right, every pixel there. Nothing of one that is damaged,

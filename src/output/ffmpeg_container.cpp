@@ -77,9 +77,6 @@ FormatOutputPtr allocateFormat(const char* muxer) {
   return FormatOutputPtr(format);
 }
 
-/// "file:" keeps libav from reading a protocol into a name such as "a:b.mp4".
-std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.native(); }
-
 void setText(AVDictionary** texts, const char* key, const std::string& value) {
   checkAv(av_dict_set(texts, key, value.c_str(), 0), "setting a text");
 }

@@ -57,6 +57,8 @@ CodecParametersPtr parametersOf(const AVCodecContext& context) {
   return parameters;
 }
 
+std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.native(); }
+
 void AvOptions::set(const char* key, const std::string& value) {
   if (av_dict_set(&entries_, key, value.c_str(), 0) < 0) throw std::bad_alloc();
 }

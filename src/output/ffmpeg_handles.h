@@ -7,6 +7,7 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -72,6 +73,9 @@ Ptr checkAlloc(Ptr thing) {
   if (!thing) throw std::bad_alloc();
   return thing;
 }
+
+/// A path as libav's names of files: without the prefix "a:b" would be a protocol.
+std::string fileUrl(const std::filesystem::path& path);
 
 CodecParametersPtr parametersOf(const AVCodecContext& context);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small pictures guard the look: of every scene of the gallery, and of those in tests/golden/scenes, one for each
-// drawn thing, view and style. They are compared decoded, by the rule of image/difference.h: "near" passes, as a
+// drawn thing, view and style. They are compared decoded, by the rule of image/near_rule.h: "near" passes, as a
 // newer Mesa or libm may move a few pixels by one.
 //
 //   POINSOT_UPDATE_GOLDEN=1 ./poinsot test -L golden     writes new references, for review with git diff
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "image/difference.h"
+#include "image/near_rule.h"
 #include "image/png_file.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -90,7 +90,7 @@ TEST_P(GoldenTest, LooksAsItDid) {
   }
   const image::Image expected = image::readPng(reference);
   ASSERT_EQ(expected.size, actual.size);
-  const auto difference = image::compare(expected, actual);
+  const auto difference = image::compare(expected, actual).difference;
   const auto verdict = image::verdict(difference);
   if (verdict == image::Verdict::kIdentical) return;
   write(review / (golden.name + ".reference.png"), expected);
@@ -98,8 +98,8 @@ TEST_P(GoldenTest, LooksAsItDid) {
   write(review / (golden.name + ".difference.png"), image::amplifiedDifference(expected, actual));
   const std::string figures = "max " + std::to_string(difference.maxAbs) + ", differing " +
                               std::to_string(difference.differingPixels) + " px, FLIP mean " +
-                              std::to_string(difference.flipMean) + " max " + std::to_string(difference.flipMax) +
-                              "; see " + review.string();
+                              std::to_string(difference.flip.mean) + " max " +
+                              std::to_string(difference.flip.max) + "; see " + review.string();
   if (!wantsUpdate()) {
     EXPECT_NE(verdict, image::Verdict::kDifferent) << figures;
     return;

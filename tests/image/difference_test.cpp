@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "image/near_rule.h"
 
 namespace poinsot::image {
 namespace {
@@ -27,11 +28,15 @@ Image noise(PixelSize size, unsigned seed) {
 
 TEST(Difference, OfEqualPicturesIsNothing) {
   const Image a = noise({9, 7}, 1);
-  const ImageDifference d = compare(a, a);
+  const ImageDifference d = compare(a, a).difference;
   EXPECT_EQ(d.differingPixels, 0);
   EXPECT_EQ(d.maxAbs, 0);
   EXPECT_EQ(d.meanAbs, 0);
-  EXPECT_TRUE(std::isinf(d.psnr_dB));
+  EXPECT_EQ(d.rmse, 0);
+  EXPECT_FALSE(d.psnr_dB);
+  EXPECT_FALSE(d.ssim);  // too small
+  EXPECT_EQ(d.flip.max, 0);
+  EXPECT_TRUE(d.worst.empty());
   EXPECT_EQ(verdict(d), Verdict::kIdentical);
 }
 
@@ -42,14 +47,18 @@ TEST(Difference, CountsAndFindsTheWorstPixel) {
   b.at(7, 2)[1] = 110;
   b.at(3, 4)[0] = 96;
   b.at(3, 4)[2] = 103;
-  const ImageDifference d = compare(a, b);
+  const ImageDifference d = compare(a, b).difference;
   EXPECT_EQ(d.differingPixels, 2);
   EXPECT_DOUBLE_EQ(d.differingShare, 0.02);
   EXPECT_EQ(d.maxAbs, 10);
   EXPECT_DOUBLE_EQ(d.meanAbs, 17.0 / 300);
-  EXPECT_DOUBLE_EQ(d.psnr_dB, 10 * std::log10(255.0 * 255 * 300 / (100 + 16 + 9)));
-  EXPECT_EQ(d.worstX, 7);
-  EXPECT_EQ(d.worstY, 2);
+  EXPECT_DOUBLE_EQ(d.rmse, std::sqrt(125.0 / 300));
+  EXPECT_DOUBLE_EQ(*d.psnr_dB, 10 * std::log10(255.0 * 255 * 300 / (100 + 16 + 9)));
+  ASSERT_EQ(d.worst.size(), 2u);
+  EXPECT_EQ(d.worst[0].x, 7);
+  EXPECT_EQ(d.worst[0].y, 2);
+  EXPECT_EQ(d.worst[0].b[1], 110);
+  EXPECT_EQ(d.worst[1].difference, 4);
   EXPECT_EQ(verdict(d), Verdict::kDifferent);
 }
 
@@ -57,8 +66,8 @@ TEST(Difference, SeesAlpha) {
   const Image a = flat({4, 4}, 4, 200);
   Image b = a;
   b.at(1, 1)[3] = 199;
-  EXPECT_EQ(compare(a, b).differingPixels, 1);
-  EXPECT_DOUBLE_EQ(compare(a, b).meanAbs, 1.0 / 64);
+  EXPECT_EQ(compare(a, b).difference.differingPixels, 1);
+  EXPECT_DOUBLE_EQ(compare(a, b).difference.meanAbs, 1.0 / 64);
 }
 
 TEST(Difference, RefusesOtherShapes) {
@@ -69,6 +78,10 @@ TEST(Difference, RefusesOtherShapes) {
   }
 }
 
+Verdict verdictOf(const Image& a, const Image& b, const NearRule& rule = {}) {
+  return verdict(compare(a, b).difference, rule);
+}
+
 // What a comparer must accept and reject: each limit of the rule alone decides at least one case.
 TEST(Verdict, NeedsEveryLimit) {
   const Image a = noise({200, 100}, 2);  // 20 000 pixels: 0.5 % are 100
@@ -76,14 +89,14 @@ TEST(Verdict, NeedsEveryLimit) {
   for (int i = 0; i < 100; ++i) wobble.at(2 * i, i)[i % 3] += 1;
   for (int i = 0; i < 101; ++i) tooMany.at(i, i % 100)[0] += 1;
   tooMuch.at(50, 50)[1] += 3;
-  EXPECT_EQ(verdict(compare(a, wobble)), Verdict::kNear);
-  EXPECT_EQ(verdict(compare(a, tooMany)), Verdict::kDifferent);
-  EXPECT_EQ(verdict(compare(a, tooMuch)), Verdict::kDifferent);
+  EXPECT_EQ(verdictOf(a, wobble), Verdict::kNear);
+  EXPECT_EQ(verdictOf(a, tooMany), Verdict::kDifferent);
+  EXPECT_EQ(verdictOf(a, tooMuch), Verdict::kDifferent);
 
-  const ImageDifference legal = compare(a, wobble);
-  EXPECT_EQ(verdict(legal, NearRule{.flipMean = legal.flipMean / 2}), Verdict::kDifferent);
-  EXPECT_EQ(verdict(legal, NearRule{.flipMax = legal.flipMax / 2}), Verdict::kDifferent);
-  EXPECT_EQ(verdict(compare(a, tooMuch), NearRule{.maxAbs = 3}), Verdict::kNear);
+  const ImageDifference legal = compare(a, wobble).difference;
+  EXPECT_EQ(verdict(legal, NearRule{.flipMean = legal.flip.mean / 2}), Verdict::kDifferent);
+  EXPECT_EQ(verdict(legal, NearRule{.flipMax = legal.flip.max / 2}), Verdict::kDifferent);
+  EXPECT_EQ(verdictOf(a, tooMuch, NearRule{.maxAbs = 3}), Verdict::kNear);
   EXPECT_EQ(toString(Verdict::kNear), "near");
 }
 
@@ -92,7 +105,46 @@ TEST(Verdict, SeesAWholePictureOneLevelOff) {
   const Image a = noise({64, 64}, 3);
   Image b = a;
   for (auto& v : b.pixels) ++v;
-  EXPECT_EQ(verdict(compare(a, b)), Verdict::kDifferent);
+  EXPECT_EQ(verdictOf(a, b), Verdict::kDifferent);
+}
+
+// A count in place of the share: 0-20 of a picture is that many pixels, whatever its size.
+TEST(Verdict, CountsPixelsWhereToldTo) {
+  const Image a = flat({10, 10}, 3, 100);
+  Image b = a;
+  for (int x = 0; x < 3; ++x) b.at(x, 5)[0] = 101;
+  EXPECT_EQ(verdictOf(a, b), Verdict::kDifferent);  // 3 %
+  EXPECT_EQ(verdictOf(a, b, NearRule{.flipMean = 1, .flipMax = 1}), Verdict::kDifferent);
+  EXPECT_EQ(verdict(compare(a, b).difference, {.differingPixels = 3, .flipMean = 1, .flipMax = 1}),
+            Verdict::kNear);
+  EXPECT_EQ(excesses(compare(a, b).difference, {.differingPixels = 2, .flipMean = 1, .flipMax = 1}),
+            std::vector<std::string>{"differing pixels 3 of 2"});
+}
+
+// 16 bits are compared in their own steps: one of 65535 is 255/65535 of a level. Eight bits count as v * 257.
+TEST(Difference, OfSixteenBits) {
+  DeepImage a({8, 8}, 3);
+  a.pixels.assign(a.pixels.size(), 257 * 90);
+  DeepImage b = a;
+  b.at(2, 3)[1] += 1;
+  const ImageDifference d = compare(a, b).difference;
+  EXPECT_DOUBLE_EQ(d.maxAbs, 255.0 / 65535);
+  EXPECT_EQ(d.differingPixels, 1);
+  EXPECT_EQ(d.worst[0].b[1], 257 * 90 + 1);
+  EXPECT_EQ(verdict(d), Verdict::kDifferent);  // 1.6 % of the pixels
+  EXPECT_EQ(compare(AnyImage(a), AnyImage(flat({8, 8}, 3, 90))).difference.differingPixels, 0);
+}
+
+// Ten are told, the largest first, of equal ones from the top left.
+TEST(Difference, TellsTheTenWorst) {
+  const Image a = flat({20, 2}, 3, 50);
+  Image b = a;
+  for (int x = 0; x < 12; ++x) b.at(x, 1)[2] = 52;
+  b.at(15, 1)[0] = 60;
+  const auto worst = compare(a, b).difference.worst;
+  ASSERT_EQ(worst.size(), 10u);
+  EXPECT_EQ(worst[0].x, 15);
+  for (int i = 1; i < 10; ++i) EXPECT_EQ(worst[static_cast<std::size_t>(i)].x, i - 1);
 }
 
 TEST(Difference, AmplifiesAndCuts) {

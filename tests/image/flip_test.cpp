@@ -43,9 +43,9 @@ double deviation(const FlipMap& map, double expected) {
 
 // Flat pictures have no features and their blur is themselves, so E is the colour error of two colours.
 // Black and white differ by ΔL = 100 with no chroma: c = 100^0.7, and with the paper's c_max = 41.276098 (HyAB of
-// Hunt-adjusted green and blue, to the power 0.7): E = 0.95 + 0.05 (c - 0.4 c_max) / (0.6 c_max). Residual 2.2e-10.
-// The authors' program, in single precision, has 0.967392; its kernels that should sum to 0 leave 1e-8, which
-// moves flat pairs by up to 4e-5. Residual 1.2e-5.
+// Hunt-adjusted green and blue, to the power 0.7): E = 0.95 + 0.05 (c - 0.4 c_max) / (0.6 c_max).
+// Residual 2.2e-10. The authors' program, in single precision, has 0.967392; its kernels that should sum to 0
+// leave 1e-8, which moves flat pairs by up to 4e-5. Residual 1.2e-5.
 TEST(Flip, OfBlackAndWhite) {
   const FlipMap map = flip(flat({40, 30}, 0, 0, 0), flat({40, 30}, 255, 255, 255));
   constexpr double kLargest = 41.276098;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -11,6 +12,7 @@
 #include "output/ffmpeg_encoder.h"
 #include "output/film.h"
 #include "output/film_format.h"
+#include "output/film_reader.h"
 #include "output/video_segment.h"
 #include "scratch_folder.h"
 
@@ -127,24 +129,58 @@ TEST_P(FilmFormats, SaysWhatItIs) {
   EXPECT_EQ(facts.at("r_frame_rate"), "25/1");
 }
 
+/// How far pictures are from what was drawn, in the middle of each square.
+struct Distance {
+  int color = 0, alpha = 0;
+};
+
+Distance distance(const std::vector<image::Image>& pictures, bool transparent) {
+  Distance worst;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const image::Image expected = primaries(static_cast<std::int64_t>(k), transparent);
+    for (int y = kCell / 2; y < kSize.height; y += kCell)
+      for (int x = kCell / 2; x < kSize.width; x += kCell) {
+        const std::uint8_t *is = pictures[k].at(x, y), *was = expected.at(x, y);
+        for (int c = 0; c < 3; ++c) worst.color = std::max(worst.color, std::abs(is[c] - was[c]));
+        const int alpha = pictures[k].channels == 4 ? is[3] : 255;
+        worst.alpha = std::max(worst.alpha, std::abs(alpha - (transparent ? was[3] : 255)));
+      }
+  }
+  return worst;
+}
+
 // Oracle: what was drawn. ffmpeg, told nothing, goes by the file's tags.
 TEST_P(FilmFormats, ShowsTheColorsThatWerePutIn) {
   const auto pictures = shown(film(), kSize, 17);
   ASSERT_EQ(pictures.size(), 17u);
-  int worst = 0, worstAlpha = 0;
-  for (int k = 0; k < 17; ++k) {
-    const image::Image expected = primaries(k, transparent());
-    for (int y = kCell / 2; y < kSize.height; y += kCell)
-      for (int x = kCell / 2; x < kSize.width; x += kCell) {
-        const std::uint8_t *is = pictures[static_cast<std::size_t>(k)].at(x, y), *was = expected.at(x, y);
-        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(is[c] - was[c]));
-        worstAlpha = std::max(worstAlpha, std::abs(is[3] - (transparent() ? was[3] : 255)));
-      }
-  }
-  EXPECT_LE(worst, GetParam().tolerance);
-  EXPECT_LE(worstAlpha, GetParam().tolerance);
-  RecordProperty("worst", worst);
-  RecordProperty("worstAlpha", worstAlpha);
+  const Distance worst = distance(pictures, transparent());
+  EXPECT_LE(worst.color, GetParam().tolerance);
+  EXPECT_LE(worst.alpha, GetParam().tolerance);
+  RecordProperty("worst", worst.color);
+  RecordProperty("worstAlpha", worst.alpha);
+}
+
+/// Of 8 bits, rounded where it has 16.
+image::Image flattened(const image::AnyImage& picture) {
+  if (const auto* flat = std::get_if<image::Image>(&picture)) return *flat;
+  const auto& deep = std::get<image::DeepImage>(picture);
+  image::Image flat(deep.size, deep.channels);
+  std::ranges::transform(deep.pixels, flat.pixels.begin(),
+                         [](std::uint16_t v) { return static_cast<std::uint8_t>((v + 128) / 257); });
+  return flat;
+}
+
+// Oracle: what was drawn, again.
+TEST_P(FilmFormats, IsReadByTheReader) {
+  FilmReader reader(film());
+  EXPECT_EQ(reader.size(), kSize);
+  EXPECT_EQ(reader.fps(), (core::Rational{25, 1}));
+  std::vector<image::Image> pictures;
+  while (const auto picture = reader.next()) pictures.push_back(flattened(*picture));
+  ASSERT_EQ(pictures.size(), 17u);
+  const Distance worst = distance(pictures, transparent());
+  EXPECT_LE(worst.color, GetParam().tolerance);
+  EXPECT_LE(worst.alpha, GetParam().tolerance);
 }
 
 TEST_P(FilmFormats, HasTheSameBytesEachTime) { EXPECT_EQ(content(film("a")), content(film("b"))); }

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/diff_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace poinsot::app {
+namespace {
+
+nlohmann::ordered_json pixelJson(const image::DifferingPixel& pixel, int channels) {
+  const auto samples = [&](const std::array<int, 4>& all) {
+    return std::vector<int>(all.begin(), all.begin() + (channels % 2 == 0 ? 4 : 3));
+  };
+  return {{"x", pixel.x},
+          {"y", pixel.y},
+          {"difference", pixel.difference},
+          {"reference", samples(pixel.a)},
+          {"test", samples(pixel.b)}};
+}
+
+nlohmann::ordered_json nullFigures() {
+  nlohmann::ordered_json json;
+  for (const char* key : {"differing_pixels", "differing_share", "max_difference", "mean_difference", "rmse",
+                          "psnr_db", "ssim", "flip"})
+    json[key] = nullptr;
+  return json;
+}
+
+nlohmann::ordered_json ssimJson(const std::optional<image::SsimFigures>& ssim) {
+  if (!ssim) return nullptr;
+  return {{"mean", ssim->mean}, {"worst", ssim->worst}, {"worst_at", {ssim->worstX, ssim->worstY}}};
+}
+
+nlohmann::ordered_json textOrNull(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
+nlohmann::ordered_json optional(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json limitsJson(const DiffRequest& request) {
+  const image::NearRule& rule = request.rule;
+  nlohmann::ordered_json json{{"max_difference", rule.maxAbs}};
+  if (rule.differingPixels)
+    json["differing_pixels"] = *rule.differingPixels;
+  else
+    json["differing_share"] = rule.differingShare;
+  json["flip_mean"] = rule.flipMean;
+  json["flip_max"] = rule.flipMax;
+  json["pixels_per_degree"] = request.pixelsPerDegree;
+  return json;
+}
+
+/// File names are bytes; in JSON what is no UTF-8 is replaced.
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+nlohmann::ordered_json headJson(image::Verdict verdict, const DiffNames& names) {
+  return {{"verdict", image::toString(verdict)}, {"reference", names.reference}, {"test", names.test}};
+}
+
+/// The object of one pair, without the names. `worstPixels`: with the list of them.
+nlohmann::ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
+  nlohmann::ordered_json json{{"verdict", image::toString(diff.verdict)},
+                              {"mismatch", textOrNull(diff.mismatch)},
+                              {"beyond", diff.excesses},
+                              {"size", {diff.size.width, diff.size.height}},
+                              {"channels", diff.channels}};
+  const image::ImageDifference& d = diff.figures;
+  if (!diff.mismatch.empty()) {
+    json.update(nullFigures());
+  } else {
+    json.update({{"differing_pixels", d.differingPixels},
+                 {"differing_share", d.differingShare},
+                 {"max_difference", d.maxAbs},
+                 {"mean_difference", d.meanAbs},
+                 {"rmse", d.rmse},
+                 {"psnr_db", optional(d.psnr_dB)},
+                 {"ssim", ssimJson(d.ssim)},
+                 {"flip",
+                  {{"mean", d.flip.mean},
+                   {"min", d.flip.min},
+                   {"first_quartile", d.flip.firstQuartile},
+                   {"median", d.flip.median},
+                   {"third_quartile", d.flip.thirdQuartile},
+                   {"max", d.flip.max}}}});
+  }
+  if (!worstPixels) return json;
+  json["worst_pixels"] = nlohmann::ordered_json::array();
+  for (const image::DifferingPixel& pixel : d.worst)
+    json["worst_pixels"].push_back(pixelJson(pixel, diff.channels));
+  return json;
+}
+
+}  // namespace
+
+std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request) {
+  nlohmann::ordered_json json = headJson(diff.verdict, names);
+  json.update(figuresJson(diff, true));
+  json["limits"] = limitsJson(request);
+  return dumped(json);
+}
+
+std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffRequest& request) {
+  nlohmann::ordered_json json = headJson(diff.verdict(), names);
+  json["pictures"] = nlohmann::ordered_json::array();
+  for (const PictureDiff& picture : diff.pictures) {
+    nlohmann::ordered_json entry{{"name", picture.name}};
+    entry.update(figuresJson(picture, true));
+    json["pictures"].push_back(std::move(entry));
+  }
+  json["only_in_reference"] = diff.onlyInReference;
+  json["only_in_test"] = diff.onlyInTest;
+  json["limits"] = limitsJson(request);
+  return dumped(json);
+}
+
+std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffRequest& request) {
+  nlohmann::ordered_json json = headJson(diff.verdict(), names);
+  json["mismatch"] = textOrNull(diff.mismatch);
+  json["fps"] = core::toString(diff.fps);
+  if (!diff.frames.empty()) json["worst_frame"] = diff.worst();
+  json["frames"] = nlohmann::ordered_json::array();
+  for (const PictureDiff& frame : diff.frames) json["frames"].push_back(figuresJson(frame, false));
+  json["limits"] = limitsJson(request);
+  return dumped(json);
+}
+
+}  // namespace poinsot::app

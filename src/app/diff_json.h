@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/film_diff.h"
+#include "app/folder_diff.h"
+#include "app/picture_diff.h"
+
+namespace poinsot::app {
+
+/// What was compared with what, as it was named.
+struct DiffNames {
+  std::string reference, test;
+};
+
+/// For programs: one JSON object. A figure that is not defined (SSIM below its window, PSNR of identical pictures,
+/// all of pictures of different shape) is null.
+std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request);
+std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffRequest& request);
+std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffRequest& request);
+
+}  // namespace poinsot::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/film_diff.h"
+#include "app/folder_diff.h"
+#include "app/picture_diff.h"
+
+namespace poinsot::app {
+
+/// For people: the verdict, and why, in the first line; then the figures.
+std::string diffText(const PictureDiff& diff, const DiffRequest& request);
+std::string diffText(const FolderDiff& diff);
+std::string diffText(const FilmDiff& diff);
+
+}  // namespace poinsot::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/folder_diff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+
+#include "app/parallel.h"
+#include "core/error.h"
+#include "core/text.h"
+
+namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Error;
+using core::ErrorKind;
+
+/// Of the PNG files beneath a folder, from there; sorted. Hidden ones, and links to folders, are left out.
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const bool hidden = entry->path().filename().native().starts_with('.');
+    if (hidden) entry.disable_recursion_pending();
+    if (!hidden && entry->path().extension() == ".png" && entry->is_regular_file(failure))
+      names.push_back(entry->path().lexically_relative(folder).native());
+  }
+  if (failure)
+    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// A place for the picture of one pair.
+std::optional<fs::path> within(const std::optional<fs::path>& folder, const std::string& name) {
+  if (!folder) return std::nullopt;
+  fs::path file = *folder / name;
+  std::error_code failure;
+  fs::create_directories(file.parent_path(), failure);
+  if (failure)
+    throw Error(ErrorKind::kIo,
+                fmt::format("{}: {}", core::printable(file.parent_path().native()), failure.message()));
+  return file;
+}
+
+/// Identical pairs leave no picture.
+PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std::string& name,
+                     const DiffRequest& request) {
+  PictureDiff diff = diffFiles(reference / name, test / name, {request.rule, request.pixelsPerDegree});
+  diff.name = name;
+  const bool shows = diff.verdict != image::Verdict::kIdentical && diff.mismatch.empty();
+  if (shows && (request.map || request.difference))
+    diffFiles(
+        reference / name, test / name,
+        {request.rule, request.pixelsPerDegree, within(request.map, name), within(request.difference, name)});
+  return diff;
+}
+
+}  // namespace
+
+image::Verdict FolderDiff::verdict() const {
+  image::Verdict worst = image::Verdict::kIdentical;
+  if (!onlyInReference.empty() || !onlyInTest.empty()) worst = image::Verdict::kDifferent;
+  for (const PictureDiff& picture : pictures) worst = std::max(worst, picture.verdict);
+  return worst;
+}
+
+FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const DiffRequest& request, int jobs) {
+  const auto ours = namesIn(reference), theirs = namesIn(test);
+  if (ours.empty())
+    throw Error(ErrorKind::kUsage, fmt::format("{}: no PNG is there", core::printable(reference.native())));
+  FolderDiff diff;
+  std::vector<std::string> both;
+  std::ranges::set_intersection(ours, theirs, std::back_inserter(both));
+  std::ranges::set_difference(ours, theirs, std::back_inserter(diff.onlyInReference));
+  std::ranges::set_difference(theirs, ours, std::back_inserter(diff.onlyInTest));
+  diff.pictures.resize(both.size());
+  forEachIndex(both.size(), jobs,
+               [&](std::size_t i) { diff.pictures[i] = diffPair(reference, test, both[i], request); });
+  return diff;
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/difference.h"
+#include "image/near_rule.h"
+
+namespace poinsot::app {
+
+/// How pictures are compared, and what is written of it.
+struct DiffRequest {
+  image::NearRule rule;
+  double pixelsPerDegree = image::kFlipPixelsPerDegree;
+  std::optional<std::filesystem::path> map = {};         ///< FLIP's, in the colours of magma
+  std::optional<std::filesystem::path> difference = {};  ///< amplified
+};
+
+/// A picture to be compared.
+struct DiffPicture {
+  image::AnyImage pixels;
+  int channels = 3;  ///< as its file has them
+};
+
+/// What came of comparing two pictures.
+struct PictureDiff {
+  std::string name;  ///< of the pair in a folder; empty for two files
+  image::Verdict verdict = image::Verdict::kDifferent;
+  std::string mismatch;   ///< why there are no figures: "the size is 640x480, not 320x240"; empty where there are
+  image::PixelSize size;  ///< of the reference
+  int channels = 3;
+  image::ImageDifference figures;
+  std::vector<std::string> excesses;  ///< what of the rule does not hold
+};
+
+/// Compares, and writes what the request asks for: of pictures that have figures.
+/// @throws core::Error(kIo) where something cannot be written.
+PictureDiff diffPictures(const DiffPicture& reference, const DiffPicture& test, const DiffRequest& request);
+
+/// Two PNG files. @throws core::Error(kIo) with the file, if one cannot be read; as above.
+PictureDiff diffFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
+                      const DiffRequest& request);
+
+}  // namespace poinsot::app

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "app/diff_json.h"
+#include "app/diff_text.h"
+#include "app/limit_words.h"
+#include "app/render_job.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+#include "output/target_check.h"
+
+namespace poinsot::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Error;
+using core::ErrorKind;
+
+struct DiffOptions {
+  std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve;
+  double pixelsPerDegree = image::kFlipPixelsPerDegree;
+  int jobs = 0;
+  bool json = false, exact = false, quiet = false, force = false;
+};
+
+enum class Kind { kPicture, kFolder, kFilm };
+
+/// By what is there: a folder, or a file of the kind that its name says.
+Kind kindOf(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return Kind::kFolder;
+  const std::string extension = path.extension();
+  for (const char* film : {".mp4", ".mov", ".webm", ".mkv", ".gif", ".apng", ".avi"})
+    if (extension == film) return Kind::kFilm;
+  return Kind::kPicture;
+}
+
+Kind commonKind(const DiffOptions& options) {
+  const Kind kind = kindOf(options.reference);
+  if (kindOf(options.test) != kind)
+    throw Error(ErrorKind::kUsage, "both must be PNG files, or both folders, or both films");
+  if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve is of two films");
+  return kind;
+}
+
+image::NearRule ruleOf(const DiffOptions& options) {
+  image::NearRule rule;
+  if (!options.max.empty()) app::setMaxDifference(rule, "--max", options.max);
+  if (!options.pixels.empty()) app::setDifferingPixels(rule, "--pixels", options.pixels);
+  if (!options.flipMean.empty()) app::setFlipMean(rule, "--flip-mean", options.flipMean);
+  if (!options.flipMax.empty()) app::setFlipMax(rule, "--flip-max", options.flipMax);
+  return rule;
+}
+
+/// A place for a picture; of folders a folder.
+std::optional<fs::path> place(const DiffOptions& options, const std::string& word, Kind kind) {
+  if (word.empty()) return std::nullopt;
+  if (kind != Kind::kFolder) output::checkTarget(word, options.force);
+  return word;
+}
+
+app::DiffRequest requestOf(const DiffOptions& options, Kind kind) {
+  return {ruleOf(options), options.pixelsPerDegree, place(options, options.map, kind),
+          place(options, options.difference, kind)};
+}
+
+/// One of the three ways to compare: its verdict, after it was told.
+class Diff {
+ public:
+  explicit Diff(const DiffOptions& options)
+      : options_(options), kind_(commonKind(options)), request_(requestOf(options, kind_)) {}
+
+  image::Verdict tell() const {
+    switch (kind_) {
+      case Kind::kFolder:
+        return tellOf(app::diffFolders(options_.reference, options_.test, request_, jobs()));
+      case Kind::kFilm:
+        return tellOf(films());
+      case Kind::kPicture:
+        break;
+    }
+    const auto diff = app::diffFiles(options_.reference, options_.test, request_);
+    say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff, request_));
+    return diff.verdict;
+  }
+
+ private:
+  int jobs() const { return options_.jobs > 0 ? options_.jobs : app::availableCpus(); }
+  app::DiffNames names() const { return {options_.reference, options_.test}; }
+  void say(const std::string& text) const {
+    if (!options_.quiet) writeOut(text);
+  }
+
+  app::FilmDiff films() const {
+    if (!options_.curve.empty()) output::checkTarget(options_.curve, options_.force);
+    auto diff = app::diffFilms(options_.reference, options_.test, request_, jobs());
+    if (!options_.curve.empty()) output::writeFileAtomically(options_.curve, app::curveCsv(diff));
+    return diff;
+  }
+
+  template <class Many>
+  image::Verdict tellOf(const Many& diff) const {
+    say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+    return diff.verdict();
+  }
+
+  const DiffOptions& options_;
+  Kind kind_;
+  app::DiffRequest request_;
+};
+
+int diff(const DiffOptions& options) {
+  const image::Verdict verdict = Diff(options).tell();
+  const auto worstGood = options.exact ? image::Verdict::kIdentical : image::Verdict::kNear;
+  return verdict <= worstGood ? kDone : kNo;
+}
+
+void addLimits(CLI::App& command, DiffOptions& options) {
+  const auto limit = [&](const char* name, std::string& value, const char* help) {
+    command.add_option(name, value, help)->type_name("0-N")->check(notEmpty())->group("Limits of \"near\"");
+  };
+  limit("--max", options.max, "largest difference of a channel, of 255 (default: 0-2)");
+  limit("--pixels", options.pixels, "differing pixels, a number or a share (default: 0-0.5%)");
+  limit("--flip-mean", options.flipMean, "mean of FLIP (default: 0-1e-3)");
+  limit("--flip-max", options.flipMax, "largest FLIP of a pixel (default: 0-0.05)");
+}
+
+}  // namespace
+
+void addDiff(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<DiffOptions>();
+  CLI::App* command = program.add_subcommand("diff", "compare two pictures, folders of them, or films");
+  command->add_option("REFERENCE", options->reference, "PNG file, folder or film")->required()->check(notEmpty());
+  command->add_option("TEST", options->test, "what is compared with it")->required()->check(notEmpty());
+  command->add_flag("--exact", options->exact, "exit 0 only for identical pictures");
+  command->add_flag("--json", options->json, "the figures as a JSON object");
+  command->add_flag("--quiet", options->quiet, "only the exit code");
+  command
+      ->add_option(
+          "--map", options->map,
+          "write what FLIP has of each pixel, in the colours of magma: PNG; of folders a folder; of films "
+          "that of the worst frame")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--diff-image", options->difference, "likewise the difference, 16 times amplified")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--curve", options->curve, "write the figures of each frame of two films: CSV")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--ppd", options->pixelsPerDegree, "pixels per degree of view, for FLIP (default: 67.02)")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, 1000.0));
+  command->add_option("-j,--jobs", options->jobs, "pairs at a time (default: one for each CPU)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--force", options->force, "replace files that poinsot did not write");
+  addLimits(*command, *options);
+  command->footer(
+      "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
+      "Another size or number of channels is different: nothing is resized.\n"
+      "Examples:\n"
+      "  poinsot diff approved.png new.png --map flip.png\n"
+      "  poinsot diff approved/ new/ --json\n"
+      "  poinsot diff a.mp4 b.mp4 --curve out/curve.csv");
+  command->callback([options, &chosen] { chosen = [options] { return diff(*options); }; });
+}
+
+}  // namespace poinsot::cli

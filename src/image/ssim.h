@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "image/image.h"
+
+namespace poinsot::image {
+
+/// Structural similarity: 1 for equal pictures, at least -1.
+struct SsimFigures {
+  double mean = 1;
+  double worst = 1;            ///< of all windows
+  int worstX = 0, worstY = 0;  ///< the middle of the first window that has it
+};
+
+/// SSIM of the luma (0.299, 0.587, 0.114 of the encoded values) of two pictures, by Gaussian windows of 11x11
+/// pixels (σ = 1.5) wholly inside the picture, K1 = 0.01, K2 = 0.03. Nothing for pictures below one window.
+/// @pre same size.
+/// Source: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error Visibility to Structural
+/// Similarity", IEEE Trans. Image Processing 13(4), 2004.
+std::optional<SsimFigures> ssim(const Image& a, const Image& b);
+std::optional<SsimFigures> ssim(const DeepImage& a, const DeepImage& b);
+
+}  // namespace poinsot::image

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/rational.h"
+#include "image/image.h"
+
+namespace poinsot::output {
+
+/// The pictures of a film in the order they are shown, as sRGB of full range: RGB, or RGBA where the film has
+/// transparency; with 16 bits a sample where the film has more than 8. Reads every film that this program writes,
+/// and those of others in the same containers and AVI.
+class FilmReader {
+ public:
+  /// @throws core::Error(kIo) with the path, as does next(): unreadable, no such film, damaged, too large.
+  explicit FilmReader(const std::filesystem::path& film);
+  ~FilmReader();
+  FilmReader(const FilmReader&) = delete;
+  FilmReader& operator=(const FilmReader&) = delete;
+
+  image::PixelSize size() const;
+  /// Frames per second; 0 if the film says nothing.
+  core::Rational fps() const;
+  /// The next picture; nothing after the last.
+  std::optional<image::AnyImage> next();
+
+ private:
+  struct Parts;  // keeps libav's headers out of this one
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace poinsot::output
