@@ -17,7 +17,8 @@ SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& contex
       medium_(medium),
       stage_(scene),
       renderer_(context),
-      digestOf_(settings, context.renderer()) {}
+      rendererName_(context.renderer()),
+      digestOf_(settings, rendererName_) {}
 
 core::Digest SceneFrames::digest(std::int64_t k) {
   compose(k);

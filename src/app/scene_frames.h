@@ -30,6 +30,8 @@ class SceneFrames : public FrameSource {
   /// What the last frame was drawn from, whole.
   const draw::Picture& picture() const { return picture_; }
   FrameTimes times() const override;
+  /// GL_RENDERER of what draws.
+  const std::string& renderer() const { return rendererName_; }
 
  private:
   /// Leaves the frame's picture in picture_.
@@ -44,6 +46,7 @@ class SceneFrames : public FrameSource {
   std::optional<std::int64_t> composed_;  // whose picture that is
   stage::Stage stage_;
   render::Renderer renderer_;
+  std::string rendererName_;
   FrameDigester digestOf_;
   double compose_s_ = 0;
 };

@@ -104,6 +104,7 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene
     return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames);
   auto texts = output::pngTexts(title, description);
   auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
+  if (job.target.kind == OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});
   if (job.target.kind == OutputKind::kPicture)
     return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0, digestOf);
   // What is said of the whole film is not said by its frames: they stay as they are when it changes.

@@ -20,6 +20,7 @@ void addGallery(CLI::App& program, Action& chosen);
 void addStatus(CLI::App& program, Action& chosen);
 void addAssemble(CLI::App& program, Action& chosen);
 void addSubmit(CLI::App& program, Action& chosen);
+void addGolden(CLI::App& program, Action& chosen);
 void addInfo(CLI::App& program, Action& chosen);
 void addTrajectory(CLI::App& program, Action& chosen);
 void addGrade(CLI::App& program, Action& chosen);

@@ -42,6 +42,7 @@ void declare(CLI::App& program, Action& chosen) {
   addAssemble(program, chosen);
   addSubmit(program, chosen);
   addDiff(program, chosen);
+  addGolden(program, chosen);
   addInfo(program, chosen);
   addTrajectory(program, chosen);
   addGrade(program, chosen);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/golden_junit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/text.h"
+
+namespace poinsot::app {
+namespace {
+
+/// Text that XML can hold: no control characters but line ends, no invalid UTF-8.
+std::string xml(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const core::CodePoint point = core::firstCodePoint(text.substr(i));
+    const std::string_view bytes = text.substr(i, std::max<std::size_t>(point.length, 1));
+    i += bytes.size();
+    const bool allowed = point.length > 0 && (point.value >= 0x20 || point.value == '\n') && point.value < 0xfffe;
+    if (!allowed)
+      out += "?";
+    else if (point.value == '<')
+      out += "&lt;";
+    else if (point.value == '>')
+      out += "&gt;";
+    else if (point.value == '&')
+      out += "&amp;";
+    else if (point.value == '"')
+      out += "&quot;";
+    else if (point.value == '\n')
+      out += "&#10;";
+    else
+      out += bytes;
+  }
+  return out;
+}
+
+std::string caseXml(const std::string& suite, const GoldenOutcome& outcome, bool exact) {
+  const std::string head = fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml(suite),
+                                       xml(outcome.name), outcome.seconds);
+  if (outcome.passes(exact)) return head + "/>\n";
+  const char* kind = outcome.status == GoldenStatus::kError ? "error" : "failure";
+  return fmt::format("{}>\n    <{} type=\"{}\" message=\"{}\"/>\n  </testcase>\n", head, kind,
+                     toString(outcome.status), xml(outcome.message.empty() ? "not identical" : outcome.message));
+}
+
+}  // namespace
+
+std::string junitXml(const std::string& suite, const std::vector<GoldenOutcome>& outcomes, bool exact) {
+  const auto count = [&](bool errors) {
+    return std::ranges::count_if(outcomes, [&](const GoldenOutcome& o) {
+      return !o.passes(exact) && (o.status == GoldenStatus::kError) == errors;
+    });
+  };
+  double seconds = 0;
+  std::string cases;
+  for (const GoldenOutcome& outcome : outcomes) {
+    seconds += outcome.seconds;
+    cases += caseXml(suite, outcome, exact);
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
+      "errors=\"{}\" time=\"{:.3f}\">\n{}</testsuite>\n",
+      xml(suite), outcomes.size(), count(false), count(true), seconds, cases);
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/golden_manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "app/limit_words.h"
+#include "core/error.h"
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "scene/document.h"
+#include "scene/units.h"
+
+namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Entry;
+using scene::Node;
+
+constexpr std::int64_t kLargestSide = 16384;
+
+/// What a key may be, and what takes its value. A taker that throws core::Error has its message said at the value.
+using Takers = std::map<std::string, std::function<void(const Node&)>, std::less<>>;
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kScene, message); }
+
+const std::string& textOf(const Node& node) {
+  const auto* text = node.as<std::string>();
+  if (!text || text->empty()) refuse(fmt::format("expected a text, got {}", describe(node)));
+  return *text;
+}
+
+int sideOf(const Node& node) {
+  const auto* side = node.as<std::int64_t>();
+  if (!side || *side < 1 || *side > kLargestSide)
+    refuse(fmt::format("expected pixels from 1 to {}, got {}", kLargestSide, describe(node)));
+  return static_cast<int>(*side);
+}
+
+image::PixelSize sizeOf(const Node& node) {
+  const auto* sides = node.as<Node::Array>();
+  if (!sides || sides->size() != 2) refuse(fmt::format("expected [width, height], got {}", describe(node)));
+  return {sideOf((*sides)[0]), sideOf((*sides)[1])};
+}
+
+double timeOf(const Node& node) {
+  const auto* whole = node.as<std::int64_t>();
+  const auto* number = node.as<double>();
+  double t_s = whole ? static_cast<double>(*whole) : number ? *number : -1;
+  if (const auto* text = node.as<std::string>()) {
+    const auto quantity = scene::parseQuantity(*text, scene::Dimension::kTime);
+    t_s = quantity.ok() ? quantity.value : -1;
+  }
+  if (!(t_s >= 0)) refuse(fmt::format("expected a film time such as 1.5 or \"90 ms\", got {}", describe(node)));
+  return t_s;
+}
+
+/// One or a list of them.
+template <class F>
+auto listOf(const Node& node, F element) {
+  std::vector<std::decay_t<decltype(element(node))>> list;
+  if (const auto* nodes = node.as<Node::Array>())
+    for (const Node& one : *nodes) list.push_back(element(one));
+  else
+    list.push_back(element(node));
+  if (list.empty()) refuse("expected at least one");
+  return list;
+}
+
+bool isName(std::string_view name) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  };
+  return !name.empty() && name.size() <= 100 && name.front() != '.' && std::ranges::all_of(name, plain);
+}
+
+/// Reads one manifest; all that is wrong is gathered.
+class Reader {
+ public:
+  explicit Reader(const fs::path& file)
+      : source_(file.native(), core::readRegularFile(file, scene::kMostBytes, core::ErrorKind::kIo)),
+        folder_(file.parent_path()) {
+    manifest_.file = file;
+    manifest_.references = folder_ / "golden";
+  }
+
+  GoldenManifest read() {
+    const Node document = scene::parseDocument(source_);
+    GoldenTest usual;
+    std::vector<const Node*> tests;
+    take(document, "",
+         {{"references", [&](const Node& n) { manifest_.references = folder_ / textOf(n); }},
+          {"size", [&](const Node& n) { usual.size = sizeOf(n); }},
+          {"height", [&](const Node& n) { usual.height = sideOf(n); }},
+          {"rule", [&](const Node& n) { usual.rule = rule(n, "rule."); }},
+          {"test", [&](const Node& n) { tests = tables(n); }}});
+    for (const Node* test : tests) addTest(*test, usual);
+    if (tests.empty() && problems_.empty())
+      problems_.add({&source_, 1, 1}, "expected [[test]], the pictures to compare");
+    problems_.throwIfAny();
+    return std::move(manifest_);
+  }
+
+ private:
+  static std::vector<const Node*> tables(const Node& node) {
+    const auto* array = node.as<Node::Array>();
+    if (!array) refuse("expected [[test]], each with a heading of its own");
+    std::vector<const Node*> tables;
+    for (const Node& one : *array) tables.push_back(&one);
+    return tables;
+  }
+
+  void take(const Node& node, const std::string& prefix, const Takers& takers) {
+    const auto* table = node.as<Node::Table>();
+    if (!table)
+      return problems_.add(node.place, fmt::format("{}expected a table, got {}", prefix, describe(node)));
+    for (const Entry& entry : *table) {
+      const auto taker = takers.find(entry.key);
+      if (taker == takers.end()) {
+        std::vector<std::string> names;
+        for (const auto& known : takers) names.push_back(known.first);
+        const auto near = core::closest(entry.key, names);
+        problems_.add(entry.keyPlace, fmt::format("{}{}: unknown key{}", prefix, core::printable(entry.key),
+                                                  near ? fmt::format("; did you mean {}{}?", prefix, *near) : ""));
+        continue;
+      }
+      try {
+        taker->second(entry.value);
+      } catch (const core::Error& error) {
+        problems_.add(entry.value.place, fmt::format("{}{}: {}", prefix, entry.key, error.message()));
+      }
+    }
+  }
+
+  GoldenRule rule(const Node& node, const std::string& prefix) {
+    GoldenRule rule;
+    image::NearRule& limits = rule.limits;
+    const auto limit = [&](auto set) {
+      return [&limits, set](const Node& n) { set(limits, "a limit", textOf(n)); };
+    };
+    take(node, prefix,
+         {{"max", limit(setMaxDifference)},
+          {"pixels", limit(setDifferingPixels)},
+          {"flip_mean", limit(setFlipMean)},
+          {"flip_max", limit(setFlipMax)},
+          {"reason", [&](const Node& n) { rule.reason = textOf(n); }}});
+    if (rule.reason.empty()) refuse("expected a reason beside the limits: why may this picture differ?");
+    return rule;
+  }
+
+  void addTest(const Node& node, const GoldenTest& usual) {
+    GoldenTest test = usual;
+    std::string scene;
+    take(node, "test.",
+         {{"name", [&](const Node& n) { test.name = textOf(n); }},
+          {"scene", [&](const Node& n) { scene = textOf(n); }},
+          {"image", [&](const Node& n) { test.image = folder_ / textOf(n); }},
+          {"times", [&](const Node& n) { test.times_s = listOf(n, timeOf); }},
+          {"size", [&](const Node& n) { test.size = sizeOf(n); }},
+          {"height",
+           [&](const Node& n) {
+             test.height = sideOf(n);
+             test.size.reset();
+           }},
+          {"set", [&](const Node& n) { test.overrides = listOf(n, textOf); }},
+          {"rule", [&](const Node& n) { test.rule = rule(n, "test.rule."); }}});
+    if (scene.empty() == test.image.empty())
+      return problems_.add(node.place, "test: expected a scene or an image, one of the two");
+    if (!test.image.empty() && (!test.times_s.empty() || !test.overrides.empty()))
+      return problems_.add(node.place, "test: times and set are for a scene");
+    if (scene.empty()) return add(std::move(test), test.image.stem(), node);
+    const auto files = filesOf(scene);
+    if (files.empty())
+      return problems_.add(node.place,
+                           fmt::format("test.scene: no file is there of the name {}", core::printable(scene)));
+    for (const fs::path& file : files) {
+      test.scene = file;
+      add(test, file.stem(), node);
+    }
+  }
+
+  /// The files that a name with at most one * in its last part means; that itself where it has none.
+  std::vector<fs::path> filesOf(const std::string& word) const {
+    const fs::path pattern = folder_ / word;
+    const std::string name = pattern.filename();
+    const auto star = name.find('*');
+    if (star == std::string::npos) return {pattern};
+    const std::string head = name.substr(0, star), tail = name.substr(star + 1);
+    std::vector<fs::path> files;
+    std::error_code ignored;  // no folder has no files
+    for (const auto& entry : fs::directory_iterator(pattern.parent_path(), ignored)) {
+      const std::string there = entry.path().filename();
+      if (there.size() >= head.size() + tail.size() && there.starts_with(head) && there.ends_with(tail))
+        files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  /// `stem` stands for the * of a test's name, or is the name.
+  void add(GoldenTest test, const std::string& stem, const Node& node) {
+    if (test.name.empty()) test.name = "*";
+    if (const auto star = test.name.find('*'); star != std::string::npos) test.name.replace(star, 1, stem);
+    if (!isName(test.name))
+      return problems_.add(node.place,
+                           fmt::format("test.name: '{}': letters, digits, _ - and . make a name, which "
+                                       "names a file",
+                                       core::printable(test.name)));
+    if (!names_.insert(test.name).second)
+      return problems_.add(node.place, fmt::format("test.name: {} is the name of another test", test.name));
+    manifest_.tests.push_back(std::move(test));
+  }
+
+  scene::Source source_;
+  fs::path folder_;
+  scene::Problems problems_;
+  GoldenManifest manifest_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+GoldenManifest readGoldenManifest(const fs::path& file) { return Reader(file).read(); }
+
+}  // namespace poinsot::app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/near_rule.h"
+
+namespace poinsot::app {
+
+/// How far a picture may be from its reference, and why it may be farther than others.
+struct GoldenRule {
+  image::NearRule limits;
+  std::string reason;  ///< empty for the default
+};
+
+/// One [[test]]: a scene, drawn at some times, or a picture that somebody else makes.
+struct GoldenTest {
+  std::string name;
+  std::filesystem::path scene;  ///< or
+  std::filesystem::path image;  ///< ... this; the other is empty
+  std::vector<double> times_s;  ///< film times; empty: the scene's time.still
+  std::optional<image::PixelSize> size;
+  std::optional<int> height;           ///< in place of the size: the width keeps the scene's proportion
+  std::vector<std::string> overrides;  ///< "key=value"
+  GoldenRule rule;
+};
+
+/// A golden.toml.
+struct GoldenManifest {
+  std::filesystem::path file;
+  std::filesystem::path references;  ///< folder of what was approved
+  std::vector<GoldenTest> tests;     ///< those of a pattern by name
+};
+
+/// Reads it; paths in it are from its folder. A scene's file name may be a pattern with a *: a test for each.
+/// @throws scene::SceneErrors with all that is wrong and where; core::Error(kIo) if it cannot be read.
+GoldenManifest readGoldenManifest(const std::filesystem::path& file);
+
+}  // namespace poinsot::app

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/golden_suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <system_error>
+
+#include "app/job_identity.h"
+#include "app/parallel.h"
+#include "app/still_batch.h"
+#include "core/text.h"
+#include "image/png_file.h"
+
+namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The test itself, or one for each of its times.
+std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) {
+  std::vector<GoldenCase> cases;
+  if (test.times_s.size() <= 1)
+    cases.push_back({test.name, test, test.times_s.empty() ? std::nullopt : std::optional(test.times_s[0]), {}});
+  else
+    for (const double t_s : test.times_s) cases.push_back({fmt::format("{}_t{}", test.name, t_s), test, t_s, {}});
+  for (GoldenCase& one : cases) one.actual = test.scene.empty() ? test.image : output / (one.name + ".png");
+  return cases;
+}
+
+image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene) {
+  if (test.size) return *test.size;
+  const image::PixelSize own{scene.output.width, scene.output.height};
+  if (!test.height) return own;
+  return {static_cast<int>(std::int64_t{own.width} * *test.height / own.height), *test.height};
+}
+
+/// A scene's picture, ready to be made.
+struct Drawing {
+  std::size_t place = 0;  ///< among the cases
+  RenderRequest request;
+  std::string scene;  ///< its digest
+};
+
+Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
+  SceneRequest request = readSceneRequest(one.test.scene, one.test.overrides);
+  const scene::Scene scene = loadRequested(request);
+  request.size = sizeOf(one.test, scene);
+  const std::string digest = core::toHex(sceneDigest(request, scene));
+  RenderRequest render{std::move(request),
+                       {OutputKind::kPicture, one.actual},
+                       {0, 0},
+                       one.time_s.value_or(scene.time.stillTime_s()),
+                       1,
+                       golden.backend,
+                       golden.reproducible};
+  return {place, std::move(render), digest};
+}
+
+/// What a picture's file says of itself.
+GoldenOrigin originOf(const fs::path& picture, const std::string& scene) {
+  GoldenOrigin origin{"", "", scene};
+  for (const auto& [key, value] : image::textsOfWholePng(picture).value_or(std::vector<image::PngText>{})) {
+    if (key == "Software") origin.software = value;
+    if (key == "Renderer") origin.renderer = value;
+  }
+  return origin;
+}
+
+GoldenStatus statusOf(image::Verdict verdict) {
+  switch (verdict) {
+    case image::Verdict::kIdentical:
+      return GoldenStatus::kIdentical;
+    case image::Verdict::kNear:
+      return GoldenStatus::kNear;
+    case image::Verdict::kDifferent:
+      break;
+  }
+  return GoldenStatus::kDifferent;
+}
+
+std::string messageOf(const PictureDiff& diff, const GoldenRule& rule) {
+  if (!diff.mismatch.empty()) return diff.mismatch;
+  if (diff.verdict == image::Verdict::kNear) return rule.reason;
+  std::string text;
+  for (const std::string& excess : diff.excesses) text += (text.empty() ? "" : ", ") + excess;
+  return text;
+}
+
+/// The references that a picture is compared with, and the nearest of them.
+class Comparing {
+ public:
+  Comparing(const GoldenCase& one, const fs::path& references, const fs::path& output)
+      : one_(one), references_(references), output_(output) {}
+
+  void into(GoldenOutcome& outcome) const {
+    outcome.actual = one_.actual;
+    const auto all = referencesOf(references_, one_.name);
+    if (all.empty()) {
+      outcome.status = GoldenStatus::kNew;
+      outcome.message = "nothing was approved yet: look at it, then --update";
+      return;
+    }
+    compare(relevant(all, outcome.origin.renderer), outcome);
+    outcome.status = statusOf(outcome.diff.verdict);
+    outcome.message = messageOf(outcome.diff, one_.test.rule);
+    if (outcome.status != GoldenStatus::kIdentical && outcome.diff.mismatch.empty()) draw(outcome);
+  }
+
+ private:
+  /// FLIP's mean tells which is nearest; of a mismatch none is.
+  void compare(const std::vector<GoldenReference>& references, GoldenOutcome& outcome) const {
+    const auto rank = [](const PictureDiff& diff) {
+      return std::tuple(diff.verdict, !diff.mismatch.empty(), diff.figures.flip.mean);
+    };
+    for (const GoldenReference& reference : references) {
+      PictureDiff diff = diffFiles(reference.picture, one_.actual, {one_.test.rule.limits});
+      if (!outcome.reference.empty() && rank(diff) >= rank(outcome.diff)) continue;
+      outcome.reference = reference.picture;
+      outcome.diff = std::move(diff);
+    }
+  }
+
+  void draw(GoldenOutcome& outcome) const {
+    outcome.map = output_ / (one_.name + ".flip.png");
+    outcome.difference = output_ / (one_.name + ".difference.png");
+    DiffRequest request{one_.test.rule.limits};
+    request.map = outcome.map;
+    request.difference = outcome.difference;
+    diffFiles(outcome.reference, one_.actual, request);
+  }
+
+  const GoldenCase& one_;
+  const fs::path &references_, &output_;
+};
+
+/// One run over the cases: first all are drawn, then all compared.
+class Run {
+ public:
+  Run(const GoldenManifest& manifest, const GoldenRequest& request)
+      : manifest_(manifest),
+        request_(request),
+        cases_(app::casesOf(manifest, request)),
+        outcomes_(cases_.size()) {}
+
+  std::vector<GoldenOutcome> outcomes() {
+    for (std::size_t i = 0; i < cases_.size(); ++i) prepare(i);
+    draw();
+    forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
+    if (request_.only.empty()) addUnused();
+    return std::move(outcomes_);
+  }
+
+ private:
+  void fail(std::size_t place, const core::Error& error) {
+    outcomes_[place].status = GoldenStatus::kError;
+    outcomes_[place].message = error.what();
+    failed_.insert(place);
+  }
+
+  void prepare(std::size_t place) {
+    const GoldenCase& one = cases_[place];
+    outcomes_[place].name = one.name;
+    if (one.test.scene.empty()) return;
+    std::error_code ignored;
+    fs::remove(one.actual, ignored);  // of an earlier run
+    try {
+      drawings_.push_back(drawingOf(one, place, request_));
+    } catch (const core::Error& error) {  // of the scene; all that is wrong with it
+      fail(place, error);
+    }
+  }
+
+  void draw() {
+    std::vector<RenderRequest> requests;
+    for (const Drawing& drawing : drawings_) requests.push_back(drawing.request);
+    const auto failures = makeStills(requests, request_.jobs, [](std::size_t, const auto&) {});
+    for (std::size_t i = 0; i < drawings_.size(); ++i) {
+      const std::size_t place = drawings_[i].place;
+      if (failures[i]) fail(place, *failures[i]);
+      outcomes_[place].origin.scene = drawings_[i].scene;
+    }
+  }
+
+  void compare(std::size_t place) {
+    if (failed_.contains(place)) return;
+    GoldenOutcome& outcome = outcomes_[place];
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      image::readPngAsStored(cases_[place].actual);  // what is wrong with it is said of it
+      outcome.origin = originOf(cases_[place].actual, outcome.origin.scene);
+      Comparing(cases_[place], manifest_.references, request_.output).into(outcome);
+    } catch (const core::Error& error) {
+      outcome.status = GoldenStatus::kError;
+      outcome.message = error.what();
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  void addUnused() {
+    std::vector<std::string> names;
+    for (const GoldenCase& one : cases_) names.push_back(one.name);
+    for (const std::string& file : unusedIn(manifest_.references, names)) {
+      GoldenOutcome outcome;
+      outcome.name = fs::path(file).stem();
+      outcome.status = GoldenStatus::kUnused;
+      outcome.message =
+          "approved, and no test makes it: remove " + core::printable((manifest_.references / file).native());
+      outcome.reference = manifest_.references / file;
+      outcomes_.push_back(std::move(outcome));
+    }
+  }
+
+  const GoldenManifest& manifest_;
+  const GoldenRequest& request_;
+  std::vector<GoldenCase> cases_;
+  std::vector<GoldenOutcome> outcomes_;
+  std::vector<Drawing> drawings_;
+  std::set<std::size_t> failed_;
+};
+
+}  // namespace
+
+std::string_view toString(GoldenStatus status) {
+  switch (status) {
+    case GoldenStatus::kIdentical:
+      return "identical";
+    case GoldenStatus::kNear:
+      return "near";
+    case GoldenStatus::kDifferent:
+      return "different";
+    case GoldenStatus::kNew:
+      return "new";
+    case GoldenStatus::kUnused:
+      return "unused";
+    case GoldenStatus::kError:
+      return "error";
+  }
+  return "";
+}
+
+std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request) {
+  std::vector<GoldenCase> wanted;
+  std::vector<std::string> names;
+  std::set<std::string> found;
+  for (const GoldenTest& test : manifest.tests)
+    for (GoldenCase& one : casesOf(test, request.output)) {
+      names.insert(names.end(), {one.name, test.name});
+      for (const std::string& only : request.only)
+        if (only == one.name || only == test.name) found.insert(only);
+      if (request.only.empty() || found.contains(one.name) || found.contains(test.name))
+        wanted.push_back(std::move(one));
+    }
+  for (const std::string& only : request.only) {
+    if (found.contains(only)) continue;
+    const auto near = core::closest(only, names);
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("{}: no such test{}", core::printable(only),
+                                  near ? fmt::format("; did you mean '{}'?", *near) : ""));
+  }
+  return wanted;
+}
+
+std::vector<GoldenOutcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {
+  return Run(manifest, request).outcomes();
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "app/golden_junit.h"
+#include "app/golden_page.h"
+#include "app/golden_suite.h"
+#include "app/interrupt.h"
+#include "app/render_job.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+
+namespace poinsot::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using app::GoldenOutcome;
+using app::GoldenStatus;
+using core::Error;
+using core::ErrorKind;
+
+struct GoldenOptions {
+  std::string manifest = "golden.toml", output = "out/golden", junit, report, backend = "auto";
+  std::vector<std::string> only;
+  int jobs = 0;
+  bool update = false, beside = false, exact = false, native = false, list = false, quiet = false;
+};
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
+
+/// A picture is approved by somebody who looked at it.
+void expectNotInCi() {
+  const char* ci = std::getenv("CI");
+  if (ci && *ci && std::string_view(ci) != "0" && std::string_view(ci) != "false")
+    refuse("--update: nothing is approved where the environment says CI; look at the pictures first");
+}
+
+gl::Backend backendOf(const std::string& word) {
+  return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
+}
+
+app::GoldenRequest requestOf(const GoldenOptions& options) {
+  return {options.only, options.output, options.jobs > 0 ? options.jobs : app::availableCpus(),
+          backendOf(options.backend), !options.native};
+}
+
+void makeFolder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
+}
+
+std::string lineOf(const GoldenOutcome& outcome) {
+  return fmt::format("{:<10} {}{}{}\n", toString(outcome.status), core::printable(outcome.name),
+                     outcome.message.empty() ? "" : ": ", outcome.message);
+}
+
+/// "60 identical, 2 near, 1 different".
+std::string countsText(const std::vector<GoldenOutcome>& outcomes) {
+  std::string text;
+  for (const auto status : {GoldenStatus::kIdentical, GoldenStatus::kNear, GoldenStatus::kDifferent,
+                            GoldenStatus::kNew, GoldenStatus::kUnused, GoldenStatus::kError}) {
+    const auto count = std::ranges::count(outcomes, status, &GoldenOutcome::status);
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, toString(status));
+  }
+  return text;
+}
+
+/// One run of a suite.
+class Golden {
+ public:
+  explicit Golden(const GoldenOptions& options)
+      : options_(options), manifest_(app::readGoldenManifest(options.manifest)), request_(requestOf(options)) {}
+
+  int run() {
+    if (options_.list) return list();
+    if (options_.update) expectNotInCi();
+    makeFolder(request_.output);
+    app::watchInterrupts();
+    outcomes_ = app::runGoldens(manifest_, request_);
+    if (options_.update) return update();
+    tell();
+    writeReports();
+    return failures() == 0 ? kDone : kNo;
+  }
+
+ private:
+  int list() const {
+    for (const app::GoldenCase& one : app::casesOf(manifest_, request_)) writeOut(one.name + "\n");
+    return kDone;
+  }
+
+  void say(const std::string& text) const {
+    if (!options_.quiet) writeOut(text);
+  }
+
+  std::ptrdiff_t failures() const {
+    return std::ranges::count_if(outcomes_, [&](const GoldenOutcome& o) { return !o.passes(options_.exact); });
+  }
+
+  void tell() const {
+    for (const GoldenOutcome& outcome : outcomes_)
+      if (outcome.status != GoldenStatus::kIdentical) say(lineOf(outcome));
+    say(fmt::format("{}\n", countsText(outcomes_)));
+    if (failures() > 0) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
+  }
+
+  std::string suite() const { return fs::absolute(manifest_.file).parent_path().filename(); }
+
+  void writeReports() const {
+    if (!options_.junit.empty())
+      output::writeFileAtomically(options_.junit, app::junitXml(suite(), outcomes_, options_.exact));
+    if (!options_.report.empty())
+      output::writeFileAtomically(options_.report, app::goldenPage(suite(), outcomes_, options_.exact));
+  }
+
+  /// Approves what is not as it was; exit 1 only where there is no picture to approve.
+  int update() const {
+    bool allThere = true;
+    for (const GoldenOutcome& outcome : outcomes_) {
+      if (outcome.status == GoldenStatus::kError || outcome.status == GoldenStatus::kUnused) {
+        say(lineOf(outcome));
+        allThere = false;
+      } else if (outcome.status != GoldenStatus::kIdentical || outcome.origin.renderer.empty()) {
+        approve(outcome);
+      } else if (isElsewhere(outcome)) {
+        approve(outcome);
+      }
+    }
+    return allThere ? kDone : kNo;
+  }
+
+  /// Identical to what another renderer made, or without its origin: that is written down.
+  static bool isElsewhere(const GoldenOutcome& outcome) {
+    return !fs::exists(fs::path(outcome.reference).replace_extension(".json"));
+  }
+
+  void approve(const GoldenOutcome& outcome) const {
+    const fs::path place =
+        app::approve(outcome.actual, outcome.origin, manifest_.references, outcome.name, options_.beside);
+    if (outcome.status == GoldenStatus::kIdentical) return;
+    const std::string name = core::printable(place.native());
+    if (outcome.status == GoldenStatus::kNew)
+      say(fmt::format("{}: approved, the first of its test\n", name));
+    else if (!outcome.diff.mismatch.empty())
+      say(fmt::format("{}: approved, {}\n", name, outcome.diff.mismatch));
+    else
+      say(fmt::format("{}: approved, {} pixels changed, largest {:.4g}, FLIP mean {:.3g}, max {:.3g}\n", name,
+                      outcome.diff.figures.differingPixels, outcome.diff.figures.maxAbs,
+                      outcome.diff.figures.flip.mean, outcome.diff.figures.flip.max));
+  }
+
+  const GoldenOptions& options_;
+  app::GoldenManifest manifest_;
+  app::GoldenRequest request_;
+  std::vector<GoldenOutcome> outcomes_;
+};
+
+}  // namespace
+
+void addGolden(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<GoldenOptions>();
+  CLI::App* command = program.add_subcommand("golden", "make the pictures of a golden.toml and compare them");
+  command->add_option("MANIFEST", options->manifest, "what to make and compare (default: golden.toml)")
+      ->check(notEmpty());
+  command->add_option("--only", options->only, "only the tests of these names")
+      ->type_name("NAME")
+      ->check(notEmpty());
+  command->add_flag("--update", options->update,
+                    "approve the new pictures, and say how far each is from the one before; not in CI");
+  command->add_flag("--beside", options->beside,
+                    "with --update: keep what was approved of other renderers, and add this one's");
+  command->add_flag("--exact", options->exact, "only identical pictures pass");
+  command->add_option("--junit", options->junit, "write the outcome as JUnit XML")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--report", options->report, "write a page with all pictures: HTML, one file")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("-o,--output", options->output, "folder of new pictures and maps (default: out/golden)")
+      ->type_name("FOLDER")
+      ->check(notEmpty());
+  command->add_option("-j,--jobs", options->jobs, "pictures at a time (default: one for each CPU)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--backend", options->backend, "what draws: auto, osmesa or egl")
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+  command->add_flag("--native", options->native, "draw as fast as this CPU can, not the same on each");
+  command->add_flag("--list", options->list, "only list the tests");
+  command->add_flag("--quiet", options->quiet, "only the exit code");
+  command->footer(
+      "Exit code 0 when all are identical or near, 1 when some is not, is new, or is approved and made by no "
+      "test.\n"
+      "Examples:\n"
+      "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
+      "  poinsot golden tests/golden.toml --update --only racket");
+  command->callback([options, &chosen] { chosen = [options] { return Golden(*options).run(); }; });
+}
+
+}  // namespace poinsot::cli

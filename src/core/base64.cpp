@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base64.h"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+
+namespace poinsot::core {
+
+std::string base64(std::string_view bytes) {
+  // The library counts in int: by pieces of whole groups of three, of which only the last is padded.
+  constexpr std::size_t kPiece = 3 << 20;
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4 + 1);
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(kPiece, bytes.size()))) {
+    const std::string_view piece = bytes.substr(0, kPiece);
+    std::string out((piece.size() + 2) / 3 * 4 + 1, '\0');  // with a NUL of its own
+    const int size =
+        EVP_EncodeBlock(reinterpret_cast<unsigned char*>(out.data()),
+                        reinterpret_cast<const unsigned char*>(piece.data()), static_cast<int>(piece.size()));
+    text.append(out, 0, static_cast<std::size_t>(size));
+  }
+  return text;
+}
+
+}  // namespace poinsot::core

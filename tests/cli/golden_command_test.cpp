@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// `poinsot golden` through the life of a suite: new, approved, passed, changed, approved again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/program_run.h"
+#include "image/png_file.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class GoldenCommand : public ::testing::Test {
+ protected:
+  GoldenCommand() {
+    folder_.put("golden.toml", "size = [64, 48]\n[[test]]\nscene = 's.toml'\n");
+    folder_.put("s.toml", kGoodScene);
+  }
+
+  RunResult golden(std::vector<std::string> words = {}, const std::vector<std::string>& environment = {"CI="}) {
+    words.insert(words.begin(), "golden");
+    return run(folder_, words, Stdout::kFile, environment);
+  }
+  void approve() {
+    const RunResult made = golden({"--update"});
+    ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
+  }
+  void saveFlat(const std::string& name, int value) {
+    image::Image picture({16, 12}, 3);
+    picture.pixels.assign(picture.pixels.size(), static_cast<std::uint8_t>(value));
+    const auto bytes = image::encodePng(picture);
+    std::ofstream(folder_ / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(GoldenCommand, GoesThroughTheLifeOfASuite) {
+  const RunResult first = golden();
+  EXPECT_EQ(first.exitCode, 1);
+  EXPECT_THAT(first.out, StartsWith("new        s: nothing was approved yet"));
+  EXPECT_EQ(golden({"--update"}).out, "golden/s.png: approved, the first of its test\n");
+  EXPECT_EQ(golden().out, "1 identical\n");
+  EXPECT_EQ(golden({"--exact"}).exitCode, 0);
+
+  folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
+  const RunResult changed = golden();
+  EXPECT_EQ(changed.exitCode, 1);
+  EXPECT_THAT(changed.out, StartsWith("different  s: largest difference "));
+  for (const char* name : {"s.png", "s.flip.png", "s.difference.png"})
+    EXPECT_TRUE(fs::exists(folder_ / "out/golden" / name)) << name;
+  EXPECT_THAT(golden({"--update"}).out,
+              ::testing::ContainsRegex("s.png: approved, [0-9]+ pixels changed.*FLIP mean 0"));
+  EXPECT_EQ(golden().exitCode, 0);
+}
+
+TEST_F(GoldenCommand, ApprovesNothingInCi) {
+  const RunResult refused = golden({"--update"}, {"CI=true"});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_THAT(refused.err, HasSubstr("nothing is approved where the environment says CI"));
+  EXPECT_FALSE(fs::exists(folder_ / "golden"));
+}
+
+TEST_F(GoldenCommand, KeepsWhatAPictureWasMadeWith) {
+  approve();
+  const auto origin = nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"));
+  EXPECT_THAT(origin["renderer"].get<std::string>(), StartsWith("llvmpipe"));
+  EXPECT_THAT(origin["software"].get<std::string>(), StartsWith("poinsot "));
+  EXPECT_EQ(origin["scene"].get<std::string>().size(), 64u);
+}
+
+// Where an approved picture is of this renderer, only that counts; else any of those approved.
+TEST_F(GoldenCommand, ComparesWithItsOwnRenderersPicture) {
+  approve();
+  const auto ours = nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"));
+  auto theirs = ours;
+  theirs["renderer"] = "softpipe";
+  folder_.put("golden/s.json", theirs.dump());
+  EXPECT_EQ(golden().exitCode, 0);  // of another, and the same
+
+  folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
+  EXPECT_EQ(golden().exitCode, 1);
+  const RunResult beside = golden({"--update", "--beside"});
+  EXPECT_THAT(beside.out, StartsWith("golden/s@llvmpipe_LLVM"));
+  EXPECT_TRUE(fs::exists(folder_ / "golden/s.png"));
+  EXPECT_EQ(golden().out, "1 identical\n");
+  folder_.put("s.toml", kGoodScene);
+  EXPECT_EQ(golden().exitCode, 1);  // as the other's still is
+
+  folder_.put("golden/s.json", theirs.dump());
+  fs::remove(folder_ / "golden/s@llvmpipe_LLVM_15.0.6_128_bits.png");
+  for (const auto& entry : fs::directory_iterator(folder_ / "golden"))
+    if (entry.path().filename().native().find('@') != std::string::npos) fs::remove(entry.path());
+  folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
+  approve();  // in place of all
+  EXPECT_EQ(nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"))["renderer"], ours["renderer"]);
+}
+
+TEST_F(GoldenCommand, TakesTimesPatternsAndPicturesOfOthers) {
+  fs::create_directory(folder_ / "scenes");
+  folder_.put("scenes/one.toml", kGoodScene);
+  folder_.put("scenes/two.toml", kGoodScene);
+  saveFlat("theirs.png", 90);
+  folder_.put("golden.toml",
+              "references = 'ref'\nheight = 36\n[[test]]\nname = 'g_*'\nscene = 'scenes/*.toml'\n"
+              "[[test]]\nname = 'twice'\nscene = 's.toml'\ntimes = [0.5, '1 s']\nset = ['style.theme=dark']\n"
+              "[[test]]\nimage = 'theirs.png'\n");
+  EXPECT_EQ(golden({"--list"}).out, "g_one\ng_two\ntwice_t0.5\ntwice_t1\ntheirs\n");
+  approve();
+  EXPECT_EQ(golden().out, "5 identical\n");
+  EXPECT_EQ(image::readPng(folder_ / "ref/g_one.png").size, (image::PixelSize{64, 36}));
+  EXPECT_EQ(golden({"--only", "twice"}).out, "2 identical\n");
+  EXPECT_EQ(golden({"--only", "twice_t1", "g_two"}).out, "2 identical\n");
+  const RunResult unknown = golden({"--only", "g_tow"});
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("g_tow: no such test; did you mean 'g_two'?"));
+  saveFlat("theirs.png", 95);
+  EXPECT_EQ(golden({"--only", "theirs"}).exitCode, 1);
+}
+
+TEST_F(GoldenCommand, TellsWhatNoTestMakesAndWhatIsNotThere) {
+  approve();
+  saveFlat("golden/gone.png", 1);
+  EXPECT_THAT(golden().out, HasSubstr("unused     gone: approved, and no test makes it: remove golden/gone.png"));
+  folder_.put("golden.toml", "[[test]]\nimage = 'nothing.png'\n");
+  const RunResult missing = golden();
+  EXPECT_EQ(missing.exitCode, 1);
+  EXPECT_THAT(missing.out, HasSubstr("error      nothing: "));
+  folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\n");
+  folder_.put("s.toml", "[body]\nprincipal_moment = [1, 2, 3]\n");
+  EXPECT_THAT(golden().out, HasSubstr("did you mean"));
+}
+
+TEST_F(GoldenCommand, HasItsOwnRulesWithReasons) {
+  saveFlat("theirs.png", 90);
+  folder_.put("golden.toml", "[[test]]\nimage = 'theirs.png'\n");
+  approve();
+  saveFlat("theirs.png", 93);
+  EXPECT_EQ(golden().exitCode, 1);
+  folder_.put("golden.toml",
+              "[[test]]\nimage = 'theirs.png'\n[test.rule]\nmax = '0-3'\npixels = '0-100%'\nflip_mean = '0-1'\n"
+              "flip_max = '0-1'\nreason = 'another exposure'\n");
+  const RunResult near = golden();
+  EXPECT_EQ(near.exitCode, 0);
+  EXPECT_EQ(near.out, "near       theirs: another exposure\n1 near\n");
+  EXPECT_EQ(golden({"--exact"}).exitCode, 1);
+}
+
+TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
+  const auto refusal = [&](const std::string& text) {
+    folder_.put("golden.toml", text);
+    const RunResult result = golden();
+    EXPECT_EQ(result.exitCode, 2) << text;
+    return result.err;
+  };
+  EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\nrule = { max = '0-9' }\n"),
+              HasSubstr("golden.toml:3:8: error: test.rule: expected a reason beside the limits"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\nrule = { max = '3', reason = 'x' }\n"),
+              HasSubstr("golden.toml:3:16: error: test.rule.max: a limit '3': write 0-3"));
+  EXPECT_THAT(refusal("[[test]]\nscen = 's.toml'\n"),
+              HasSubstr("test.scen: unknown key; did you mean test.scene?"));
+  EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"), HasSubstr("make a name"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\n[[test]]\nscene = 's.toml'\n"),
+              HasSubstr("golden.toml:3:1: error: test.name: s is the name of another test"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'no*.toml'\n"), HasSubstr("no file is there of the name no*.toml"));
+  EXPECT_THAT(refusal("[[test]]\nsize = [0, 5]\nscene = 's.toml'\n"),
+              HasSubstr("expected pixels from 1 to 16384, got 0"));
+  EXPECT_THAT(refusal("size = [8, 8]\n"), HasSubstr("expected [[test]]"));
+  fs::remove(folder_ / "golden.toml");
+  EXPECT_EQ(golden().exitCode, 4);
+}
+
+TEST_F(GoldenCommand, ReportsForMachinesAndForPeople) {
+  saveFlat("theirs.png", 90);
+  folder_.put("golden.toml",
+              "size = [64, 48]\n[[test]]\nscene = 's.toml'\n[[test]]\nname = 'theirs'\nimage = 'theirs.png'\n");
+  approve();
+  saveFlat("theirs.png", 190);
+  EXPECT_EQ(golden({"--junit", "j.xml", "--report", "r.html"}).exitCode, 1);
+  const std::string xml = bytesOf(folder_ / "j.xml"), page = bytesOf(folder_ / "r.html");
+  EXPECT_THAT(xml, HasSubstr("tests=\"2\" failures=\"1\" errors=\"0\""));
+  EXPECT_THAT(xml, HasSubstr("name=\"theirs\""));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"different\" message=\"largest difference 100 of 2"));
+  EXPECT_THAT(page, HasSubstr("\"name\":\"theirs\",\"status\":\"different\""));
+  EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
+  EXPECT_THAT(page, Not(HasSubstr("http://")));
+  EXPECT_THAT(page, Not(HasSubstr("https://")));
+}
+
+}  // namespace
+}  // namespace poinsot
