@@ -30,6 +30,8 @@ void addSchema(CLI::App& program, Action& chosen);
 void addBackends(CLI::App& program, Action& chosen);
 /// Hidden: the program starts itself with it.
 void addWorker(CLI::App& program, Action& chosen);
+/// Hidden: the build makes man pages and completions with it.
+void addSelfDescribe(CLI::App& program, Action& chosen);
 
 /// Text of --version: the program, the libraries it runs with, what its binaries fall under.
 std::string versionText();

@@ -17,9 +17,9 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
                   output::filmFormatsText() + ", NAME.png, NAME_{frame:05}.png, or - (default: out/SCENE.mp4)")
       ->type_name("FILE")
       ->check(notEmpty());
-  command.add_option("--format", options.format, "what -o - writes to standard output: png or mp4")
+  command.add_option("--format", options.format, "what -o - writes to standard output")
       ->type_name("NAME")
-      ->check(notEmpty());
+      ->check(notEmpty({"png", "mp4"}));
   command.add_option("--frames", options.frames, "only these frames, both ends included")
       ->type_name("A-B")
       ->check(notEmpty());

@@ -27,13 +27,12 @@ constexpr std::string_view kExamples =
     "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
     "  poinsot still scenes/tennis_racket.toml --time 1.25 -o out/fig.png\n"
     "  poinsot help render\n"
-    "Exit codes: 0 done, 1 the answer is no, 2 usage or scene, 3 rendering or encoding, 4 files,\n"
-    "  129/130/143 signals, 141 broken pipe.";
+    "Exit codes: ";
 
 void declare(CLI::App& program, Action& chosen) {
   program.description("Films and stills of rotating rigid bodies, from scene files.");
   program.set_version_flag("--version", versionText, "versions of the program and its libraries");
-  program.footer(std::string(kExamples));
+  program.footer(std::string(kExamples) + kExitCodesText);
   program.require_subcommand(1);
   addRender(program, chosen);
   addStill(program, chosen);
@@ -50,6 +49,7 @@ void declare(CLI::App& program, Action& chosen) {
   addSchema(program, chosen);
   addBackends(program, chosen);
   addWorker(program, chosen);
+  addSelfDescribe(program, chosen);
 }
 
 /// Of the commands that --help lists.

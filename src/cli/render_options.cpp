@@ -20,6 +20,12 @@ std::optional<int> parseSide(std::string_view text) {
   return status == std::errc() && end == text.data() + text.size() ? std::optional(side) : std::nullopt;
 }
 
+std::vector<std::string> qualityNames() {
+  std::vector<std::string> names;
+  for (const scene::QualityPreset& preset : scene::qualityPresets()) names.emplace_back(preset.name);
+  return names;
+}
+
 /// What -q stands for: also the size and rate factor it means, as these win over a file's own.
 std::vector<std::string> qualityOverrides(const std::string& quality) {
   if (quality.empty()) return {};
@@ -61,9 +67,9 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
 
 void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH")->check(notEmpty());
-  command.add_option("-q,--quality", options.quality, "size and quality: preview, 720p, 1080p or 4k")
+  command.add_option("-q,--quality", options.quality, "size and quality")
       ->type_name("NAME")
-      ->check(notEmpty());
+      ->check(notEmpty(qualityNames()));
   command.add_flag("--force", options.force, "replace a file that this program did not write");
   command.add_option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
       ->type_name("NAME")

@@ -20,8 +20,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addOverrides(command, options);
 }
 
-CLI::Validator notEmpty() {
-  return {[](std::string& word) -> std::string { return word.empty() ? "is empty" : ""; }, "", ""};
+CLI::Validator notEmpty(const std::vector<std::string>& words) {
+  return {[](std::string& word) -> std::string { return word.empty() ? "is empty" : ""; },
+          words.empty() ? "" : CLI::detail::generate_set(words), ""};
 }
 
 scene::Scene loadScene(const SceneOptions& options) {

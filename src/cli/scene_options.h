@@ -25,8 +25,9 @@ void addOverrides(CLI::App& command, SceneOptions& options);
 /// Declares SCENE and -D.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
-/// Refuses '' as a value, most often a shell variable without one, which would else count as not given.
-CLI::Validator notEmpty();
+/// Refuses '' as a value, most often a shell variable without one, which would else count as not given. `words`
+/// are the values there are, for the help; what reads the value refuses others.
+CLI::Validator notEmpty(const std::vector<std::string>& words = {});
 
 /// Reads and checks the scene file, with -D above it.
 /// @throws scene::SceneErrors, core::Error(kScene)
