@@ -1,15 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-# poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...])
+include(GNUInstallDirs)
+set(POINSOT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/poinsot)
+
+# poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...] [HEADER_ONLY lib...])
 #
 # One folder of src/ is one static library. LINKS are layers (and header-only libraries its headers need);
-# PRIVATE are third parties seen by its .cpp files only: the door stays in one layer.
+# PRIVATE are third parties seen by its .cpp files only: the door stays in one layer. HEADER_ONLY are those of them that
+# leave nothing to link.
 function(poinsot_layer name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE;HEADER_ONLY" ${ARGN})
   add_library(poinsot_${name} STATIC ${ARG_SOURCES})
   add_library(poinsot::${name} ALIAS poinsot_${name})
-  target_include_directories(poinsot_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
-  target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE poinsot_flags ${ARG_PRIVATE})
+  target_include_directories(poinsot_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${POINSOT_INSTALL_HEADERS}>)
+  target_compile_features(poinsot_${name} INTERFACE cxx_std_20)
+  # BUILD_INTERFACE: what the project that links the installed library need not have.
+  target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:poinsot_flags> ${ARG_PRIVATE})
+  foreach(library ${ARG_HEADER_ONLY})
+    target_link_libraries(poinsot_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
+  endforeach()
   poinsot_use_headers(poinsot_${name} poinsot_layer_headers)
+  set_property(GLOBAL APPEND PROPERTY POINSOT_LAYERS ${name})
+  set_property(GLOBAL PROPERTY POINSOT_LINKS_${name} ${ARG_LINKS} ${ARG_PRIVATE})
 endfunction()
 
 # poinsot_test(NAME SOURCES ... LINKS ... LABELS unit|gl|golden|video|cli|slow...)

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -17,6 +16,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/render_options.h"
+#include "cli/scenes_place.h"
 #include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -47,12 +47,6 @@ struct Item {
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
-/// Where scenes are looked for without being told: the launcher names those of its checkout.
-std::string defaultPlace() {
-  const char* place = std::getenv("POINSOT_SCENES");
-  return place && *place ? place : "scenes";
-}
-
 void addScenesOf(const fs::path& folder, std::vector<fs::path>& files) {
   std::error_code failure;
   std::vector<fs::path> found;
@@ -69,7 +63,7 @@ void addScenesOf(const fs::path& folder, std::vector<fs::path>& files) {
 std::vector<fs::path> sceneFiles(const GalleryOptions& options) {
   std::vector<fs::path> files;
   std::error_code ignored;  // what is no folder is read as a scene, which says what is wrong with it
-  const auto places = options.places.empty() ? std::vector{defaultPlace()} : options.places;
+  const auto places = options.places.empty() ? std::vector{scenesPlace()} : options.places;
   for (const fs::path place : places)
     if (fs::is_directory(place, ignored))
       addScenesOf(place, files);

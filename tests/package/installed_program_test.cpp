@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "package/installed_tree.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(InstalledProgram, FindsTheScenesInstalledWithIt) {
+  const InstalledTree tree;
+  const std::string list = tree.run("unset POINSOT_SCENES; $PREFIX/bin/poinsot gallery --dry-run --only football");
+  EXPECT_THAT(list, HasSubstr(tree.prefix().string() + "/share/poinsot/scenes/football.toml"));
+}
+
+TEST(InstalledProgram, HasItsManualItsCompletionsAndItsLicences) {
+  const InstalledTree tree;
+  for (const char* file : {"share/man/man1/poinsot.1.gz", "share/man/man1/poinsot-render.1.gz",
+                           "share/bash-completion/completions/poinsot", "share/zsh/vendor-completions/_poinsot",
+                           "share/fish/vendor_completions.d/poinsot.fish", "share/doc/poinsot/copyright",
+                           "share/doc/poinsot/LICENSE", "share/poinsot/scenes/styles/one_ink.toml"})
+    EXPECT_TRUE(std::filesystem::is_regular_file(tree.prefix() / file)) << file;
+}
+
+// A path of the build would be of no use elsewhere, or worse: of another use.
+TEST(InstalledProgram, NamesNoPlaceOfTheBuild) {
+  const InstalledTree tree;
+  EXPECT_EQ(tree.run("grep -rl -e " POINSOT_BINARY_DIR " -e " POINSOT_SOURCE_DIR
+                     " $PREFIX/lib/cmake $PREFIX/lib/pkgconfig $PREFIX/share $PREFIX/include || true"),
+            "");
+}
+
+}  // namespace
+}  // namespace poinsot
