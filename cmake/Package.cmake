@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+# `cpack -G DEB` in the build folder: the program, its man pages, completions and scenes as a Debian package.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME poinsot)
+set(POINSOT_CONTACT "poinsot maintainers <poinsot@localhost>" CACHE STRING "Who answers for the packages")
+set(CPACK_PACKAGE_CONTACT ${POINSOT_CONTACT})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL program)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME poinsot)
+set(CPACK_DEBIAN_PROGRAM_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+"From a few lines of text it makes films and pictures of free and driven
+rotation, with angular momentum, angular velocity and Poinsot's ellipsoid
+rolling on the invariable plane. It needs no screen and no graphics card, and
+prints the motion as numbers, too.")
+# Linked libraries say themselves what they need; OpenGL is opened at run time, through one of two.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libosmesa6 | libegl1, libgl1-mesa-dri")
+
+# Debian wants the changes of a package in a form of its own.
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/changelog @ONLY CONTENT
+"poinsot (@PROJECT_VERSION@) unstable; urgency=medium
+
+  * What changed is told in CHANGELOG.md of the sources.
+
+ -- @POINSOT_CONTACT@  @now@
+")
+execute_process(COMMAND gzip -9nf ${CMAKE_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
+install(FILES ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/poinsot COMPONENT program)
+
+include(CPack)
