@@ -8,10 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/golden_manifest.h"
 #include "app/scene_request.h"
 #include "core/error.h"
 #include "docs/pages.h"
 #include "scene/scene_file.h"
+#include "support/scratch_folder.h"
 #include "text/commands.h"
 #include "text/math_setter.h"
 
@@ -30,14 +32,33 @@ bool isWhole(const std::string& toml) {
   return toml.find("[body]\n") != std::string::npos && toml.find("[motion]\n") != std::string::npos;
 }
 
+/// Of golden images.
+bool isSuite(const std::string& toml) { return toml.find("[[test]]\n") != std::string::npos; }
+
 /// A part of a scene made whole; one that begins with a key goes on with [show], as on the pages.
 std::string madeWhole(const std::string& part) {
   const std::string body = "[body]\ncatalogue = \"book\"\n[motion]\nomega_body = [0, 6, 0.1]\n";
   return body + (part.starts_with('[') ? "" : "[show]\n") + part;
 }
 
+/// What is wrong with a golden.toml beside which its scenes are.
+std::string problemOfGoldens(const std::string& toml) {
+  const ScratchFolder folder;
+  for (const char* scenes : {"scenes", "lessons"}) {
+    fs::create_directory(folder / scenes);
+    folder.put(std::string(scenes) + "/racket.toml", "");
+  }
+  try {
+    app::readGoldenManifest(folder.put("golden.toml", toml));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 /// Says what is wrong with the scene, or nothing. Files that it names are looked for in scenes/.
 std::string problem(const std::string& toml) {
+  if (isSuite(toml)) return problemOfGoldens(toml);
   try {
     app::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
     return "";
@@ -67,7 +88,9 @@ TEST(DocsScenes, EveryTomlBlockWorks) {
   int whole = 0;
   for (const fs::path& page : pages())
     for (const std::string& block : tomlBlocks(textOf(page))) {
-      EXPECT_EQ(problem(isWhole(block) ? block : madeWhole(block)), "") << page.filename() << ":\n" << block;
+      EXPECT_EQ(problem(isWhole(block) || isSuite(block) ? block : madeWhole(block)), "")
+          << page.filename() << ":\n"
+          << block;
       whole += isWhole(block) ? 1 : 0;
     }
   EXPECT_GE(whole, 5);  // README, scene.md, and three of the first film

@@ -22,7 +22,7 @@ struct Door {
 };
 
 constexpr Door kDoors[] = {
-    {R"(openssl/.*)", R"(core/sha256\.cpp)"},
+    {R"(openssl/.*)", R"(core/(sha256|base64)\.cpp)"},
     {R"(png\.h|pngconf\.h)", R"(image/png_file\.cpp)"},
     {R"(lib(av|sw|post)\w+/.*)", R"(output/ffmpeg_\w+\.h|output/\w+\.cpp)"},
     {R"(toml\+\+/.*|toml\.hpp)", R"(scene/\w+\.cpp)"},
