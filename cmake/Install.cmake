@@ -59,8 +59,9 @@ configure_package_config_file(packaging/poinsotConfig.cmake.in ${CMAKE_BINARY_DI
   INSTALL_DESTINATION ${package_dir} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 # 0.x: a minor version may change the API.
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+# With the program, for golden images; the libraries are another component.
 install(FILES ${CMAKE_BINARY_DIR}/poinsotConfig.cmake ${CMAKE_BINARY_DIR}/poinsotConfigVersion.cmake
-  DESTINATION ${package_dir} COMPONENT development)
+  cmake/PoinsotGolden.cmake DESTINATION ${package_dir} COMPONENT program)
 
 # ---- pkg-config -------------------------------------------------------------------------------------------------
 # poinsot_pc(LAYER): writes and installs poinsot-LAYER.pc. Third parties are required in the open, not privately: our

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tests/consumer, a project of somebody else's, built from the installed tree both ways. Where its golden test
-// goes: a third program there, and a TEST here.
+// tests/consumer, a project of somebody else's, built from the installed tree both ways, with golden tests of its
+// own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kConsumer = POINSOT_SOURCE_DIR "/tests/consumer";
 
@@ -32,6 +33,30 @@ TEST(Consumer, IsBuiltByCMake) {
            " -B consumer -DCMAKE_PREFIX_PATH=$PREFIX -DCMAKE_CXX_COMPILER=$CXX -DCMAKE_CXX_FLAGS=\"$FLAGS\"\n"
            "cmake --build consumer -j 1");
   expectWorks(tree, "consumer");
+}
+
+/// The exit code of its golden tests.
+int goldenTests(const InstalledTree& tree) {
+  return std::stoi(tree.run("ctest --test-dir consumer -L golden >ctest.log 2>&1 && echo 0 || echo 1"));
+}
+
+// Nothing approved, approved, passed, changed: by what a project writes of its own, with the program alone.
+TEST(Consumer, HasGoldenTests) {
+  const InstalledTree tree;
+  tree.run(
+      "rm -r $PREFIX/include $PREFIX/lib/*.a $PREFIX/lib/cmake/poinsot/poinsotTargets*\n"  // as in the .deb
+      "cp -r " +
+      kConsumer + "/golden .\n");
+  tree.run("CI= cmake -G Ninja -S golden -B consumer -DCMAKE_PREFIX_PATH=$PREFIX");
+  EXPECT_EQ(goldenTests(tree), 1);
+  EXPECT_THAT(
+      tree.run("CI= cmake --build consumer --target poinsot_golden_update"),
+      AllOf(HasSubstr("approved/spin.png: approved, the first"), HasSubstr("approved/drawn.png: approved")));
+  EXPECT_EQ(goldenTests(tree), 0) << tree.run("cat ctest.log");
+  EXPECT_THAT(tree.run("cat consumer/golden/spin/junit.xml"), HasSubstr("failures=\"0\""));
+  tree.run("sed -i 's/200/180/' golden/draw.sh");
+  EXPECT_EQ(goldenTests(tree), 1);
+  EXPECT_THAT(tree.run("cat ctest.log"), AllOf(HasSubstr("drawn (Failed)"), Not(HasSubstr("spin (Failed)"))));
 }
 
 TEST(Consumer, IsBuiltByPkgConfig) {
@@ -77,7 +102,7 @@ TEST(Consumer, IsToldWhatIsWrong) {
     return tree.run("cmake -S . -B p -DCMAKE_PREFIX_PATH=$PREFIX 2>&1 | tr -s ' \\n' ' ' || true");
   };
   EXPECT_THAT(configure("find_package(poinsot COMPONENTS psychics)"),
-              HasSubstr("poinsot has no component psychics; it has: core"));
+              HasSubstr("poinsot has no component psychics; it has: golden core"));
   EXPECT_THAT(configure("find_package(poinsot 9 REQUIRED)"), HasSubstr("requested version"));
 }
 
