@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// The golden suite against a renderer that is wrong: each fault is put into a copy of the shaders, or into the
+// scene where it is one of what is drawn or when, and the suite must not pass.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "support/scratch_folder.h"
+#include "support/shell_run.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Tests that have between them every kind of thing that is drawn.
+constexpr const char* kTests =
+    "gallery_poinsot_rolling gallery_tennis_racket gallery_football gallery_heavy_top body_box body_t_handle "
+    "cones_in_the_ellipsoid plane_of_L trace view_isometric view_precession";
+
+/// A line of a shader, or part of it, and what a slip would make of it.
+struct Fault {
+  const char* name;
+  const char* file;
+  const char* from;
+  const char* to;
+};
+
+// What GoogleTest and ctest print of a case.
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+const Fault kFaults[] = {
+    {"GlassInsideOut", "composite.frag", "sheet == 0 ? -halfChord : halfChord",
+     "sheet == 0 ? halfChord : -halfChord"},
+    {"NormalsTurned", "shading.glsl", "0.5 + 0.5 * dot(n_C, lightDirection_C)",
+     "0.5 - 0.5 * dot(n_C, lightDirection_C)"},
+    {"NearPlaneTooFar", "camera.glsl", "(depthRange.y - depthRange.x), 0.0",
+     "(depthRange.y - depthRange.x) - 0.3, 0.0"},
+    {"LastPlaneNotDrawn", "composite.frag", "k < PLANES; ++k) addPlane", "k < PLANES - 1; ++k) addPlane"},
+    {"RaysHalfAPixelOff", "camera.glsl", "(p_px - opticalCentre_px) / focal_px * (1.0",
+     "(p_px + 0.5 - opticalCentre_px) / focal_px * (1.0"},
+    {"GammaOfAnotherCurve", "composite.frag", "1.0 / 2.4", "1.0 / 2.2"},
+    {"UniformOfTheFirst", "composite.frag", "coneColor[k].rgb", "coneColor[0].rgb"},
+    {"AlphaNotDividedOut", "composite.frag", "over.a)) / max(a, 1e-6)", "over.a))"},
+    {"HighlightLost", "shading.glsl", "0.45 * m.gloss", "0.0 * m.gloss"},
+    {"HighlightOfTheOtherSide", "shading.glsl", "lightDirection_C + towardEye_C",
+     "lightDirection_C - towardEye_C"},
+    {"EdgesThroughSolids", "composite.frag", "float(depths[i] <= depth)", "1.0"},
+    {"SecondEdgeLost", "composite.frag", "texelFetch(nextEdgeColor, texel, 0)", "vec4(0.0)"},
+    {"ParallelRaysForgotten", "camera.glsl", "mix(t, 1.0, orthographic) / focal_px", "t / focal_px"},
+    {"GridOnePercentWide", "composite.frag", "uv.x / options.z", "uv.x / (1.01 * options.z)"},
+    {"ShadowLost", "composite.frag", "shadow[k].w * exp2", "0.0 * exp2"},
+    {"EdgesNotSmooth", "coverage.glsl", "edge.z * sharpness", "edge.z * 1000.0"},
+    {"TubesFlat", "curve.frag", "front = sqrt(1.0 - u * u)", "front = 1.0"},
+    {"FacetsOfAnEdgeLeftOut", "mesh_pixel.vert", "i < kFacets", "i < 1"},
+    {"PaperOneLevelDarker", "composite.frag", "mix(background,", "mix(background - 0.01,"},
+};
+
+std::string textOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// The suite's exit code and what it printed.
+ShellResult runSuite(const ScratchFolder& folder, const std::string& manifest, const std::string& tests,
+                     const std::vector<std::string>& environment) {
+  return runShell(
+      POINSOT_SOURCE_DIR,
+      fmt::format("{} golden {} -o {} --only {}", POINSOT_PROGRAM, manifest, (folder / "out").string(), tests),
+      environment);
+}
+
+class SeededFault : public testing::TestWithParam<Fault> {
+ protected:
+  const ScratchFolder folder_;
+  const std::string shaders_ = (folder_ / "shaders").string();
+};
+
+TEST_P(SeededFault, IsCaught) {
+  const Fault& fault = GetParam();
+  fs::copy(POINSOT_SOURCE_DIR "/shaders", shaders_);
+  std::string text = textOf(fs::path(shaders_) / fault.file);
+  const auto at = text.find(fault.from);
+  ASSERT_NE(at, std::string::npos) << "the shader has changed: seed the fault anew";
+  text.replace(at, std::string(fault.from).size(), fault.to);
+  std::ofstream(fs::path(shaders_) / fault.file) << text;
+  const ShellResult run = runSuite(folder_, "tests/golden/golden.toml", kTests, {"POINSOT_SHADERS=" + shaders_});
+  EXPECT_EQ(run.exitCode, 1) << run.out;
+  // It was drawn, and looked wrong: a shader that does not compile would prove nothing.
+  EXPECT_THAT(run.out,
+              testing::AllOf(testing::HasSubstr("different  "), testing::Not(testing::HasSubstr("error"))));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SeededFault, testing::ValuesIn(kFaults),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+// The control: the same shaders from a folder, without a fault.
+TEST_F(SeededFault, NoneIsNoFailure) {
+  fs::copy(POINSOT_SOURCE_DIR "/shaders", shaders_);
+  const ShellResult run = runSuite(folder_, "tests/golden/golden.toml", kTests, {"POINSOT_SHADERS=" + shaders_});
+  EXPECT_EQ(run.exitCode, 0) << run.out;
+}
+
+/// A suite of one picture that is drawn otherwise than approved.
+ShellResult runOther(const ScratchFolder& folder, const std::string& line) {
+  const std::string root = POINSOT_SOURCE_DIR;
+  folder.put("golden.toml", fmt::format("references = '{0}/tests/golden/images'\nheight = 144\n[[test]]\n"
+                                        "name = 'gallery_football'\nscene = '{0}/scenes/football.toml'\n{1}\n",
+                                        root, line));
+  return runSuite(folder, (folder / "golden.toml").string(), "gallery_football", {});
+}
+
+TEST_F(SeededFault, OfOneThingNotDrawnIsCaught) {
+  EXPECT_EQ(runOther(folder_, "").exitCode, 0);
+  EXPECT_EQ(runOther(folder_, "set = ['show.L=false']").exitCode, 1);
+}
+
+TEST_F(SeededFault, OfOneFrameTooLateIsCaught) {
+  // The still is taken at a time that the scene gives, or at 0.
+  const std::string scene = textOf(POINSOT_SOURCE_DIR "/scenes/football.toml");
+  const auto at = scene.find("\nstill = ");
+  const double still_s = at == std::string::npos ? 0 : std::stod(scene.substr(at + 9));
+  EXPECT_EQ(runOther(folder_, fmt::format("times = [{}]", still_s)).exitCode, 0);
+  EXPECT_EQ(runOther(folder_, fmt::format("times = [{}]", still_s + 1.0 / 30)).exitCode, 1);
+}
+
+}  // namespace
+}  // namespace poinsot
