@@ -10,6 +10,7 @@
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "output/atomic_file.h"
 
 namespace poinsot::app {
 namespace {
@@ -39,11 +40,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 std::optional<fs::path> within(const std::optional<fs::path>& folder, const std::string& name) {
   if (!folder) return std::nullopt;
   fs::path file = *folder / name;
-  std::error_code failure;
-  fs::create_directories(file.parent_path(), failure);
-  if (failure)
-    throw Error(ErrorKind::kIo,
-                fmt::format("{}: {}", core::printable(file.parent_path().native()), failure.message()));
+  output::makeFolders(file.parent_path());
   return file;
 }
 

@@ -110,11 +110,7 @@ std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& refere
 
 fs::path approve(const fs::path& picture, const GoldenOrigin& origin, const fs::path& folder,
                  const std::string& name, bool beside) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
+  output::makeFolders(folder);
   const auto there = referencesOf(folder, name);
   const fs::path usual = folder / (name + ".png");
   const bool isOwn =

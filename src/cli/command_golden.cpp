@@ -55,13 +55,6 @@ app::GoldenRequest requestOf(const GoldenOptions& options) {
           backendOf(options.backend), !options.native};
 }
 
-void makeFolder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
-}
-
 std::string lineOf(const GoldenOutcome& outcome) {
   return fmt::format("{:<10} {}{}{}\n", toString(outcome.status), core::printable(outcome.name),
                      outcome.message.empty() ? "" : ": ", outcome.message);
@@ -87,7 +80,7 @@ class Golden {
   int run() {
     if (options_.list) return list();
     if (options_.update) expectNotInCi();
-    makeFolder(request_.output);
+    output::makeFolders(request_.output);
     app::watchInterrupts();
     outcomes_ = app::runGoldens(manifest_, request_);
     if (options_.update) return update();
@@ -133,18 +126,17 @@ class Golden {
       if (outcome.status == GoldenStatus::kError || outcome.status == GoldenStatus::kUnused) {
         say(lineOf(outcome));
         allThere = false;
-      } else if (outcome.status != GoldenStatus::kIdentical || outcome.origin.renderer.empty()) {
-        approve(outcome);
-      } else if (isElsewhere(outcome)) {
+      } else if (outcome.status != GoldenStatus::kIdentical || !hasOrigin(outcome)) {
         approve(outcome);
       }
     }
     return allThere ? kDone : kNo;
   }
 
-  /// Identical to what another renderer made, or without its origin: that is written down.
-  static bool isElsewhere(const GoldenOutcome& outcome) {
-    return !fs::exists(fs::path(outcome.reference).replace_extension(".json"));
+  /// Whether it is written down what the reference was made with.
+  static bool hasOrigin(const GoldenOutcome& outcome) {
+    std::error_code ignored;
+    return fs::exists(fs::path(outcome.reference).replace_extension(".json"), ignored);
   }
 
   void approve(const GoldenOutcome& outcome) const {

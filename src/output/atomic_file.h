@@ -54,6 +54,9 @@ void syncFile(const std::filesystem::path& file);
 /// Makes the names in the folder of `file` durable. @throws core::Error(kIo).
 void syncFolderOf(const std::filesystem::path& file);
 
+/// Makes a folder, with those above it, where it is missing. @throws core::Error(kIo).
+void makeFolders(const std::filesystem::path& folder);
+
 /// The folder of a path, "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 

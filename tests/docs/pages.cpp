@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "docs/pages.h"
 
-#include <fstream>
 #include <regex>
-#include <sstream>
 
 namespace poinsot {
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 std::vector<std::filesystem::path> pages() {
   const std::filesystem::path root = POINSOT_SOURCE_DIR;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace poinsot {
+#include "support/text_of.h"
 
-std::string textOf(const std::filesystem::path& file);
+namespace poinsot {
 
 /// README and what lies in docs/.
 std::vector<std::filesystem::path> pages();

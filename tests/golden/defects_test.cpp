@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
-#include <sstream>
 
 #include "golden/other_rules.h"
 #include "image/near_rule.h"
@@ -20,6 +19,7 @@
 #include "stage/stage.h"
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"
+#include "support/text_of.h"
 
 namespace poinsot {
 namespace {
@@ -227,12 +227,6 @@ std::string rowText(const Change& change, const std::vector<bool>& fails) {
   for (const bool failed : fails)
     row += failed ? (change.isDefect ? " caught |" : " **false alarm** |") : change.isDefect ? " |" : " passed |";
   return row + "\n";
-}
-
-std::string textOf(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 /// In docs/golden.md the table stands between two comments.

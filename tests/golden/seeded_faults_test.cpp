@@ -8,10 +8,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"
+#include "support/text_of.h"
 
 namespace poinsot {
 namespace {
@@ -60,12 +60,6 @@ const Fault kFaults[] = {
     {"FacetsOfAnEdgeLeftOut", "mesh_pixel.vert", "i < kFacets", "i < 1"},
     {"PaperOneLevelDarker", "composite.frag", "mix(background,", "mix(background - 0.01,"},
 };
-
-std::string textOf(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// The suite's exit code and what it printed.
 ShellResult runSuite(const ScratchFolder& folder, const std::string& manifest, const std::string& tests,

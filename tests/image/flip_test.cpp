@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "image/noise.h"
 
 namespace poinsot::image {
 namespace {
@@ -16,13 +17,6 @@ Image flat(PixelSize size, int r, int g, int b) {
     picture.pixels[i + 1] = static_cast<std::uint8_t>(g);
     picture.pixels[i + 2] = static_cast<std::uint8_t>(b);
   }
-  return picture;
-}
-
-Image noise(PixelSize size, unsigned seed) {
-  Image picture(size, 3);
-  std::mt19937 random(seed);
-  for (auto& v : picture.pixels) v = static_cast<std::uint8_t>(random());
   return picture;
 }
 

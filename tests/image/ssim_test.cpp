@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "image/noise.h"
 
 namespace poinsot::image {
 namespace {
@@ -12,13 +13,6 @@ namespace {
 Image flat(PixelSize size, std::uint8_t value) {
   Image picture(size, 3);
   picture.pixels.assign(picture.pixels.size(), value);
-  return picture;
-}
-
-Image noise(PixelSize size, unsigned seed) {
-  Image picture(size, 3);
-  std::mt19937 random(seed);
-  for (auto& v : picture.pixels) v = static_cast<std::uint8_t>(random());
   return picture;
 }
 
