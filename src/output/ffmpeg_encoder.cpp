@@ -22,6 +22,7 @@ constexpr int kMostFramesToKey = 250;
 /// One encoder: how it is called, and what it is told.
 struct EncoderFacts {
   const char* name;
+  const char* segments;  ///< what those are encoded with
   AVPixelFormat (*pixels)(const FilmFormat& format);
   void (*set)(const FilmFormat& format, AVCodecContext& context, AvOptions& options);
 };
@@ -105,19 +106,14 @@ void setLossless(const FilmFormat&, AVCodecContext& context, AvOptions& options)
 }
 
 const EncoderFacts& factsOf(FilmCodec codec) {
-  static constexpr std::array<EncoderFacts, 7> kEncoders{{{"libx264", opaquePixels, setX264},
-                                                          {"libx265", opaquePixels, setX265},
-                                                          {"prores_ks", proResPixels, setProRes},
-                                                          {"libvpx-vp9", vp9Pixels, setVp9},
-                                                          {"libsvtav1", opaquePixels, setAv1},
-                                                          {"gif", losslessPixels, setLossless},
-                                                          {"apng", losslessPixels, setLossless}}};
+  static constexpr std::array<EncoderFacts, 7> kEncoders{{{"libx264", "libx264", opaquePixels, setX264},
+                                                          {"libx265", "libx265", opaquePixels, setX265},
+                                                          {"prores_ks", "prores_ks", proResPixels, setProRes},
+                                                          {"libvpx-vp9", "libvpx-vp9", vp9Pixels, setVp9},
+                                                          {"libsvtav1", "libsvtav1", opaquePixels, setAv1},
+                                                          {"gif", "ffv1", losslessPixels, setLossless},
+                                                          {"apng", "ffv1", losslessPixels, setLossless}}};
   return kEncoders[static_cast<std::size_t>(codec)];
-}
-
-/// What segments are encoded with.
-const char* segmentEncoder(const FilmFormat& format) {
-  return isMadeWhole(format.container) ? "ffv1" : factsOf(format.codec).name;
 }
 
 AVRational toAv(const core::Rational& r) { return {static_cast<int>(r.num), static_cast<int>(r.den)}; }
@@ -167,13 +163,15 @@ std::int64_t reorderDelay(AVCodecID codec) {
 
 const char* encoderName(FilmCodec codec) { return factsOf(codec).name; }
 
-bool hasEncoder(FilmCodec codec) { return avcodec_find_encoder_by_name(encoderName(codec)) != nullptr; }
+const char* missingEncoder(FilmCodec codec) {
+  for (const char* name : {factsOf(codec).name, factsOf(codec).segments})
+    if (avcodec_find_encoder_by_name(name) == nullptr) return name;
+  return nullptr;
+}
 
 FilmEncoder::FilmEncoder(image::PixelSize size, const core::Rational& fps, const FilmFormat& format) {
   checkFormat(format, size, fps);
-  const AVCodec* codec = avcodec_find_encoder_by_name(segmentEncoder(format));
-  if (codec == nullptr)
-    throw Error(ErrorKind::kEncode, fmt::format("this libavcodec was built without {}", segmentEncoder(format)));
+  const AVCodec* codec = avcodec_find_encoder_by_name(factsOf(format.codec).segments);
   context_ = checkAlloc(CodecContextPtr(avcodec_alloc_context3(codec)));
   frame_ = checkAlloc(FramePtr(av_frame_alloc()));
   packet_ = checkAlloc(PacketPtr(av_packet_alloc()));

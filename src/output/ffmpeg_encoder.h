@@ -19,8 +19,9 @@ std::int64_t reorderDelay(AVCodecID codec);
 
 /// libavcodec's name of the encoder: "libx264".
 const char* encoderName(FilmCodec codec);
-/// Whether this libavcodec has it.
-bool hasEncoder(FilmCodec codec);
+/// Which of the encoders that a film of it takes this libavcodec lacks; null if it has them all. A codec whose
+/// films are made whole takes another for the segments.
+const char* missingEncoder(FilmCodec codec);
 
 /// An encoder set so that the same frames give the same bytes with any number of workers, and, of H.264, on every
 /// machine: one thread, no macroblock tree (its reciprocals differ between processors), closed groups of pictures,

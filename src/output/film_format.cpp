@@ -112,13 +112,15 @@ void checkCodec(const FilmFormat& format) {
 }
 
 void checkEncoder(const FilmFormat& format) {
-  if (hasEncoder(format.codec)) return;
+  const char* missing = missingEncoder(format.codec);
+  if (missing == nullptr) return;
   std::vector<FilmCodec> there;
   for (const CodecFacts& facts : kCodecs)
-    if (hasEncoder(facts.codec)) there.push_back(facts.codec);
-  throw Error(ErrorKind::kEncode,
-              fmt::format("this libavcodec was built without {}, the encoder of {}; it can make: {}",
-                          encoderName(format.codec), nameOf(format.codec), namesOf(there)));
+    if (missingEncoder(facts.codec) == nullptr) there.push_back(facts.codec);
+  throw Error(
+      ErrorKind::kEncode,
+      fmt::format("the FFmpeg of this machine has no encoder {}, which a film of {} takes; it can make: {}",
+                  missing, nameOf(format.codec), there.empty() ? "no film" : namesOf(there)));
 }
 
 }  // namespace

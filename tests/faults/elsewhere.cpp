@@ -4,6 +4,7 @@
 //   ELSEWHERE_HOST  the machine's name
 //   ELSEWHERE_ASM   the instructions that x264 may use, in its words: "SSE2", "SSSE3", "AVX2"
 //   ELSEWHERE_MARK  a file to create when x264 was told
+//   ELSEWHERE_LACKS encoders that libavcodec lacks, by its own names: "libx264,gif"
 #include <dlfcn.h>
 #include <sys/time.h>
 #include <sys/utsname.h>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 namespace {
 
@@ -41,9 +43,23 @@ void* open(OpenEncoder* opener, void* parameters) {
   return opener(parameters);
 }
 
+bool isLacked(const char* encoder) {
+  const char* lacked = setting("ELSEWHERE_LACKS");
+  if (!lacked) return false;
+  const std::string names = std::string(",") + lacked + ',';
+  return names.find(std::string(",") + encoder + ',') != std::string::npos;
+}
+
 }  // namespace
 
+struct AVCodec;
+
 extern "C" {
+
+const AVCodec* avcodec_find_encoder_by_name(const char* name) {
+  static const auto next = real(&avcodec_find_encoder_by_name, "avcodec_find_encoder_by_name");
+  return isLacked(name) ? nullptr : next(name);
+}
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {
   static const auto next = real(&clock_gettime, "clock_gettime");

@@ -65,6 +65,35 @@ std::string filmOfNobody() {
   return bytesOf(folder / "t.mp4");
 }
 
+/// How a render to it ends where libavcodec lacks these.
+RunResult renderWithout(const std::string& encoders, const std::string& target) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  RunResult refused = run(folder, {"render", "tiny.toml", "-o", target}, Stdout::kFile,
+                          {"LD_PRELOAD=" POINSOT_ELSEWHERE, "ELSEWHERE_LACKS=" + encoders});
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"tiny.toml"});
+  return refused;
+}
+
+TEST(Elsewhere, AnEncoderThatItLacksIsNamedBesideThoseThatItHas) {
+  const RunResult mp4 = renderWithout("libx264", "t.mp4");
+  EXPECT_EQ(mp4.exitCode, 3);
+  EXPECT_THAT(mp4.err,
+              testing::HasSubstr("the FFmpeg of this machine has no encoder libx264, which a film of h264 "
+                                 "takes; it can make: hevc, prores, vp9, av1, gif, apng\n"));
+  const RunResult webm = renderWithout("libvpx-vp9,libx265", "t.webm");
+  EXPECT_EQ(webm.exitCode, 3);
+  EXPECT_THAT(webm.err, testing::HasSubstr("no encoder libvpx-vp9, which a film of vp9 takes; it can make: h264, "
+                                           "prores, av1, gif, apng\n"));
+  // A GIF's segments are kept with another encoder.
+  const RunResult gif = renderWithout("ffv1", "t.gif");
+  EXPECT_EQ(gif.exitCode, 3);
+  EXPECT_THAT(gif.err, testing::HasSubstr("no encoder ffv1, which a film of gif takes; it can make: h264, hevc, "
+                                          "prores, vp9, av1\n"));
+  const RunResult any = renderWithout("libx264,libx265,prores_ks,libvpx-vp9,libsvtav1,gif,apng", "t.mp4");
+  EXPECT_THAT(any.err, testing::HasSubstr("it can make: no film\n"));
+}
+
 TEST(Elsewhere, ItsClockItsNameItsCLibraryAndItsUserDoNotShow) {
   EXPECT_EQ(film({"ELSEWHERE_DAYS=400", "ELSEWHERE_HOST=elsewhere",
                   "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable"}),

@@ -98,8 +98,7 @@ std::vector<Format> formats() {
 class FilmFormats : public ScratchFolder, public testing::WithParamInterface<Format> {
  protected:
   void SetUp() override {
-    const FilmCodec codec = GetParam().format.codec;
-    if (!hasEncoder(codec)) GTEST_SKIP() << "this libavcodec has no " << encoderName(codec);
+    if (const char* missing = missingEncoder(GetParam().format.codec)) GTEST_SKIP() << "no encoder " << missing;
   }
   static bool transparent() { return GetParam().format.transparent; }
 
