@@ -54,16 +54,6 @@ std::string figuresText(const PictureDiff& diff, double pixelsPerDegree) {
   return text + worstText(diff);
 }
 
-/// "12 identical, 1 near, 2 different".
-std::string countsText(const std::vector<PictureDiff>& pictures) {
-  std::string text;
-  for (const auto verdict : {image::Verdict::kIdentical, image::Verdict::kNear, image::Verdict::kDifferent}) {
-    const auto count = std::ranges::count(pictures, verdict, &PictureDiff::verdict);
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, image::toString(verdict));
-  }
-  return text;
-}
-
 /// One line of a pair among many.
 std::string rowText(const PictureDiff& diff) {
   const image::ImageDifference& d = diff.figures;
@@ -75,6 +65,15 @@ std::string rowText(const PictureDiff& diff) {
 }
 
 }  // namespace
+
+std::string countsText(const std::vector<PictureDiff>& pictures) {
+  std::string text;
+  for (const auto verdict : {image::Verdict::kIdentical, image::Verdict::kNear, image::Verdict::kDifferent}) {
+    const auto count = std::ranges::count(pictures, verdict, &PictureDiff::verdict);
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, image::toString(verdict));
+  }
+  return text;
+}
 
 std::string diffText(const PictureDiff& diff, const DiffRequest& request) {
   const std::string head = verdictLine(diff.verdict, reasonOf(diff));
@@ -98,8 +97,7 @@ std::string diffText(const FilmDiff& diff) {
   text += fmt::format("  frames     {}\n", countsText(diff.frames));
   const std::size_t worst = diff.worst();
   if (diff.frames[worst].verdict == image::Verdict::kIdentical) return text;
-  const double t_s = diff.fps.num == 0 ? 0 : static_cast<double>(worst) / diff.fps.value();
-  return text + fmt::format("  the worst, at {:.3f} s:\n", t_s) + rowText(diff.frames[worst]);
+  return text + fmt::format("  the worst, at {:.3f} s:\n", diff.time_s(worst)) + rowText(diff.frames[worst]);
 }
 
 }  // namespace poinsot::app

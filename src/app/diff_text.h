@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/film_diff.h"
 #include "app/folder_diff.h"
@@ -13,5 +14,8 @@ namespace poinsot::app {
 std::string diffText(const PictureDiff& diff, const DiffRequest& request);
 std::string diffText(const FolderDiff& diff);
 std::string diffText(const FilmDiff& diff);
+
+/// "12 identical, 1 near, 2 different".
+std::string countsText(const std::vector<PictureDiff>& pictures);
 
 }  // namespace poinsot::app

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/parallel.h"
+#include "core/error.h"
 #include "output/film_reader.h"
 
 namespace poinsot::app {
@@ -65,16 +66,6 @@ class FilmPair {
   std::int64_t framesOfReference_ = 0, framesOfTest_ = 0;
 };
 
-/// Pictures of the worst frame: read again, since no film is kept in memory.
-void writeWorst(const std::filesystem::path& reference, const std::filesystem::path& test, const FilmDiff& diff,
-                const DiffRequest& request) {
-  if (diff.frames.empty() || (!request.map && !request.difference)) return;
-  FilmPair films(reference, test);
-  for (std::size_t k = 0; k < diff.worst(); ++k) films.next(1);
-  const FramePair pair = films.next(1).front();
-  diffPictures(pair.reference, pair.test, request);
-}
-
 }  // namespace
 
 image::Verdict FilmDiff::verdict() const {
@@ -93,33 +84,34 @@ FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem
   FilmPair films(reference, test);
   FilmDiff diff{films.mismatch(), films.fps(), {}};
   if (!diff.mismatch.empty()) return diff;
-  const DiffRequest figuresOnly{request.rule, request.pixelsPerDegree};
   for (auto pairs = films.next(static_cast<std::size_t>(jobs)); !pairs.empty();
        pairs = films.next(static_cast<std::size_t>(jobs))) {
     const std::size_t first = diff.frames.size();
     diff.frames.resize(first + pairs.size());
     forEachIndex(pairs.size(), jobs, [&](std::size_t i) {
-      diff.frames[first + i] = diffPictures(pairs[i].reference, pairs[i].test, figuresOnly);
+      auto& [a, b] = pairs[i];
+      diff.frames[first + i] = comparePictures(std::move(a), std::move(b), request).diff;
       diff.frames[first + i].name = fmt::format("{}", first + i);
     });
   }
   diff.mismatch = films.lengthMismatch();
-  writeWorst(reference, test, diff, request);
+  if (!diff.frames.empty() && (request.map || request.difference))
+    forFrames(reference, test, {diff.worst()}, request,
+              [&](std::size_t, const ComparedPictures& compared) { writeMaps(compared, request); });
   return diff;
 }
 
-std::string curveCsv(const FilmDiff& diff) {
-  std::string text = "frame,t,verdict,differing_pixels,max,mean,rmse,psnr_db,ssim_mean,flip_mean,flip_max\n";
-  for (std::size_t k = 0; k < diff.frames.size(); ++k) {
-    const PictureDiff& frame = diff.frames[k];
-    const image::ImageDifference& d = frame.figures;
-    const double t_s = diff.fps.num == 0 ? 0 : static_cast<double>(k) / diff.fps.value();
-    text += fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g}\n", k, t_s,
-                        image::toString(frame.verdict), d.differingPixels, d.maxAbs, d.meanAbs, d.rmse,
-                        d.psnr_dB ? fmt::format("{:.6g}", *d.psnr_dB) : "",
-                        d.ssim ? fmt::format("{:.9g}", d.ssim->mean) : "", d.flip.mean, d.flip.max);
+void forFrames(const std::filesystem::path& reference, const std::filesystem::path& test,
+               const std::vector<std::size_t>& frames, const DiffRequest& request,
+               const std::function<void(std::size_t, const ComparedPictures&)>& visit) {
+  FilmPair films(reference, test);
+  std::size_t next = 0;
+  for (const std::size_t frame : frames) {
+    for (; next < frame; ++next) films.next(1);
+    auto pairs = films.next(1);
+    if (pairs.empty()) throw core::Error(core::ErrorKind::kIo, "a film became shorter while it was read");
+    visit(next++, comparePictures(std::move(pairs[0].reference), std::move(pairs[0].test), request));
   }
-  return text;
 }
 
 }  // namespace poinsot::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct FilmDiff {
   image::Verdict verdict() const;
   /// The frame that an eye notices most, by FLIP's mean. @pre there is one.
   std::size_t worst() const;
+  /// When it is shown; 0 where the film says no rate.
+  double time_s(std::size_t frame) const { return fps.num == 0 ? 0 : static_cast<double>(frame) / fps.value(); }
 };
 
 /// Compares every frame of two films, `jobs` at a time. Where the request names places for pictures these are
@@ -27,7 +30,10 @@ struct FilmDiff {
 FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem::path& test,
                    const DiffRequest& request, int jobs);
 
-/// The figures over time: a line for each frame, CSV with a header.
-std::string curveCsv(const FilmDiff& diff);
+/// Compares some frames of two such films again and hands them on with their pictures, since no film is kept in
+/// memory. @param frames  rising. @throws as diffFilms.
+void forFrames(const std::filesystem::path& reference, const std::filesystem::path& test,
+               const std::vector<std::size_t>& frames, const DiffRequest& request,
+               const std::function<void(std::size_t frame, const ComparedPictures&)>& visit);
 
 }  // namespace poinsot::app

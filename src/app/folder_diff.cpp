@@ -47,14 +47,12 @@ std::optional<fs::path> within(const std::optional<fs::path>& folder, const std:
 /// Identical pairs leave no picture.
 PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std::string& name,
                      const DiffRequest& request) {
-  PictureDiff diff = diffFiles(reference / name, test / name, {request.rule, request.pixelsPerDegree});
-  diff.name = name;
-  const bool shows = diff.verdict != image::Verdict::kIdentical && diff.mismatch.empty();
-  if (shows && (request.map || request.difference))
-    diffFiles(
-        reference / name, test / name,
-        {request.rule, request.pixelsPerDegree, within(request.map, name), within(request.difference, name)});
-  return diff;
+  ComparedPictures compared = compareFiles(reference / name, test / name, request);
+  compared.diff.name = name;
+  if (compared.diff.verdict != image::Verdict::kIdentical && compared.diff.mismatch.empty())
+    writeMaps(compared, {request.rule, request.pixelsPerDegree, within(request.map, name),
+                         within(request.difference, name)});
+  return std::move(compared.diff);
 }
 
 }  // namespace

@@ -103,33 +103,36 @@ class Comparing {
       outcome.message = "nothing was approved yet: look at it, then --update";
       return;
     }
-    compare(relevant(all, outcome.origin.renderer), outcome);
+    const ComparedPictures nearest = nearestOf(relevant(all, outcome.origin.renderer), outcome.reference);
+    outcome.diff = nearest.diff;
     outcome.status = statusOf(outcome.diff.verdict);
     outcome.message = messageOf(outcome.diff, one_.test.rule);
-    if (outcome.status != GoldenStatus::kIdentical && outcome.diff.mismatch.empty()) draw(outcome);
+    if (outcome.status != GoldenStatus::kIdentical && outcome.diff.mismatch.empty()) draw(nearest, outcome);
   }
 
  private:
   /// FLIP's mean tells which is nearest; of a mismatch none is.
-  void compare(const std::vector<GoldenReference>& references, GoldenOutcome& outcome) const {
+  ComparedPictures nearestOf(const std::vector<GoldenReference>& references, fs::path& which) const {
     const auto rank = [](const PictureDiff& diff) {
       return std::tuple(diff.verdict, !diff.mismatch.empty(), diff.figures.flip.mean);
     };
+    ComparedPictures nearest;
     for (const GoldenReference& reference : references) {
-      PictureDiff diff = diffFiles(reference.picture, one_.actual, {one_.test.rule.limits});
-      if (!outcome.reference.empty() && rank(diff) >= rank(outcome.diff)) continue;
-      outcome.reference = reference.picture;
-      outcome.diff = std::move(diff);
+      ComparedPictures compared = compareFiles(reference.picture, one_.actual, {one_.test.rule.limits});
+      if (!which.empty() && rank(compared.diff) >= rank(nearest.diff)) continue;
+      which = reference.picture;
+      nearest = std::move(compared);
     }
+    return nearest;
   }
 
-  void draw(GoldenOutcome& outcome) const {
+  void draw(const ComparedPictures& nearest, GoldenOutcome& outcome) const {
     outcome.map = output_ / (one_.name + ".flip.png");
     outcome.difference = output_ / (one_.name + ".difference.png");
     DiffRequest request{one_.test.rule.limits};
     request.map = outcome.map;
     request.difference = outcome.difference;
-    diffFiles(outcome.reference, one_.actual, request);
+    writeMaps(nearest, request);
   }
 
   const GoldenCase& one_;

@@ -27,13 +27,6 @@ std::string mismatchOf(const DiffPicture& reference, const DiffPicture& test) {
   return "";
 }
 
-void writePictures(const DiffPicture& reference, const DiffPicture& test, const image::FlipMap& map,
-                   const DiffRequest& request) {
-  if (request.map) output::writePng(*request.map, image::magmaPicture(map));
-  if (request.difference)
-    output::writePng(*request.difference, image::amplifiedDifference(reference.pixels, test.pixels));
-}
-
 DiffPicture read(const std::filesystem::path& file) {
   image::PngPicture png = image::readPngAsStored(file);
   return {std::move(png.picture), png.channels};
@@ -41,23 +34,33 @@ DiffPicture read(const std::filesystem::path& file) {
 
 }  // namespace
 
-PictureDiff diffPictures(const DiffPicture& reference, const DiffPicture& test, const DiffRequest& request) {
-  PictureDiff diff;
-  diff.size = sizeOf(reference.pixels);
-  diff.channels = reference.channels;
-  diff.mismatch = mismatchOf(reference, test);
-  if (!diff.mismatch.empty()) return diff;
-  image::Comparison made = image::compare(reference.pixels, test.pixels, request.pixelsPerDegree);
+ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request) {
+  ComparedPictures compared{std::move(reference), std::move(test), {}, {}};
+  PictureDiff& diff = compared.diff;
+  diff.size = sizeOf(compared.reference.pixels);
+  diff.channels = compared.reference.channels;
+  diff.mismatch = mismatchOf(compared.reference, compared.test);
+  if (!diff.mismatch.empty()) return compared;
+  image::Comparison made =
+      image::compare(compared.reference.pixels, compared.test.pixels, request.pixelsPerDegree);
+  compared.flip = std::move(made.flip);
   diff.figures = std::move(made.difference);
   diff.verdict = image::verdict(diff.figures, request.rule);
   if (diff.verdict == image::Verdict::kDifferent) diff.excesses = image::excesses(diff.figures, request.rule);
-  writePictures(reference, test, made.flip, request);
-  return diff;
+  return compared;
 }
 
-PictureDiff diffFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
-                      const DiffRequest& request) {
-  return diffPictures(read(reference), read(test), request);
+ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
+                              const DiffRequest& request) {
+  return comparePictures(read(reference), read(test), request);
+}
+
+void writeMaps(const ComparedPictures& compared, const DiffRequest& request) {
+  if (!compared.diff.mismatch.empty()) return;
+  if (request.map) output::writePng(*request.map, image::magmaPicture(compared.flip));
+  if (request.difference)
+    output::writePng(*request.difference,
+                     image::amplifiedDifference(compared.reference.pixels, compared.test.pixels));
 }
 
 }  // namespace poinsot::app

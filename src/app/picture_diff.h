@@ -36,12 +36,21 @@ struct PictureDiff {
   std::vector<std::string> excesses;  ///< what of the rule does not hold
 };
 
-/// Compares, and writes what the request asks for: of pictures that have figures.
-/// @throws core::Error(kIo) where something cannot be written.
-PictureDiff diffPictures(const DiffPicture& reference, const DiffPicture& test, const DiffRequest& request);
+/// Two pictures beside what came of comparing them, from which maps are drawn.
+struct ComparedPictures {
+  DiffPicture reference, test;
+  PictureDiff diff;
+  image::FlipMap flip;  ///< empty where there are no figures
+};
 
-/// Two PNG files. @throws core::Error(kIo) with the file, if one cannot be read; as above.
-PictureDiff diffFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
-                      const DiffRequest& request);
+/// Compares by the rule of the request.
+ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request);
+/// Two PNG files. @throws core::Error(kIo) with the file, if one cannot be read.
+ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
+                              const DiffRequest& request);
+
+/// Writes what the request asks for; nothing of pictures that have no figures.
+/// @throws core::Error(kIo) where something cannot be written.
+void writeMaps(const ComparedPictures& compared, const DiffRequest& request);
 
 }  // namespace poinsot::app

@@ -3,27 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "core/error.h"
 #include "core/text.h"
 #include "output/target_check.h"
 
 namespace poinsot::app {
-namespace {
-
-/// Empty (nothing is lost), or begins as this program's trajectories do.
-bool isOwn(const std::filesystem::path& path, TrajectoryFormat format) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string start(trajectoryMark(format).size(), '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return !file.bad() && (file.gcount() == 0 || start == trajectoryMark(format));
-}
-
-}  // namespace
-
 TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
   if (name == "-") return {};
   const std::filesystem::path path(name);
@@ -35,7 +19,7 @@ TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
 }
 
 void checkTrajectoryTarget(const TrajectoryTarget& target, bool force) {
-  output::checkTarget(target.path, force || isOwn(target.path, target.format));
+  output::checkTarget(target.path, force || output::beginsWith(target.path, trajectoryMark(target.format)));
 }
 
 }  // namespace poinsot::app

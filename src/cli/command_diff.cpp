@@ -6,7 +6,9 @@
 #include <memory>
 #include <system_error>
 
+#include "app/diff_curve.h"
 #include "app/diff_json.h"
+#include "app/diff_report.h"
 #include "app/diff_text.h"
 #include "app/limit_words.h"
 #include "app/render_job.h"
@@ -17,6 +19,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
+#include "output/film_reader.h"
 #include "output/target_check.h"
 
 namespace poinsot::cli {
@@ -27,7 +30,7 @@ using core::Error;
 using core::ErrorKind;
 
 struct DiffOptions {
-  std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve;
+  std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve, report;
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   int jobs = 0;
   bool json = false, exact = false, quiet = false, force = false;
@@ -39,17 +42,13 @@ enum class Kind { kPicture, kFolder, kFilm };
 Kind kindOf(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return Kind::kFolder;
-  const std::string extension = path.extension();
-  for (const char* film : {".mp4", ".mov", ".webm", ".mkv", ".gif", ".apng", ".avi"})
-    if (extension == film) return Kind::kFilm;
-  return Kind::kPicture;
+  return output::isFilmName(path) ? Kind::kFilm : Kind::kPicture;
 }
 
 Kind commonKind(const DiffOptions& options) {
   const Kind kind = kindOf(options.reference);
   if (kindOf(options.test) != kind)
     throw Error(ErrorKind::kUsage, "both must be PNG files, or both folders, or both films");
-  if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve is of two films");
   return kind;
 }
 
@@ -74,11 +73,20 @@ app::DiffRequest requestOf(const DiffOptions& options, Kind kind) {
           place(options, options.difference, kind)};
 }
 
+/// Before anything is compared.
+void checkTargets(const DiffOptions& options, Kind kind) {
+  if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve is of two films");
+  if (!options.curve.empty()) app::checkCurveTarget(options.curve, options.force);
+  if (!options.report.empty()) output::checkTarget(options.report, options.force);
+}
+
 /// One of the three ways to compare: its verdict, after it was told.
 class Diff {
  public:
   explicit Diff(const DiffOptions& options)
-      : options_(options), kind_(commonKind(options)), request_(requestOf(options, kind_)) {}
+      : options_(options), kind_(commonKind(options)), request_(requestOf(options, kind_)) {
+    checkTargets(options, kind_);
+  }
 
   image::Verdict tell() const {
     switch (kind_) {
@@ -89,9 +97,11 @@ class Diff {
       case Kind::kPicture:
         break;
     }
-    const auto diff = app::diffFiles(options_.reference, options_.test, request_);
-    say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff, request_));
-    return diff.verdict;
+    const auto compared = app::compareFiles(options_.reference, options_.test, request_);
+    app::writeMaps(compared, request_);
+    report(compared.diff);
+    say(options_.json ? app::diffJson(compared.diff, names(), request_) : app::diffText(compared.diff, request_));
+    return compared.diff.verdict;
   }
 
  private:
@@ -101,15 +111,22 @@ class Diff {
     if (!options_.quiet) writeOut(text);
   }
 
+  template <class Any>
+  void report(const Any& diff) const {
+    if (!options_.report.empty())
+      output::writeFileAtomically(options_.report,
+                                  app::diffReport(diff, {options_.reference, options_.test, request_}));
+  }
+
   app::FilmDiff films() const {
-    if (!options_.curve.empty()) output::checkTarget(options_.curve, options_.force);
     auto diff = app::diffFilms(options_.reference, options_.test, request_, jobs());
-    if (!options_.curve.empty()) output::writeFileAtomically(options_.curve, app::curveCsv(diff));
+    if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule);
     return diff;
   }
 
   template <class Many>
   image::Verdict tellOf(const Many& diff) const {
+    report(diff);
     say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
     return diff.verdict();
   }
@@ -155,7 +172,11 @@ void addDiff(CLI::App& program, Action& chosen) {
   command->add_option("--diff-image", options->difference, "likewise the difference, 16 times amplified")
       ->type_name("FILE")
       ->check(notEmpty());
-  command->add_option("--curve", options->curve, "write the figures of each frame of two films: CSV")
+  command
+      ->add_option("--curve", options->curve, "write the figures of two films over time: CSV, or SVG as a picture")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--report", options->report, "write a page with the pictures and the curve: HTML, one file")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--ppd", options->pixelsPerDegree, "pixels per degree of view, for FLIP (default: 67.02)")
@@ -171,8 +192,8 @@ void addDiff(CLI::App& program, Action& chosen) {
       "Another size or number of channels is different: nothing is resized.\n"
       "Examples:\n"
       "  poinsot diff approved.png new.png --map flip.png\n"
-      "  poinsot diff approved/ new/ --json\n"
-      "  poinsot diff a.mp4 b.mp4 --curve out/curve.csv");
+      "  poinsot diff approved/ new/ --report out/diff.html\n"
+      "  poinsot diff a.mp4 b.mp4 --curve out/curve.svg --json");
   command->callback([options, &chosen] { chosen = [options] { return diff(*options); }; });
 }
 

@@ -62,7 +62,7 @@ std::string marked(const CommentMark& mark, std::string_view rest) {
 
 bool isOwnFigure(const std::filesystem::path& path) try {
   const std::string text = core::readRegularFile(path, kMostBytes, core::ErrorKind::kIo);
-  return isOwnPdf(text) || isMarked(text, kSvgMark) || isMarked(text, kTexMark);
+  return isOwnPdf(text) || isMarked(text, kSvgMark) || isMarked(text, kTexMark) || isMarked(text, kHtmlMark);
 } catch (const core::Error&) {
   return false;
 }

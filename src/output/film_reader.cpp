@@ -13,6 +13,7 @@ extern "C" {
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/ffmpeg_handles.h"
+#include "output/film_format.h"
 
 namespace poinsot::output {
 namespace {
@@ -181,6 +182,11 @@ struct FilmReader::Parts {
   PacketPtr packet{checkAlloc(av_packet_alloc())};
   FramePtr frame{checkAlloc(av_frame_alloc())};
 };
+
+bool isFilmName(const std::filesystem::path& file) {
+  const std::string extension = file.extension();
+  return filmContainer(file) || extension == ".mkv" || extension == ".avi" || extension == ".m4v";
+}
 
 FilmReader::FilmReader(const std::filesystem::path& film) : parts_(std::make_unique<Parts>(film)) {}
 

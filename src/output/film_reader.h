@@ -11,6 +11,9 @@
 
 namespace poinsot::output {
 
+/// Whether its name says that a file is a film that may be read here.
+bool isFilmName(const std::filesystem::path& file);
+
 /// The pictures of a film in the order they are shown, as sRGB of full range: RGB, or RGBA where the film has
 /// transparency; with 16 bits a sample where the film has more than 8. Reads every film that this program writes,
 /// and those of others in the same containers and AVI.

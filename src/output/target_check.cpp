@@ -8,8 +8,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 #include "core/error.h"
 #include "core/shell_word.h"
@@ -73,6 +76,15 @@ void checkTarget(const std::filesystem::path& target, bool force) {
   checkName(target);
   checkFolder(folderOf(target));
   checkExisting(target, force);
+}
+
+bool beginsWith(const std::filesystem::path& file, std::string_view mark) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::ifstream stream(file, std::ios::binary);
+  std::string start(mark.size(), '\0');
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return !stream.bad() && (stream.gcount() == 0 || start == mark);
 }
 
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {

@@ -191,5 +191,28 @@ TEST_F(DiffCommand, ComparesFilmsFrameByFrame) {
   EXPECT_THAT(diff({"a.mp4", "short.mp4"}).out, StartsWith("different: the film has 6 frames, not 8\n"));
 }
 
+// What the page shows is tested in a browser (tests/golden/page_test.py), what the curve shows in
+// tests/app/diff_curve_test.cpp.
+TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
+  folder_.put("s.toml", kGoodScene);
+  EXPECT_EQ(run(folder_, {"render", "s.toml", "-o", "a.apng", "--frames", "0-3", "--quiet"}).exitCode, 0);
+  for (const std::string& curve : {"c.csv", "c.svg"}) {
+    const std::vector<std::string> words{"a.apng", "a.apng", "--curve", curve, "--report", "r.html"};
+    EXPECT_EQ(diff(words).exitCode, 0);
+    EXPECT_EQ(diff(words).exitCode, 0) << "a second time";
+    folder_.put(curve, "somebody's");
+    const RunResult refused = diff(words);
+    EXPECT_EQ(refused.exitCode, 4);
+    EXPECT_THAT(refused.err, HasSubstr(curve + ": exists and was not written by poinsot"));
+    EXPECT_EQ(bytesOf(folder_ / curve), "somebody's");
+  }
+  folder_.put("r.html", "<!DOCTYPE html>\n<p>somebody's");
+  EXPECT_EQ(diff({"a.png", "far.png", "--report", "r.html"}).exitCode, 4);
+  EXPECT_EQ(diff({"a.png", "far.png", "--report", "r.html", "--force"}).exitCode, 1);
+  const RunResult other = diff({"a.apng", "a.apng", "--curve", "c.png"});
+  EXPECT_EQ(other.exitCode, 2);
+  EXPECT_THAT(other.err, HasSubstr("curve 'c.png': works: NAME.csv, NAME.svg"));
+}
+
 }  // namespace
 }  // namespace poinsot

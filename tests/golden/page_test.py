@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of `poinsot golden --report` in a real browser: it is sorted, its slider is moved, the failing row found.
+"""The pages of `poinsot golden --report` and `poinsot diff --report` in a real browser: a suite's is sorted, its slider
+is moved, the failing row found; on a film's curve a frame is chosen.
 
     page_test.py PROGRAM SCREENSHOT
 """
@@ -14,6 +15,7 @@ import zlib
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
@@ -156,18 +158,60 @@ def check(driver, report, screenshot):
     page.find('body').send_keys(Keys.ARROW_UP)
     expect(page.find('#view h2').text, 'brighter', 'the arrow key')
 
+    expect_nothing_loaded(driver)
+
+
+def expect_nothing_loaded(driver):
     loaded = driver.execute_script("return performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length")
     expect(loaded, 0, 'loaded from elsewhere')
     expect([e for e in driver.get_log('browser') if e['level'] == 'SEVERE'], [], 'errors')
 
 
+def films(program, folder):
+    """Two of 41 frames that differ in the 11th and the 31st."""
+    for name, odd in (('a', []), ('b', [10, 30])):
+        frames = folder / name
+        frames.mkdir()
+        for k in range(41):
+            png(frames / f'{k:02}.png', lambda x, y: BLUE if k in odd else GREY)
+        subprocess.run(['ffmpeg', '-v', 'error', '-framerate', '10', '-i', frames / '%02d.png', '-c:v', 'ffv1',
+                        '-pix_fmt', 'bgr0', folder / f'{name}.mkv'], check=True)
+    made = subprocess.run([program, 'diff', 'a.mkv', 'b.mkv', '--report', 'film.html'], cwd=folder)
+    expect(made.returncode, 1, 'exit code of different films')
+    return folder / 'film.html'
+
+
+def check_film(driver, report, screenshot):
+    driver.get(report.as_uri())
+    page = Page(driver)
+    expect(page.find('#counts').text, '41 frames: 39 identical, 2 different', 'counts')
+    expect(page.names(), ['10', '30'], 'the frames that differ')
+    curve = page.find('#curve')
+    expect(curve.is_displayed(), True, 'the curve')
+    picture = page.find('#curve img')
+    expect(driver.execute_script('return arguments[0].complete && arguments[0].naturalWidth > 0', picture), True,
+           'the curve is a picture')
+    for share, name in ((0.7, '30'), (0.3, '10')):
+        click = ActionChains(driver).move_to_element_with_offset(curve, int((share - 0.5) * curve.size['width']), 0)
+        click.click().perform()
+        expect(page.find('#view h2').text, name, f'a click at {share}')
+        cursor = page.find('#curve i').rect['x'] + 1 - curve.rect['x']
+        moment = (cursor / curve.rect['width'] - 0.055) / 0.93  # where the axis begins and how long it is
+        expect(abs(moment - int(name) / 40) < 0.01, True, f'the cursor, at {moment}')
+    expect(close(page.colour_at(0.2), GREY) and close(page.colour_at(0.8), BLUE), True, 'both frames')
+    driver.save_screenshot(screenshot)
+    expect_nothing_loaded(driver)
+
+
 def main():
     program, screenshot = sys.argv[1:]
-    with tempfile.TemporaryDirectory() as folder:
-        report = suite(program, pathlib.Path(folder))
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        report, film = suite(program, folder), films(program, folder)
         driver = browser()
         try:
             check(driver, report, screenshot)
+            check_film(driver, film, screenshot.replace('.png', '_film.png'))
         finally:
             driver.quit()
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curve of two films as a picture, read back from its SVG.
+#include "app/diff_curve.h"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+namespace poinsot::app {
+namespace {
+
+/// So many identical frames at 10 a second, but for those.
+FilmDiff film(std::size_t frames, const std::vector<std::size_t>& differing) {
+  FilmDiff diff{"", {10, 1}, std::vector<PictureDiff>(frames)};
+  for (PictureDiff& frame : diff.frames) frame.verdict = image::Verdict::kIdentical;
+  for (const std::size_t k : differing) {
+    diff.frames[k].verdict = image::Verdict::kDifferent;
+    diff.frames[k].figures.flip.max = 1;
+    diff.frames[k].figures.flip.mean = 0.25;
+  }
+  return diff;
+}
+
+struct Point {
+  double x, y;
+};
+
+/// The corners of the two curves: lines in blue.
+std::vector<std::vector<Point>> curvesOf(const std::string& svg) {
+  std::vector<std::vector<Point>> curves;
+  static const std::regex path("<path d=\"M([^\"]*)\" fill=\"none\" stroke=\"#0f62ad\"");
+  for (std::sregex_iterator found(svg.begin(), svg.end(), path), end; found != end; ++found) {
+    const std::string corners = (*found)[1];
+    static const std::regex corner("([0-9.]+) ([0-9.]+)");
+    auto& curve = curves.emplace_back();
+    for (std::sregex_iterator at(corners.begin(), corners.end(), corner); at != end; ++at)
+      curve.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+  }
+  return curves;
+}
+
+std::vector<double> rowsOf(const std::vector<Point>& curve) {
+  std::vector<double> rows;
+  for (const Point& point : curve) rows.push_back(point.y);
+  return rows;
+}
+
+TEST(DiffCurve, StandsAtTheFiguresOfEachFrame) {
+  FilmDiff diff = film(5, {3});
+  diff.frames[1].figures.flip.max = 0.5;
+  const auto curves = curvesOf(curveSvg(diff, {}));
+  ASSERT_EQ(curves.size(), 2u);
+  ASSERT_EQ(curves[0].size(), 5u);
+  // Both axes end at the largest value, which is a tick: 1 and 0.25. Heights are measured from the lowest point.
+  const double bottom = curves[0][0].y, top = curves[0][3].y;
+  EXPECT_GT(bottom, top + 50);
+  EXPECT_NEAR(curves[0][1].y, (bottom + top) / 2, 0.011);
+  EXPECT_EQ(curves[0][2].y, bottom);
+  EXPECT_EQ(curves[1][1].y, curves[1][0].y);
+  EXPECT_LT(curves[1][3].y, curves[1][0].y - 50);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(curves[0][k].x, 1280 * (kCurveLeft + (kCurveRight - kCurveLeft) * static_cast<double>(k) / 4),
+                0.006);
+}
+
+// One frame of 10 000 differs: it is seen, in both curves and in the strip of verdicts.
+TEST(DiffCurve, LosesNoPeakOfALongFilm) {
+  const std::string svg = curveSvg(film(10'000, {4321}), {});
+  const auto curves = curvesOf(svg);
+  ASSERT_EQ(curves.size(), 2u);
+  for (const auto& curve : curves) {
+    EXPECT_LE(curve.size(), 1600u);
+    const auto rows = rowsOf(curve);
+    EXPECT_EQ(std::ranges::count(rows, std::ranges::min(rows)), 1);
+    const auto peak = curve[static_cast<std::size_t>(std::ranges::min_element(rows) - rows.begin())];
+    EXPECT_NEAR(peak.x, 1280 * (kCurveLeft + (kCurveRight - kCurveLeft) * 0.4321), 1);
+  }
+  static const std::regex red("<rect x=\"([0-9.]+)\" y=\"[0-9.]+\" width=\"([0-9.]+)\" [^/]*#b3261e");
+  std::smatch strip;
+  ASSERT_TRUE(std::regex_search(svg, strip, red));
+  EXPECT_NEAR(std::stod(strip[1]), 1280 * (kCurveLeft + (kCurveRight - kCurveLeft) * 0.4321), 1.5);
+  EXPECT_GE(std::stod(strip[2]), 1);
+}
+
+TEST(DiffCurve, HasALineForALimitWithinIt) {
+  const auto lines = [](const FilmDiff& diff, double limit) {
+    image::NearRule rule;
+    rule.flipMax = limit;
+    rule.flipMean = 100;
+    const std::string svg = curveSvg(diff, rule);
+    EXPECT_THAT(svg, testing::HasSubstr("(limit 100)"));
+    return svg.find("stroke-dasharray") != std::string::npos;
+  };
+  EXPECT_TRUE(lines(film(5, {3}), 0.5));
+  EXPECT_FALSE(lines(film(5, {3}), 2));
+}
+
+// Whatever the number of frames, and where a film says no rate.
+TEST(DiffCurve, OfOneFrameAndOfIdenticalOnes) {
+  for (const std::size_t frames : {1u, 2u}) {
+    FilmDiff diff = film(frames, {});
+    diff.fps = {0, 1};
+    image::NearRule rule;
+    rule.flipMax = rule.flipMean = 0;
+    const std::string svg = curveSvg(diff, rule);
+    EXPECT_THAT(svg, testing::Not(testing::ContainsRegex("nan|inf")));
+    EXPECT_THAT(svg, testing::HasSubstr(">frame</text>"));
+    EXPECT_EQ(curvesOf(svg).size(), 2u);
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::app
