@@ -22,17 +22,24 @@ std::vector<std::string> arguments(const char* target, image::PixelSize size, in
 }
 
 // Segments of 10 frames: encoders come and go three times as often as by default.
-TEST(MemoryNightly, OfA4kFilmIsFlatBelowAGibibyte) {
+void expectFlatBelowAGibibyte(int frames) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
-  const MemoryWatch watch(folder, arguments("t.mp4", {3840, 2160}, 240, "10"));
-  ASSERT_EQ(watch.frames(), 240);
-  const double early_MiB = watch.workerPeak_MiB(40, 140), late_MiB = watch.workerPeak_MiB(140, 240);
-  std::printf("frames 40 to 140: %.1f MiB, 140 to 240: %.1f MiB\n", early_MiB, late_MiB);
+  const MemoryWatch watch(folder, arguments("t.mp4", {3840, 2160}, frames, "10"));
+  ASSERT_EQ(watch.frames(), frames);
+  const int begun = frames / 6, middle = (begun + frames) / 2;
+  const double early_MiB = watch.workerPeak_MiB(begun, middle), late_MiB = watch.workerPeak_MiB(middle, frames);
+  std::printf("frames %d to %d: %.1f MiB, %d to %d: %.1f MiB, parent %.1f MiB\n", begun, middle, early_MiB, middle,
+              frames, late_MiB, watch.parentPeak_MiB());
   EXPECT_LE(late_MiB - early_MiB, 4);
-  const double later_MiB = std::max(late_MiB - early_MiB, 0.0) * 10000 / 100;
+  const double later_MiB = std::max(late_MiB - early_MiB, 0.0) * 10000 / (frames - middle);
   EXPECT_LE(late_MiB + later_MiB, 1024);
 }
+
+TEST(MemoryNightly, OfA4kFilmIsFlatBelowAGibibyte) { expectFlatBelowAGibibyte(240); }
+
+// Takes most of an hour, so only by name: --gtest_also_run_disabled_tests. Measured 960 and 950 MiB, parent 42.
+TEST(MemoryNightly, DISABLED_OfAWhole4kFilmIsFlatBelowAGibibyte) { expectFlatBelowAGibibyte(10'000); }
 
 struct Measured {
   const char *name, *target;
