@@ -14,9 +14,14 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/program_path.h"
+#include "core/text.h"
 
 namespace poinsot::app {
 namespace {
+
+// No exit code of this program; shells use it alike.
+constexpr int kNotStarted = 127;
 
 struct Pipe {
   core::FileHandle read, write;
@@ -41,13 +46,17 @@ Pipe makePipe() {
   dup2(reports, STDOUT_FILENO);
   char program[] = "poinsot", command[] = "worker";
   char* const arguments[] = {program, command, nullptr};
-  execv("/proc/self/exe", arguments);
-  _exit(127);
+  execv("/proc/self/exe", arguments);  // also where another version took this one's name
+  execv(core::programAsCalled(), arguments);
+  _exit(kNotStarted);
 }
 
 std::string inWords(int status) {
   if (WIFSIGNALED(status))
     return fmt::format("was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  if (WEXITSTATUS(status) == kNotStarted)
+    return fmt::format("could not start: neither /proc/self/exe nor {} is a program that runs",
+                       core::printable(core::programAsCalled()));
   return fmt::format("ended with status {}", WEXITSTATUS(status));
 }
 

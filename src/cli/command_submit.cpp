@@ -12,6 +12,7 @@
 #include "cli/exit_code.h"
 #include "cli/film_options.h"
 #include "core/error.h"
+#include "core/program_path.h"
 #include "core/text.h"
 #include "stage/stage.h"
 
@@ -94,7 +95,7 @@ int submit(const SubmitOptions& options) {
   const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
   const auto segments = app::segmentsOf(frames, options.parts.segmentFrames);
   app::Submission submission;
-  submission.program = std::filesystem::read_symlink("/proc/self/exe");
+  submission.program = core::programPath();
   submission.folder = std::filesystem::current_path();
   submission.output = target;
   submission.render = renderWords(options, target);

@@ -5,15 +5,16 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/program_path.h"
+
 namespace poinsot::cli {
 
 std::string scenesPlace() {
   const char* place = std::getenv("POINSOT_SCENES");
   if (place && *place) return place;
-  std::error_code failure;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", failure);
-  const auto installed = program.parent_path().parent_path() / "share" / "poinsot" / "scenes";
-  return !failure && std::filesystem::is_directory(installed, failure) ? installed.string() : "scenes";
+  std::error_code ignored;
+  const auto installed = core::programPath().parent_path().parent_path() / "share" / "poinsot" / "scenes";
+  return std::filesystem::is_directory(installed, ignored) ? installed.string() : "scenes";
 }
 
 }  // namespace poinsot::cli

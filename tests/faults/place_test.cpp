@@ -88,6 +88,21 @@ TEST(LongName, IsAFilmLikeAnyOther) {
   }
 }
 
+// As in a chroot that nobody prepared.
+TEST(WithoutProc, AFilmIsMadeAllTheSame) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root may hide /proc";
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  std::string command =
+      "exec unshare -m sh -c 'mount -t tmpfs none /proc && [ ! -e /proc/self ] && " POINSOT_PROGRAM;
+  for (const std::string& word : renderArguments(kShortFilm)) command += ' ' + word;
+  const ShellResult made = runShell(folder.path(), command + "'");
+  if (made.out.find("unshare:") != std::string::npos || made.out.find("mount:") != std::string::npos)
+    GTEST_SKIP() << "not allowed here: " << made.out;
+  EXPECT_EQ(made.exitCode, 0) << made.out;
+  EXPECT_EQ(filesOf(folder.path()), undisturbed(kShortFilm));
+}
+
 class ClosedStreams : public testing::TestWithParam<const char*> {};
 
 // An open() gets the lowest free number. Were it 1 or 2, messages would be written into the film.
