@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The golden suite against a renderer that is wrong: one of its files is compiled with a fault, the program is
+// linked with it, and the suite must not pass.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "golden/suite_run.h"
+#include "support/text_of.h"
+
+namespace poinsot {
+namespace {
+
+/// Some text of a file in src/, and what a slip would make of it.
+struct Fault {
+  const char* name;
+  const char* file;
+  const char* from;
+  const char* to;
+};
+
+// What GoogleTest and ctest print of a case.
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+const Fault kFaults[] = {
+    {"WindingTurned", "render/mesh_painter.cpp", "glFrontFace(GL_CW)", "glFrontFace(GL_CCW)"},
+    {"SilhouettesNotResolved", "render/mesh_painter.cpp", "screen.isSilhouette(e) ||", ""},
+    {"NormalsNotTurned", "render/mesh_painter.cpp", "\"normals_C\", screen.normals_C",
+     "\"normals_C\", glm::mat3(1)"},
+    {"LastCurveNotDrawn", "render/solid_painter.cpp", "for (const draw::Curve& c : list.curves)",
+     "for (const draw::Curve& c : std::span(list.curves).first(list.curves.empty() ? 0 : list.curves.size() - "
+     "1))"},
+    {"DepthOfTheLastDrawn", "render/solid_painter.cpp", "glDepthFunc(GL_LESS)", "glDepthFunc(GL_ALWAYS)"},
+    {"MaterialOfTheFirst", "render/solid_painter.cpp", "setMaterial(program, f.material)",
+     "setMaterial(program, list_->frustums.front().material)"},
+    {"SeamsNotDrawn", "render/solid_painter.cpp", "if (!seams_->shared(bounds)) continue;",
+     "if (bounds.left > -1e9f) continue;"},
+    {"OneTriangleTooFew", "render/solid_painter.cpp", "item.seamFirst : item.first, count)",
+     "item.seamFirst : item.first, count - 3)"},
+    {"FarSheetAsTheNear", "render/sheet_uniforms.cpp", "graticule.farOpacity, e.nearOpacity",
+     "graticule.farOpacity, e.farOpacity"},
+    {"ShadowOfThePlanesSize", "render/sheet_uniforms.cpp", "p.shadowRadius_W, p.shadowRadius_W > 0",
+     "glm::length(p.u_W), p.shadowRadius_W > 0"},
+    {"LinesATwentiethTooWide", "render/curve_strip.cpp", "0.5f * curve.width_px", "0.525f * curve.width_px"},
+    {"LettersAQuarterPixelOff", "render/text_painter.cpp", "size, x, y, outline", "size, x + 0.25, y, outline"},
+    {"HalosLost", "render/text_painter.cpp",
+     "blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);", "return;"},
+    {"BlendedWithoutLight", "render/blend.cpp", "draw::linearFromSrgb(under_[c])",
+     "static_cast<float>(under_[c]) / kMost"},
+    {"FarPlaneNear", "render/solid_pass.cpp", "list.camera.near, list.camera.far",
+     "list.camera.near, list.camera.near + 1"},
+};
+
+const std::string kBuild = POINSOT_BINARY_DIR;
+
+/// The program with a fault in one of its files, made as the build makes it.
+class FaultyProgram {
+ public:
+  FaultyProgram(const ScratchFolder& folder, const Fault& fault) : folder_(folder) {
+    std::string text = textOf(std::string(POINSOT_SOURCE_DIR "/src/") + fault.file);
+    const auto at = text.find(fault.from);
+    EXPECT_NE(at, std::string::npos) << "the file has changed: seed the fault anew";
+    if (at != std::string::npos) text.replace(at, std::string(fault.from).size(), fault.to);
+    std::ofstream(source_) << text;
+    compile(fault.file);
+    link();
+  }
+
+  const std::string& path() const { return program_; }
+
+ private:
+  static void expectDone(const ShellResult& result) { EXPECT_EQ(result.exitCode, 0) << result.out; }
+
+  void compile(const std::string& file) const {
+    expectDone(
+        runShell(kBuild, fmt::format("command=$(ninja -t commands bin/poinsot | grep -- '-c [^ ]*/src/{}$')\n"
+                                     "command=${{command%% -MD *}}\n"
+                                     "[ -n \"$command\" ] && $command -o {} -c {}",
+                                     file, object_, source_)));
+  }
+
+  /// What the faulty object defines is not looked for in the library any more.
+  void link() const {
+    expectDone(runShell(kBuild, fmt::format("eval \"$(ninja -t commands bin/poinsot | tail -1 |"
+                                            " sed 's| -o bin/poinsot | {} -o {} |')\"",
+                                            object_, program_)));
+  }
+
+  const ScratchFolder& folder_;
+  const std::string source_ = (folder_ / "faulty.cpp").string(), object_ = (folder_ / "faulty.o").string(),
+                    program_ = (folder_ / "poinsot").string();
+};
+
+class RendererFault : public testing::TestWithParam<Fault> {
+ protected:
+  ShellResult suiteWith(const Fault& fault) const {
+    return runSuite(folder_, FaultyProgram(folder_, fault).path(), "tests/golden/golden.toml", kTestsOfEverything);
+  }
+
+  const ScratchFolder folder_;
+};
+
+TEST_P(RendererFault, IsCaught) { expectCaught(suiteWith(GetParam())); }
+
+INSTANTIATE_TEST_SUITE_P(Of, RendererFault, testing::ValuesIn(kFaults),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+// The control: a file that is compiled and linked like that, without a fault.
+TEST_F(RendererFault, NoneIsNoFailure) {
+  const ShellResult suite = suiteWith({"None", "render/blend.cpp", "namespace poinsot", "namespace poinsot"});
+  EXPECT_EQ(suite.exitCode, 0) << suite.out;
+}
+
+}  // namespace
+}  // namespace poinsot

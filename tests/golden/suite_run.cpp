@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "golden/suite_run.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace poinsot {
+
+ShellResult runSuite(const ScratchFolder& folder, const std::string& program, const std::string& manifest,
+                     const std::string& tests, const std::vector<std::string>& environment) {
+  return runShell(POINSOT_SOURCE_DIR,
+                  fmt::format("{} golden {} -o {} --only {}", program, manifest, (folder / "out").string(), tests),
+                  environment);
+}
+
+void expectCaught(const ShellResult& suite) {
+  EXPECT_EQ(suite.exitCode, 1) << suite.out;
+  EXPECT_THAT(suite.out,
+              testing::AllOf(testing::HasSubstr("different  "), testing::Not(testing::HasSubstr("error"))));
+}
+
+}  // namespace poinsot
