@@ -21,7 +21,7 @@ constexpr std::string_view kCsvHeader =
 constexpr double kWidth = 1280, kHeight = 254, kLeft = kCurveLeft * kWidth, kRight = kCurveRight * kWidth;
 constexpr std::size_t kMostPoints = 1600;
 
-// As the page's own: grey, amber, red.
+// Grey, amber, red: as the words of the page, but to be seen as areas.
 constexpr const char* colorOf(image::Verdict verdict) {
   return verdict == image::Verdict::kIdentical ? "#c3c9cf"
          : verdict == image::Verdict::kNear    ? "#c88a00"
@@ -51,8 +51,12 @@ class CurvePicture {
          [](const PictureDiff& f) { return f.figures.flip.max; }},
         {"FLIP, mean", rule_.flipMean, 136, 212, [](const PictureDiff& f) { return f.figures.flip.mean; }}};
     std::string body;
-    for (const Series& one : series) body += panel(one);
-    body += verdicts() + timeAxis();
+    if (diff_.frames.empty()) {  // as of films of two sizes
+      body = text(kLeft, kHeight / 2, "start", diff_.mismatch.empty() ? "no frames" : diff_.mismatch);
+    } else {
+      for (const Series& one : series) body += panel(one);
+      body += verdicts() + timeAxis();
+    }
     return output::marked(
         output::kSvgMark,
         fmt::format(
@@ -125,8 +129,9 @@ class CurvePicture {
     for (std::size_t i = 0, end = 0; i < points(); i = end) {
       for (end = i + 1; end < points() && verdictOf(end) == verdictOf(i);) ++end;
       // Each point reaches half a step to both sides.
-      const double from = std::max(kLeft, xOf(static_cast<double>(spanOf(i).first) - 0.5));
-      const double to = std::min(kRight, xOf(static_cast<double>(spanOf(end - 1).end) - 0.5));
+      const double from = i == 0 ? kLeft : std::max(kLeft, xOf(static_cast<double>(spanOf(i).first) - 0.5));
+      const double to =
+          end == points() ? kRight : std::min(kRight, xOf(static_cast<double>(spanOf(end - 1).end) - 0.5));
       svg += fmt::format("<rect x=\"{:.2f}\" y=\"219\" width=\"{:.2f}\" height=\"7\" fill=\"{}\"/>\n", from,
                          std::max(1.0, to - from), colorOf(verdictOf(i)));
     }

@@ -19,7 +19,8 @@ std::string curveCsv(const FilmDiff& diff);
 std::string curveSvg(const FilmDiff& diff, const image::NearRule& rule);
 
 /// Whether a file of that name gets a curve: .csv or .svg. @throws core::Error(kUsage) if not; as
-/// output::checkTarget(), which knows a curve of an earlier run.
+/// output::checkTarget(), which knows a curve of an earlier run: a
+/// table by its first line.
 void checkCurveTarget(const std::filesystem::path& file, bool force);
 
 /// Writes it in the form that the name says.

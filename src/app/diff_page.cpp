@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/diff_text.h"
 #include "core/base64.h"
+#include "core/regular_file.h"
 #include "output/figure_mark.h"
 
 // Of diff_page.html.
@@ -25,17 +27,11 @@ ordered_json pictureJson(const DiffPageEntry::Png& png) { return dataUrl("image/
 
 ordered_json factsJson(const DiffPageEntry& entry) {
   ordered_json facts = ordered_json::array();
-  const image::ImageDifference& d = entry.diff.figures;
-  if (entry.hasFigures && d.differingPixels > 0) {
-    facts.push_back({"differing pixels", fmt::format("{} ({:.3g} %)", d.differingPixels, 100 * d.differingShare)});
-    facts.push_back(
-        {"difference", fmt::format("largest {:.4g}, mean {:.3g}, RMSE {:.3g}", d.maxAbs, d.meanAbs, d.rmse)});
-    if (d.psnr_dB) facts.push_back({"PSNR", fmt::format("{:.2f} dB", *d.psnr_dB)});
-    if (d.ssim)
-      facts.push_back({"SSIM", fmt::format("mean {:.6f}, worst window {:.4f} at ({}, {})", d.ssim->mean,
-                                           d.ssim->worst, d.ssim->worstX, d.ssim->worstY)});
-    facts.push_back({"FLIP", fmt::format("mean {:.3g}, max {:.3g}", d.flip.mean, d.flip.max)});
-    facts.push_back({"worst pixel", fmt::format("({}, {})", d.worst.front().x, d.worst.front().y)});
+  if (entry.hasFigures && entry.diff.figures.differingPixels > 0) {
+    for (const auto& [term, text] : termsOf(entry.diff, entry.pixelsPerDegree))
+      facts.push_back(ordered_json::array({term, text}));
+    const image::DifferingPixel& worst = entry.diff.figures.worst.front();
+    facts.push_back({"worst pixel", fmt::format("({}, {})", worst.x, worst.y)});
   }
   for (const auto& [term, text] : entry.facts)
     if (!text.empty()) facts.push_back({term, text});
@@ -90,6 +86,19 @@ std::string scriptText(const ordered_json& json) {
 }
 
 }  // namespace
+
+bool DiffPage::hasRoom() const {
+  constexpr std::size_t kMost = std::size_t{192} << 20;
+  std::size_t bytes = 0;
+  for (const DiffPageEntry& e : entries)
+    bytes += e.reference.size() + e.actual.size() + e.difference.size() + e.map.size();
+  return bytes < kMost;
+}
+
+DiffPageEntry::Png pngFile(const std::filesystem::path& file) {
+  constexpr std::size_t kMost = std::size_t{512} << 20;
+  return core::readRegularFile(file, kMost, core::ErrorKind::kIo);
+}
 
 std::string htmlOf(const DiffPage& page) {
   std::string html(poinsot_diff_page, poinsot_diff_page_end);

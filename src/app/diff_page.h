@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,14 +13,15 @@ namespace poinsot::app {
 
 /// A row of the page, and what is shown when it is chosen.
 struct DiffPageEntry {
-  /// A PNG file; empty for none.
+  /// The bytes of a PNG file; none for none.
   using Png = std::string;
 
   std::string name, status, message;
   PictureDiff diff;
-  bool hasFigures = false;  ///< whether diff.figures were made
+  bool hasFigures = false;                               ///< whether diff.figures were made
+  double pixelsPerDegree = image::kFlipPixelsPerDegree;  ///< of them
   std::vector<std::pair<std::string, std::string>>
-      facts;  ///< terms, and what is to be said of them; to be added to
+      facts;  ///< terms, and what is to be said of them; figures stand before them
   Png reference, actual, difference, map;
 };
 
@@ -40,7 +41,14 @@ struct DiffPage {
   std::string counts;                                    ///< where entries are not all that was compared
   std::vector<DiffPageEntry> entries;
   std::optional<DiffPageCurve> curve = {};
+
+  /// Whether pictures may be added: browsers do not read a script of half a gigabyte. Of entries for which there
+  /// is no room, say so in the facts.
+  bool hasRoom() const;
 };
+
+/// A file, as it is. @throws core::Error(kIo), or (kLimit) above 512 MiB.
+DiffPageEntry::Png pngFile(const std::filesystem::path& file);
 
 /// One page of HTML that needs nothing else: pictures, style and script are in it, and it loads nothing. A table
 /// that can be sorted; of each entry both pictures side by side, under a slider and blinking, their difference and

@@ -11,12 +11,6 @@
 namespace poinsot::app {
 namespace {
 
-/// Why a pair has its verdict.
-std::string reasonOf(const PictureDiff& diff) {
-  if (!diff.mismatch.empty()) return diff.mismatch;
-  return fmt::format("{}", fmt::join(diff.excesses, ", "));
-}
-
 std::string verdictLine(image::Verdict verdict, const std::string& reason) {
   return fmt::format("{}{}{}\n", image::toString(verdict), reason.empty() ? "" : ": ", reason);
 }
@@ -36,35 +30,47 @@ std::string worstText(const PictureDiff& diff) {
 }
 
 std::string figuresText(const PictureDiff& diff, double pixelsPerDegree) {
-  const image::ImageDifference& d = diff.figures;
-  const double pixels = static_cast<double>(diff.size.width) * diff.size.height;
-  std::string text =
-      fmt::format("  {:<18} {} of {:.0f} ({:.3g} %)\n", "differing pixels", d.differingPixels, pixels,
-                  100 * d.differingShare) +
-      fmt::format("  {:<18} largest {:.4g}, mean {:.3g}, RMSE {:.3g} (of 255){}\n", "difference", d.maxAbs,
-                  d.meanAbs, d.rmse, d.psnr_dB ? fmt::format(", PSNR {:.2f} dB", *d.psnr_dB) : "");
-  if (d.ssim)
-    text += fmt::format("  {:<18} mean {:.6f}, worst window {:.4f} at ({}, {})\n", "SSIM", d.ssim->mean,
-                        d.ssim->worst, d.ssim->worstX, d.ssim->worstY);
-  const image::FlipFigures& f = d.flip;
-  text += fmt::format(
-      "  {:<18} mean {:.3g}, max {:.3g}; weighted median {:.3g}, quartiles {:.3g} and {:.3g} ({:.4g} "
-      "pixels per degree)\n",
-      "FLIP", f.mean, f.max, f.median, f.firstQuartile, f.thirdQuartile, pixelsPerDegree);
+  std::string text;
+  for (const auto& [term, figures] : termsOf(diff, pixelsPerDegree))
+    text += fmt::format("  {:<18} {}\n", term, figures);
   return text + worstText(diff);
 }
 
-/// One line of a pair among many.
-std::string rowText(const PictureDiff& diff) {
+/// What of the rule does not hold, in a line of its own.
+std::string beyondText(const PictureDiff& diff) {
+  return diff.excesses.empty() ? "" : fmt::format("  beyond     {}\n", reasonOf(diff));
+}
+
+/// One line of a pair among many, or of a frame.
+std::string rowText(const PictureDiff& diff, const char* kind = "") {
   const image::ImageDifference& d = diff.figures;
   if (!diff.mismatch.empty())
     return fmt::format("  different  {}: {}\n", core::printable(diff.name), diff.mismatch);
-  return fmt::format("  {:<9}  {}: largest {:.4g}, {} pixels, FLIP mean {:.3g}, max {:.3g}\n",
-                     image::toString(diff.verdict), core::printable(diff.name), d.maxAbs, d.differingPixels,
+  return fmt::format("  {:<9}  {}{}: largest {:.4g}, {} pixels, FLIP mean {:.3g}, max {:.3g}\n",
+                     image::toString(diff.verdict), kind, core::printable(diff.name), d.maxAbs, d.differingPixels,
                      d.flip.mean, d.flip.max);
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> termsOf(const PictureDiff& diff, double pixelsPerDegree) {
+  const image::ImageDifference& d = diff.figures;
+  const double pixels = static_cast<double>(diff.size.width) * diff.size.height;
+  std::vector<std::pair<std::string, std::string>> terms{
+      {"differing pixels",
+       fmt::format("{} of {:.0f} ({:.3g} %)", d.differingPixels, pixels, 100 * d.differingShare)},
+      {"difference", fmt::format("largest {:.4g}, mean {:.3g}, RMSE {:.3g} (of 255){}", d.maxAbs, d.meanAbs,
+                                 d.rmse, d.psnr_dB ? fmt::format(", PSNR {:.2f} dB", *d.psnr_dB) : "")}};
+  if (d.ssim)
+    terms.emplace_back("SSIM", fmt::format("mean {:.6f}, worst window {:.4f} at ({}, {})", d.ssim->mean,
+                                           d.ssim->worst, d.ssim->worstX, d.ssim->worstY));
+  const image::FlipFigures& f = d.flip;
+  terms.emplace_back("FLIP",
+                     fmt::format("mean {:.3g}, max {:.3g}; weighted median {:.3g}, quartiles {:.3g} and "
+                                 "{:.3g} ({:.4g} pixels per degree)",
+                                 f.mean, f.max, f.median, f.firstQuartile, f.thirdQuartile, pixelsPerDegree));
+  return terms;
+}
 
 std::string countsText(const std::vector<PictureDiff>& pictures) {
   std::string text;
@@ -82,7 +88,13 @@ std::string diffText(const PictureDiff& diff, const DiffRequest& request) {
 }
 
 std::string diffText(const FolderDiff& diff) {
-  std::string text = verdictLine(diff.verdict(), countsText(diff.pictures));
+  std::string counts = countsText(diff.pictures);
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, what);
+  };
+  add(diff.onlyInReference.size(), "missing");
+  add(diff.onlyInTest.size(), "new");
+  std::string text = verdictLine(diff.verdict(), counts);
   for (const PictureDiff& picture : diff.pictures)
     if (picture.verdict != image::Verdict::kIdentical) text += rowText(picture);
   for (const std::string& name : diff.onlyInReference)
@@ -97,7 +109,8 @@ std::string diffText(const FilmDiff& diff) {
   text += fmt::format("  frames     {}\n", countsText(diff.frames));
   const std::size_t worst = diff.worst();
   if (diff.frames[worst].verdict == image::Verdict::kIdentical) return text;
-  return text + fmt::format("  the worst, at {:.3f} s:\n", diff.time_s(worst)) + rowText(diff.frames[worst]);
+  return text + fmt::format("  the worst, at {:.3f} s:\n", diff.time_s(worst)) +
+         rowText(diff.frames[worst], "frame ") + beyondText(diff.frames[worst]);
 }
 
 }  // namespace poinsot::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/film_diff.h"
@@ -14,6 +15,9 @@ namespace poinsot::app {
 std::string diffText(const PictureDiff& diff, const DiffRequest& request);
 std::string diffText(const FolderDiff& diff);
 std::string diffText(const FilmDiff& diff);
+
+/// The figures of a pair as terms and what is to be said of each. @pre diff.mismatch is empty.
+std::vector<std::pair<std::string, std::string>> termsOf(const PictureDiff& diff, double pixelsPerDegree);
 
 /// "12 identical, 1 near, 2 different".
 std::string countsText(const std::vector<PictureDiff>& pictures);

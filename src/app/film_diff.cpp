@@ -4,10 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 #include <variant>
 
 #include "app/parallel.h"
 #include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+#include "output/film_format.h"
 #include "output/film_reader.h"
 
 namespace poinsot::app {
@@ -22,11 +27,47 @@ DiffPicture diffPicture(image::AnyImage pixels) {
   return {std::move(pixels), channels};
 }
 
+/// Frames of a GIF always have alpha: it is left out where it hides nothing.
+void leaveOutIdleAlpha(DiffPicture& picture) {
+  std::visit(
+      [&](auto& p) {
+        using Image = std::remove_reference_t<decltype(p)>;
+        Image opaque(p.size, 3);
+        for (std::size_t from = 0, to = 0; from < p.pixels.size(); from += 4, to += 3) {
+          if (p.pixels[from + 3] != Image::kMost) return;
+          std::copy_n(p.pixels.begin() + static_cast<std::ptrdiff_t>(from), 3,
+                      opaque.pixels.begin() + static_cast<std::ptrdiff_t>(to));
+        }
+        p = std::move(opaque);
+        picture.channels = 3;
+      },
+      picture.pixels);
+}
+
+FramePair framePair(image::AnyImage a, image::AnyImage b) {
+  FramePair pair{diffPicture(std::move(a)), diffPicture(std::move(b))};
+  if (pair.reference.channels == 4 && pair.test.channels == 3) leaveOutIdleAlpha(pair.reference);
+  if (pair.reference.channels == 3 && pair.test.channels == 4) leaveOutIdleAlpha(pair.test);
+  return pair;
+}
+
+/// Frames of a GIF are shown for whole hundredths of a second, so that its rate is not quite that of another
+/// format.
+bool sameRate(const core::Rational& a, const core::Rational& b, bool gif) {
+  if (a.num == 0 || b.num == 0) return a == b;
+  const double mostApart_s = gif ? 0.005 : 1e-4;
+  return std::abs(1 / a.value() - 1 / b.value()) <= mostApart_s;
+}
+
+bool isGif(const std::filesystem::path& film) {
+  return output::filmContainer(film) == output::FilmContainer::kGif;
+}
+
 /// Two films that are read side by side.
 class FilmPair {
  public:
   FilmPair(const std::filesystem::path& reference, const std::filesystem::path& test)
-      : reference_(reference), test_(test) {}
+      : reference_(reference), test_(test), gif_(isGif(reference) || isGif(test)) {}
 
   core::Rational fps() const { return reference_.fps(); }
 
@@ -34,9 +75,9 @@ class FilmPair {
   std::string mismatch() const {
     const image::PixelSize a = reference_.size(), b = test_.size();
     if (a != b) return fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
-    if (reference_.fps() != test_.fps())
-      return fmt::format("the film has {} frames a second, not {}", core::toString(test_.fps()),
-                         core::toString(reference_.fps()));
+    if (!sameRate(reference_.fps(), test_.fps(), gif_))
+      return fmt::format("the film has {:.6g} frames a second, not {:.6g}", test_.fps().value(),
+                         reference_.fps().value());
     return "";
   }
 
@@ -48,7 +89,7 @@ class FilmPair {
       framesOfReference_ += a ? 1 : 0;
       framesOfTest_ += b ? 1 : 0;
       if (!a || !b) break;
-      pairs.push_back({diffPicture(std::move(*a)), diffPicture(std::move(*b))});
+      pairs.push_back(framePair(std::move(*a), std::move(*b)));
     }
     return pairs;
   }
@@ -63,6 +104,7 @@ class FilmPair {
 
  private:
   output::FilmReader reference_, test_;
+  bool gif_;  // one of them
   std::int64_t framesOfReference_ = 0, framesOfTest_ = 0;
 };
 
@@ -75,8 +117,7 @@ image::Verdict FilmDiff::verdict() const {
 }
 
 std::size_t FilmDiff::worst() const {
-  const auto mean = [](const PictureDiff& frame) { return frame.figures.flip.mean; };
-  return static_cast<std::size_t>(std::ranges::max_element(frames, {}, mean) - frames.begin());
+  return static_cast<std::size_t>(std::ranges::max_element(frames, {}, badness) - frames.begin());
 }
 
 FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem::path& test,
@@ -107,9 +148,13 @@ void forFrames(const std::filesystem::path& reference, const std::filesystem::pa
   FilmPair films(reference, test);
   std::size_t next = 0;
   for (const std::size_t frame : frames) {
+    POINSOT_EXPECT(frame >= next);
     for (; next < frame; ++next) films.next(1);
     auto pairs = films.next(1);
-    if (pairs.empty()) throw core::Error(core::ErrorKind::kIo, "a film became shorter while it was read");
+    if (pairs.empty())
+      throw core::Error(core::ErrorKind::kIo,
+                        fmt::format("{} or {} became shorter while they were read",
+                                    core::printable(reference.native()), core::printable(test.native())));
     visit(next++, comparePictures(std::move(pairs[0].reference), std::move(pairs[0].test), request));
   }
 }

@@ -18,7 +18,7 @@ struct FilmDiff {
 
   /// The worst of the frames; different where the films do not go together.
   image::Verdict verdict() const;
-  /// The frame that an eye notices most, by FLIP's mean. @pre there is one.
+  /// Of those of the worst verdict the one that an eye notices most, by FLIP's mean. @pre there is one.
   std::size_t worst() const;
   /// When it is shown; 0 where the film says no rate.
   double time_s(std::size_t frame) const { return fps.num == 0 ? 0 : static_cast<double>(frame) / fps.value(); }

@@ -10,6 +10,7 @@
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "image/png_file.h"
 #include "output/atomic_file.h"
 
 namespace poinsot::app {
@@ -27,7 +28,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
        entry.increment(failure)) {
     const bool hidden = entry->path().filename().native().starts_with('.');
     if (hidden) entry.disable_recursion_pending();
-    if (!hidden && entry->path().extension() == ".png" && entry->is_regular_file(failure))
+    if (!hidden && image::isPngName(entry->path()) && entry->is_regular_file(failure))
       names.push_back(entry->path().lexically_relative(folder).native());
   }
   if (failure)

@@ -60,9 +60,9 @@ std::string junitXml(const std::string& suite, const std::vector<GoldenOutcome>&
     cases += caseXml(suite, outcome, exact);
   }
   return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
+      "{}<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
       "errors=\"{}\" time=\"{:.3f}\">\n{}</testsuite>\n",
-      xml(suite), outcomes.size(), count(false), count(true), seconds, cases);
+      kJunitMark, xml(suite), outcomes.size(), count(false), count(true), seconds, cases);
 }
 
 }  // namespace poinsot::app

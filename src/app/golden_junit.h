@@ -2,11 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/golden_suite.h"
 
 namespace poinsot::app {
+
+/// How such a file begins: by this, one of an earlier run is known.
+inline constexpr std::string_view kJunitMark =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- poinsot golden -->\n";
 
 /// The outcomes as JUnit XML, as continuous integration reads it: a failure for what does not pass, an error for
 /// what has no picture.

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
+#include "image/png_file.h"
 #include "output/atomic_file.h"
 
 namespace poinsot::app {
@@ -61,7 +62,7 @@ std::vector<fs::path> picturesIn(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code ignored;  // no folder has no pictures
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".png") pictures.push_back(entry.path());
+    if (image::isPngName(entry.path())) pictures.push_back(entry.path());
   std::sort(pictures.begin(), pictures.end());
   return pictures;
 }
@@ -108,19 +109,23 @@ std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& refere
   return own.empty() ? references : own;
 }
 
-fs::path approve(const fs::path& picture, const GoldenOrigin& origin, const fs::path& folder,
+Approval approve(const fs::path& picture, const GoldenOrigin& origin, const fs::path& folder,
                  const std::string& name, bool beside) {
   output::makeFolders(folder);
   const auto there = referencesOf(folder, name);
   const fs::path usual = folder / (name + ".png");
   const bool isOwn =
       std::ranges::any_of(there, [&](const GoldenReference& r) { return r.origin.renderer == origin.renderer; });
-  fs::path place = placeOf(there, origin, usual, beside);
-  write(place, core::readRegularFile(picture, kMostPicture, core::ErrorKind::kIo), origin);
-  if (!beside && !isOwn)
-    for (const GoldenReference& reference : there)
-      if (reference.picture != place) remove(reference);
-  return place;
+  Approval approval{placeOf(there, origin, usual, beside), {}};
+  write(approval.place, core::readRegularFile(picture, kMostPicture, core::ErrorKind::kIo), origin);
+  if (beside) return approval;
+  for (const GoldenReference& reference : there) {
+    const bool holds = isOwn && reference.origin.scene == origin.scene;
+    if (reference.picture == approval.place || holds) continue;
+    remove(reference);
+    approval.removed.push_back(reference.picture);
+  }
+  return approval;
 }
 
 std::vector<std::string> unusedIn(const fs::path& folder, const std::vector<std::string>& names) {

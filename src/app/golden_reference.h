@@ -27,10 +27,18 @@ std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, c
 /// Which of them a picture is compared with: those of its own renderer, if there are any, else all.
 std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& references, const std::string& renderer);
 
-/// Makes `picture` the reference: in place of the one of its renderer, or, with `beside`, besides those of others;
-/// else in place of all. @returns the file. @throws core::Error(kIo).
-std::filesystem::path approve(const std::filesystem::path& picture, const GoldenOrigin& origin,
-                              const std::filesystem::path& folder, const std::string& name, bool beside);
+/// What approving did.
+struct Approval {
+  std::filesystem::path place;
+  std::vector<std::filesystem::path> removed;
+};
+
+/// Makes `picture` the reference of its renderer. Those of other renderers stay with `beside`, and, where its own
+/// was there already, if they are of the same scene; else they are removed: nobody looked at what they should be
+/// now.
+/// @throws core::Error(kIo).
+Approval approve(const std::filesystem::path& picture, const GoldenOrigin& origin,
+                 const std::filesystem::path& folder, const std::string& name, bool beside);
 
 /// Names of the pictures in the folder that belong to no test of these names.
 std::vector<std::string> unusedIn(const std::filesystem::path& folder, const std::vector<std::string>& names);

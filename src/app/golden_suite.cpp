@@ -13,6 +13,7 @@
 #include "app/still_batch.h"
 #include "core/text.h"
 #include "image/png_file.h"
+#include "output/target_check.h"
 
 namespace poinsot::app {
 namespace {
@@ -82,11 +83,7 @@ GoldenStatus statusOf(image::Verdict verdict) {
 }
 
 std::string messageOf(const PictureDiff& diff, const GoldenRule& rule) {
-  if (!diff.mismatch.empty()) return diff.mismatch;
-  if (diff.verdict == image::Verdict::kNear) return rule.reason;
-  std::string text;
-  for (const std::string& excess : diff.excesses) text += (text.empty() ? "" : ", ") + excess;
-  return text;
+  return diff.verdict == image::Verdict::kNear ? rule.reason : reasonOf(diff);
 }
 
 /// The references that a picture is compared with, and the nearest of them.
@@ -111,15 +108,11 @@ class Comparing {
   }
 
  private:
-  /// FLIP's mean tells which is nearest; of a mismatch none is.
   ComparedPictures nearestOf(const std::vector<GoldenReference>& references, fs::path& which) const {
-    const auto rank = [](const PictureDiff& diff) {
-      return std::tuple(diff.verdict, !diff.mismatch.empty(), diff.figures.flip.mean);
-    };
     ComparedPictures nearest;
     for (const GoldenReference& reference : references) {
       ComparedPictures compared = compareFiles(reference.picture, one_.actual, {one_.test.rule.limits});
-      if (!which.empty() && rank(compared.diff) >= rank(nearest.diff)) continue;
+      if (!which.empty() && badness(compared.diff) >= badness(nearest.diff)) continue;
       which = reference.picture;
       nearest = std::move(compared);
     }
@@ -167,11 +160,12 @@ class Run {
     const GoldenCase& one = cases_[place];
     outcomes_[place].name = one.name;
     if (one.test.scene.empty()) return;
-    std::error_code ignored;
-    fs::remove(one.actual, ignored);  // of an earlier run
     try {
+      output::checkTarget(one.actual, false);
+      std::error_code ignored;
+      fs::remove(one.actual, ignored);  // of an earlier run
       drawings_.push_back(drawingOf(one, place, request_));
-    } catch (const core::Error& error) {  // of the scene; all that is wrong with it
+    } catch (const core::Error& error) {  // of the place, or all that is wrong with the scene
       fail(place, error);
     }
   }

@@ -2,6 +2,7 @@
 #include "app/picture_diff.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <variant>
 
@@ -33,6 +34,10 @@ DiffPicture read(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string reasonOf(const PictureDiff& diff) {
+  return diff.mismatch.empty() ? fmt::format("{}", fmt::join(diff.excesses, ", ")) : diff.mismatch;
+}
 
 ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request) {
   ComparedPictures compared{std::move(reference), std::move(test), {}, {}};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "image/difference.h"
@@ -35,6 +36,15 @@ struct PictureDiff {
   image::ImageDifference figures;
   std::vector<std::string> excesses;  ///< what of the rule does not hold
 };
+
+/// Why a pair is not what it should be: the mismatch, or what of the rule does not hold; empty where nothing is
+/// wrong.
+std::string reasonOf(const PictureDiff& diff);
+
+/// Orders pairs: less is better. Of one verdict those without figures are the worst, then counts FLIP's mean.
+inline std::tuple<image::Verdict, bool, double> badness(const PictureDiff& diff) {
+  return {diff.verdict, !diff.mismatch.empty(), diff.figures.flip.mean};
+}
 
 /// Two pictures beside what came of comparing them, from which maps are drawn.
 struct ComparedPictures {

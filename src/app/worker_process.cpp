@@ -20,7 +20,7 @@
 namespace poinsot::app {
 namespace {
 
-// No exit code of this program; shells use it alike.
+// No exit code of this program's own; the dynamic linker, for one, uses it alike.
 constexpr int kNotStarted = 127;
 
 struct Pipe {
@@ -47,7 +47,7 @@ Pipe makePipe() {
   char program[] = "poinsot", command[] = "worker";
   char* const arguments[] = {program, command, nullptr};
   execv("/proc/self/exe", arguments);  // also where another version took this one's name
-  execv(core::programAsCalled(), arguments);
+  if (errno == ENOENT) execv(core::programAsCalled(), arguments);  // /proc is not mounted
   _exit(kNotStarted);
 }
 
@@ -55,8 +55,8 @@ std::string inWords(int status) {
   if (WIFSIGNALED(status))
     return fmt::format("was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
   if (WEXITSTATUS(status) == kNotStarted)
-    return fmt::format("could not start: neither /proc/self/exe nor {} is a program that runs",
-                       core::printable(core::programAsCalled()));
+    return fmt::format("could not start: {}, or a library that it needs, cannot be run",
+                       core::printable(core::programPath().native()));
   return fmt::format("ended with status {}", WEXITSTATUS(status));
 }
 

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "app/diff_curve.h"
 #include "app/diff_json.h"
@@ -73,11 +75,38 @@ app::DiffRequest requestOf(const DiffOptions& options, Kind kind) {
           place(options, options.difference, kind)};
 }
 
+/// Nothing is written over what is compared, or over what else is written.
+void checkApart(const DiffOptions& options) {
+  const auto placeOf = [](const std::string& word) {
+    std::error_code failure;  // said of it where it is opened
+    const fs::path place = fs::weakly_canonical(fs::absolute(word), failure);
+    return failure ? fs::path(word) : place;
+  };
+  std::vector<fs::path> places{placeOf(options.reference), placeOf(options.test)};
+  for (const std::string& written : {options.curve, options.report, options.map, options.difference}) {
+    if (written.empty()) continue;
+    const fs::path place = placeOf(written);
+    const auto taken = std::ranges::find(places, place);
+    if (taken != places.end())
+      throw Error(
+          ErrorKind::kUsage,
+          fmt::format("{}: {}", core::printable(written),
+                      taken - places.begin() < 2 ? "is what is compared" : "two things would be written there"));
+    places.push_back(place);
+  }
+}
+
 /// Before anything is compared.
 void checkTargets(const DiffOptions& options, Kind kind) {
+  checkApart(options);
   if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve is of two films");
   if (!options.curve.empty()) app::checkCurveTarget(options.curve, options.force);
-  if (!options.report.empty()) output::checkTarget(options.report, options.force);
+  if (!options.report.empty()) {
+    if (!fs::path(options.report).extension().native().starts_with(".htm"))
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("report '{}': works: NAME.html", core::printable(options.report)));
+    output::checkTarget(options.report, options.force);
+  }
 }
 
 /// One of the three ways to compare: its verdict, after it was told.
@@ -93,14 +122,14 @@ class Diff {
       case Kind::kFolder:
         return tellOf(app::diffFolders(options_.reference, options_.test, request_, jobs()));
       case Kind::kFilm:
-        return tellOf(films());
+        return tellOf(app::diffFilms(options_.reference, options_.test, request_, jobs()));
       case Kind::kPicture:
         break;
     }
     const auto compared = app::compareFiles(options_.reference, options_.test, request_);
     app::writeMaps(compared, request_);
-    report(compared.diff);
     say(options_.json ? app::diffJson(compared.diff, names(), request_) : app::diffText(compared.diff, request_));
+    writeReport([&] { return app::diffReport(compared, subject()); });
     return compared.diff.verdict;
   }
 
@@ -111,23 +140,23 @@ class Diff {
     if (!options_.quiet) writeOut(text);
   }
 
-  template <class Any>
-  void report(const Any& diff) const {
-    if (!options_.report.empty())
-      output::writeFileAtomically(options_.report,
-                                  app::diffReport(diff, {options_.reference, options_.test, request_}));
+  app::DiffSubject subject() const { return {options_.reference, options_.test, request_}; }
+
+  template <class Page>
+  void writeReport(Page page) const {
+    if (!options_.report.empty()) output::writeFileAtomically(options_.report, page());
   }
 
-  app::FilmDiff films() const {
-    auto diff = app::diffFilms(options_.reference, options_.test, request_, jobs());
-    if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule);
-    return diff;
-  }
-
-  template <class Many>
-  image::Verdict tellOf(const Many& diff) const {
-    report(diff);
+  image::Verdict tellOf(const app::FolderDiff& diff) const {
     say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+    writeReport([&] { return app::diffReport(diff, subject(), jobs()); });
+    return diff.verdict();
+  }
+
+  image::Verdict tellOf(const app::FilmDiff& diff) const {
+    say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+    if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule);
+    writeReport([&] { return app::diffReport(diff, subject()); });
     return diff.verdict();
   }
 
@@ -139,6 +168,8 @@ class Diff {
 int diff(const DiffOptions& options) {
   const image::Verdict verdict = Diff(options).tell();
   const auto worstGood = options.exact ? image::Verdict::kIdentical : image::Verdict::kNear;
+  if (options.exact && verdict == image::Verdict::kNear && !options.quiet && !options.json)
+    writeErr("poinsot: near, but not identical, as --exact asks\n");
   return verdict <= worstGood ? kDone : kNo;
 }
 

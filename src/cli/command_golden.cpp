@@ -20,6 +20,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
+#include "output/target_check.h"
 
 namespace poinsot::cli {
 namespace {
@@ -34,7 +35,7 @@ struct GoldenOptions {
   std::string manifest = "golden.toml", output = "out/golden", junit, report, backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
-  bool update = false, beside = false, exact = false, native = false, list = false, quiet = false;
+  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
@@ -79,8 +80,9 @@ class Golden {
 
   int run() {
     if (options_.list) return list();
-    if (options_.update) expectNotInCi();
+    checkOptions();
     output::makeFolders(request_.output);
+    checkPlaces();
     app::watchInterrupts();
     outcomes_ = app::runGoldens(manifest_, request_);
     if (options_.update) return update();
@@ -95,6 +97,28 @@ class Golden {
     return kDone;
   }
 
+  void checkOptions() const {
+    if (options_.update) expectNotInCi();
+    if (options_.beside && !options_.update) refuse("--beside: goes with --update");
+    if (!options_.beside) return;
+    for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
+      if (one.test.scene.empty())
+        refuse(
+            fmt::format("--beside: {}: of a picture that another program made, the renderer is not known; choose "
+                        "tests with --only",
+                        core::printable(one.name)));
+  }
+
+  /// New pictures may not come to lie on approved ones, nor reports on what somebody else wrote.
+  void checkPlaces() const {
+    std::error_code ignored;
+    if (fs::equivalent(request_.output, manifest_.references, ignored))
+      refuse(fmt::format("-o {}: there are the approved pictures", core::printable(options_.output)));
+    if (!options_.report.empty()) output::checkTarget(options_.report, options_.force);
+    if (!options_.junit.empty())
+      output::checkTarget(options_.junit, options_.force || output::beginsWith(options_.junit, app::kJunitMark));
+  }
+
   void say(const std::string& text) const {
     if (!options_.quiet) writeOut(text);
   }
@@ -103,10 +127,16 @@ class Golden {
     return std::ranges::count_if(outcomes_, [&](const GoldenOutcome& o) { return !o.passes(options_.exact); });
   }
 
+  /// Whether nothing but --exact makes it fail.
+  bool onlyNear() const {
+    return options_.exact && failures() > 0 &&
+           std::ranges::all_of(outcomes_, [](const GoldenOutcome& o) { return o.passes(false); });
+  }
+
   void tell() const {
     for (const GoldenOutcome& outcome : outcomes_)
       if (outcome.status != GoldenStatus::kIdentical) say(lineOf(outcome));
-    say(fmt::format("{}\n", countsText(outcomes_)));
+    say(fmt::format("{}{}\n", countsText(outcomes_), onlyNear() ? ": not all identical, as --exact asks" : ""));
     if (failures() > 0) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
   }
 
@@ -140,10 +170,12 @@ class Golden {
   }
 
   void approve(const GoldenOutcome& outcome) const {
-    const fs::path place =
+    const app::Approval approval =
         app::approve(outcome.actual, outcome.origin, manifest_.references, outcome.name, options_.beside);
+    for (const fs::path& file : approval.removed)
+      say(fmt::format("{}: removed, as it was approved for what is no more\n", core::printable(file.native())));
     if (outcome.status == GoldenStatus::kIdentical) return;
-    const std::string name = core::printable(place.native());
+    const std::string name = core::printable(approval.place.native());
     if (outcome.status == GoldenStatus::kNew)
       say(fmt::format("{}: approved, the first of its test\n", name));
     else if (!outcome.diff.mismatch.empty())
@@ -190,6 +222,7 @@ void addGolden(CLI::App& program, Action& chosen) {
   command->add_option("--backend", options->backend, "what draws: auto, osmesa or egl")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
   command->add_flag("--native", options->native, "draw as fast as this CPU can, not the same on each");
+  command->add_flag("--force", options->force, "replace reports that poinsot did not write");
   command->add_flag("--list", options->list, "only list the tests");
   command->add_flag("--quiet", options->quiet, "only the exit code");
   command->footer(

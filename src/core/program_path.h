@@ -9,7 +9,7 @@ namespace poinsot::core {
 /// Safe between fork and exec.
 const char* programAsCalled() noexcept;
 
-/// This program's file, absolute. Where /proc is not mounted, by how it was called.
+/// This program's file, absolute. Where /proc is not mounted, by how it was called; empty if that leads nowhere.
 std::filesystem::path programPath();
 
 }  // namespace poinsot::core

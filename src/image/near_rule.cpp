@@ -13,6 +13,11 @@ struct Limit {
   const char* unit = "";
 };
 
+/// Four digits of a fraction; all of a number of pixels.
+std::string figure(double value) {
+  return value < 1000 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
+
 std::vector<Limit> limitsOf(const ImageDifference& d, const NearRule& rule) {
   const Limit pixels = rule.differingPixels
                            ? Limit{"differing pixels", static_cast<double>(d.differingPixels),
@@ -46,7 +51,8 @@ Verdict verdict(const ImageDifference& d, const NearRule& rule) {
 std::vector<std::string> excesses(const ImageDifference& d, const NearRule& rule) {
   std::vector<std::string> texts;
   for (const auto& [name, value, most, unit] : limitsOf(d, rule))
-    if (!(value <= most)) texts.push_back(fmt::format("{} {:.4g}{} of {:.4g}{}", name, value, unit, most, unit));
+    if (!(value <= most))
+      texts.push_back(fmt::format("{} {}{} (limit {}{})", name, figure(value), unit, figure(most), unit));
   return texts;
 }
 

@@ -28,7 +28,8 @@ struct NearRule {
 
 Verdict verdict(const ImageDifference& difference, const NearRule& rule = {});
 
-/// What is beyond the rule, in words: "max 133 of 2", "FLIP max 0.697 of 0.05". Nothing where all holds.
+/// What is beyond the rule, in words: "largest difference 133 (limit 2)", "FLIP max 0.697 (limit 0.05)". Nothing
+/// where all holds.
 std::vector<std::string> excesses(const ImageDifference& difference, const NearRule& rule);
 
 }  // namespace poinsot::image

@@ -337,6 +337,12 @@ std::optional<std::vector<PngText>> textsOfWholePng(const std::filesystem::path&
   return std::nullopt;
 }
 
+bool isPngName(const std::filesystem::path& file) {
+  const std::string extension = file.extension();
+  return std::ranges::equal(extension, std::string_view(".png"),
+                            [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
 bool isOwnPng(const std::filesystem::path& path) try {
   constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);

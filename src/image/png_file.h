@@ -13,6 +13,9 @@
 
 namespace poinsot::image {
 
+/// Whether its name says that a file is a PNG: ".png" in any case.
+bool isPngName(const std::filesystem::path& file);
+
 /// One text chunk. Key: 1 to 79 printable ASCII characters; value: UTF-8 without NUL.
 struct PngText {
   std::string key;

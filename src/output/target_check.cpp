@@ -8,13 +8,12 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "core/error.h"
+#include "core/regular_file.h"
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "image/png_file.h"
@@ -78,13 +77,13 @@ void checkTarget(const std::filesystem::path& target, bool force) {
   checkExisting(target, force);
 }
 
-bool beginsWith(const std::filesystem::path& file, std::string_view mark) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  std::ifstream stream(file, std::ios::binary);
-  std::string start(mark.size(), '\0');
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return !stream.bad() && (stream.gcount() == 0 || start == mark);
+bool beginsWith(const std::filesystem::path& file, std::string_view mark) try {
+  const core::FileHandle handle = core::openForReading(file);
+  if (!handle) return false;
+  const std::string start = core::bytesOf(handle, mark.size(), core::ErrorKind::kIo);
+  return start.empty() || start.starts_with(mark);
+} catch (const core::Error&) {  // a pipe, a folder, or what cannot be read
+  return false;
 }
 
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {

@@ -95,6 +95,14 @@ TEST(DiffCurve, HasALineForALimitWithinIt) {
   EXPECT_FALSE(lines(film(5, {3}), 2));
 }
 
+// A frame that passes is not the worst, however much of it differs.
+TEST(FilmDiff, ItsWorstFrameIsOfTheWorstVerdict) {
+  FilmDiff diff = film(5, {3});
+  diff.frames[1].verdict = image::Verdict::kNear;
+  diff.frames[1].figures.flip.mean = 0.9;
+  EXPECT_EQ(diff.worst(), 3u);
+}
+
 // Whatever the number of frames, and where a film says no rate.
 TEST(DiffCurve, OfOneFrameAndOfIdenticalOnes) {
   for (const std::size_t frames : {1u, 2u}) {

@@ -2,12 +2,16 @@
 // `poinsot diff` as others call it: exit codes, the JSON object, folders, films.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/program_run.h"
 #include "image/png_file.h"
+#include "support/shell_run.h"
 
 namespace poinsot {
 namespace {
@@ -82,7 +86,7 @@ TEST_F(DiffCommand, TellsTheFigures) {
   EXPECT_EQ(far["worst_pixels"][0]["test"], json({255, 255, 255}));
   EXPECT_LT(far["ssim"]["worst"].get<double>(), far["ssim"]["mean"].get<double>());
   EXPECT_GT(far["flip"]["max"].get<double>(), 0.4);
-  EXPECT_THAT(far["beyond"].dump(), HasSubstr("largest difference 155 of 2"));
+  EXPECT_THAT(far["beyond"].dump(), HasSubstr("largest difference 155 (limit 2)"));
 
   const json same = figures({"a.png", "same.png"}, 0);
   EXPECT_EQ(same["verdict"], "identical");
@@ -159,7 +163,9 @@ TEST_F(DiffCommand, PairsFoldersByName) {
   save(folder_ / "new/in/two.png", changed);
   const RunResult result = diff({"old", "new", "--map", "maps"});
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_THAT(result.out, StartsWith("different: 1 identical, 1 different\n  different  in/two.png: largest"));
+  EXPECT_THAT(
+      result.out,
+      StartsWith("different: 1 identical, 1 different, 1 missing, 1 new\n  different  in/two.png: largest"));
   EXPECT_THAT(result.out, HasSubstr("  missing    gone.png\n  new        more.png\n"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "maps/in/two.png"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "maps/one.png"));  // identical
@@ -191,6 +197,113 @@ TEST_F(DiffCommand, ComparesFilmsFrameByFrame) {
   EXPECT_THAT(diff({"a.mp4", "short.mp4"}).out, StartsWith("different: the film has 6 frames, not 8\n"));
 }
 
+TEST_F(DiffCommand, SaysOfFilmsThatDoNotGoTogetherWhy) {
+  folder_.put("s.toml", kGoodScene);
+  const auto film = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"render", "s.toml", "--frames", "0-3", "--quiet", "-o"});
+    EXPECT_EQ(run(folder_, words).exitCode, 0);
+  };
+  film({"a.mp4"});
+  film({"large.mp4", "--size", "192x108"});
+  film({"slow.mp4", "--fps", "25"});
+  for (const char* what : {"--curve=c.csv", "--curve=c.svg", "--report=r.html"}) {
+    const RunResult size = diff({"a.mp4", "large.mp4", what}), rate = diff({"a.mp4", "slow.mp4", what});
+    EXPECT_EQ(size.exitCode, 1);
+    EXPECT_EQ(size.out, "different: the size is 192x108, not 160x90\n");
+    EXPECT_EQ(rate.exitCode, 1);
+    EXPECT_EQ(rate.out, "different: the film has 25 frames a second, not 30\n");
+  }
+  EXPECT_THAT(bytesOf(folder_ / "c.svg"), HasSubstr(">the film has 25 frames a second, not 30</text>"));
+}
+
+// Whatever the format: GIF has another rate than it was made at, and alpha.
+TEST_F(DiffCommand, ComparesFilmsOfAnyTwoFormats) {
+  folder_.put("s.toml", kGoodScene);
+  for (const char* name : {"a.mp4", "a.gif", "a.apng", "a.webm"})
+    EXPECT_EQ(run(folder_, {"render", "s.toml", "--frames", "0-3", "--quiet", "-o", name}).exitCode, 0);
+  for (const char* name : {"a.gif", "a.apng", "a.webm"}) {
+    const json made = json::parse(diff({"a.mp4", name, "--json"}).out, nullptr, false);
+    EXPECT_EQ(made["mismatch"], nullptr) << name;
+    ASSERT_EQ(made["frames"].size(), 4u) << name;
+    EXPECT_EQ(made["frames"][1]["mismatch"], nullptr) << name;
+    EXPECT_LT(made["frames"][1]["flip"]["mean"], 0.1) << name;
+  }
+}
+
+TEST_F(DiffCommand, WritesNothingOverWhatIsCompared) {
+  const std::string reference = bytesOf(folder_ / "a.png");
+  for (const char* what : {"--map", "--diff-image", "--report"}) {
+    const RunResult refused = diff({"a.png", "far.png", what, "./a.png", "--force"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("./a.png: is what is compared"));
+  }
+  EXPECT_EQ(bytesOf(folder_ / "a.png"), reference);
+}
+
+TEST_F(DiffCommand, SeesPngsWhateverTheCase) {
+  save(folder_ / "old/X.PNG", a_);
+  save(folder_ / "new/X.PNG", grey({64, 48}, 200));
+  EXPECT_EQ(diff({"old", "new"}).exitCode, 1);
+}
+
+/// What the script of a page is given.
+json dataOf(const std::string& page) {
+  const std::string mark = "type=\"application/json\">";
+  const auto begin = page.find(mark) + mark.size();
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin), nullptr, false);
+}
+
+// Of 103 pairs that differ the hundred worst have pictures: the one of another size, and those that differ most.
+TEST_F(DiffCommand, ReportsTheWorstOfManyPairs) {
+  for (int k = 0; k <= 101; ++k) {
+    const std::string name = "p" + std::to_string(k) + ".png";
+    save(folder_ / "old" / name, grey({4, 3}, 60));
+    save(folder_ / "new" / name, grey({4, 3}, 60 + k));  // p0 is identical
+  }
+  save(folder_ / "old/size.png", grey({4, 3}, 60));
+  save(folder_ / "new/size.png", grey({3, 4}, 60));
+  save(folder_ / "old/gone.png", a_);
+  save(folder_ / "new/more.png", a_);
+  EXPECT_EQ(diff({"old", "new", "--report", "r.html", "--max", "0-3", "--pixels", "0-100%", "--flip-mean", "0-1",
+                  "--flip-max", "0-1"})
+                .exitCode,
+            1);
+  const json page = dataOf(bytesOf(folder_ / "r.html"));
+  EXPECT_EQ(page["verdict"], "different");
+  ASSERT_EQ(page["entries"].size(), 105u);
+  std::map<std::string, json> entries;
+  for (const json& entry : page["entries"]) entries[entry["name"]] = entry;
+  EXPECT_EQ(entries["size.png"]["message"], "the size is 3x4, not 4x3");
+  EXPECT_EQ(entries["gone.png"]["status"], "missing");
+  EXPECT_EQ(entries["more.png"]["status"], "new");
+  for (const char* shown : {"size.png", "p101.png", "p3.png"})
+    EXPECT_THAT(entries[shown]["actual"].dump(), StartsWith("\"data:image/png;base64,")) << shown;
+  for (const char* left : {"p1.png", "p2.png"}) {  // near, and there are 99 worse and that of another size
+    EXPECT_EQ(entries[left]["status"], "near");
+    EXPECT_EQ(entries[left]["actual"], nullptr);
+    EXPECT_THAT(entries[left]["facts"].dump(), HasSubstr("left out: those of worse ones fill the page"));
+  }
+  EXPECT_EQ(entries["p0.png"]["actual"], nullptr);
+  EXPECT_EQ(entries["size.png"]["flip"], nullptr);
+  EXPECT_NE(entries["p3.png"]["flip"], nullptr);
+}
+
+// Whoever may not read a file cannot know whose it is.
+TEST_F(DiffCommand, ReplacesNothingThatItCannotRead) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  folder_.put("s.toml", kGoodScene);
+  EXPECT_EQ(run(folder_, {"render", "s.toml", "-o", "a.apng", "--frames", "0-1", "--quiet"}).exitCode, 0);
+  folder_.put("d.csv", "somebody's");
+  ::chmod((folder_ / "d.csv").c_str(), 0);
+  ::chmod(folder_.path().c_str(), 0777);
+  const ShellResult refused =
+      runShell(folder_.path(), "setpriv --reuid=65534 --regid=65534 --clear-groups " POINSOT_PROGRAM
+                               " diff a.apng a.apng --curve d.csv");
+  if (refused.exitCode == 126) GTEST_SKIP() << "nobody may run the program where it was built: " << refused.out;
+  EXPECT_EQ(refused.exitCode, 4) << refused.out;
+  EXPECT_EQ(bytesOf(folder_ / "d.csv"), "somebody's");
+}
+
 // What the page shows is tested in a browser (tests/golden/page_test.py), what the curve shows in
 // tests/app/diff_curve_test.cpp.
 TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
@@ -206,12 +319,16 @@ TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
     EXPECT_THAT(refused.err, HasSubstr(curve + ": exists and was not written by poinsot"));
     EXPECT_EQ(bytesOf(folder_ / curve), "somebody's");
   }
-  folder_.put("r.html", "<!DOCTYPE html>\n<p>somebody's");
+  folder_.put("r.html", bytesOf(folder_ / "r.html") + "<p>somebody's");
   EXPECT_EQ(diff({"a.png", "far.png", "--report", "r.html"}).exitCode, 4);
   EXPECT_EQ(diff({"a.png", "far.png", "--report", "r.html", "--force"}).exitCode, 1);
   const RunResult other = diff({"a.apng", "a.apng", "--curve", "c.png"});
   EXPECT_EQ(other.exitCode, 2);
   EXPECT_THAT(other.err, HasSubstr("curve 'c.png': works: NAME.csv, NAME.svg"));
+  EXPECT_EQ(diff({"a.apng", "a.apng", "--report", "a2.apng"}).exitCode, 2);
+  const RunResult twice = diff({"a.apng", "a.apng", "--map", "m.png", "--diff-image", "./m.png"});
+  EXPECT_EQ(twice.exitCode, 2);
+  EXPECT_THAT(twice.err, HasSubstr("./m.png: two things would be written there"));
 }
 
 }  // namespace

@@ -104,6 +104,57 @@ TEST_F(GoldenCommand, ComparesWithItsOwnRenderersPicture) {
   EXPECT_EQ(nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"))["renderer"], ours["renderer"]);
 }
 
+// What was approved of others was approved for a scene that is no more.
+TEST_F(GoldenCommand, ApprovingAnotherSceneRemovesWhatWasApprovedOfTheOld) {
+  approve();
+  const std::string old = bytesOf(folder_ / "golden/s.png");
+  auto theirs = nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"));
+  theirs["renderer"] = "softpipe";
+  folder_.put("golden/s@softpipe.png", old);
+  folder_.put("golden/s@softpipe.json", theirs.dump());
+  EXPECT_EQ(golden().out, "1 identical\n");
+  folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
+  EXPECT_THAT(golden({"--update"}).out,
+              StartsWith("golden/s@softpipe.png: removed, as it was approved for what is no more\ngolden/s.png: "
+                         "approved, "));
+  EXPECT_FALSE(fs::exists(folder_ / "golden/s@softpipe.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "golden/s@softpipe.json"));
+}
+
+TEST_F(GoldenCommand, WritesNothingOverWhatIsNotItsOwn) {
+  approve();
+  const std::string approved = bytesOf(folder_ / "golden/s.png");
+  folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
+  const RunResult overApproved = golden({"-o", "golden"});
+  EXPECT_EQ(overApproved.exitCode, 2);
+  EXPECT_THAT(overApproved.err, HasSubstr("-o golden: there are the approved pictures"));
+  EXPECT_EQ(bytesOf(folder_ / "golden/s.png"), approved);
+
+  folder_.put("theirs.txt", "somebody's");
+  for (const char* report : {"--report", "--junit"}) {
+    EXPECT_EQ(golden({report, "theirs.txt"}).exitCode, 4);
+    EXPECT_EQ(bytesOf(folder_ / "theirs.txt"), "somebody's");
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(golden({report, "own.txt"}).exitCode, 1) << "in place of its own";
+    fs::remove(folder_ / "own.txt");
+  }
+  EXPECT_EQ(golden({"--report", "theirs.txt", "--force"}).exitCode, 1);
+
+  fs::create_directory(folder_ / "pictures");
+  folder_.put("pictures/s.png", "somebody's");
+  EXPECT_THAT(golden({"-o", "pictures"}).out, HasSubstr("s.png: exists and was not written by poinsot"));
+  EXPECT_EQ(bytesOf(folder_ / "pictures/s.png"), "somebody's");
+}
+
+TEST_F(GoldenCommand, KnowsNoRendererOfPicturesOfOthers) {
+  saveFlat("theirs.png", 90);
+  folder_.put("golden.toml", "[[test]]\nimage = 'theirs.png'\n");
+  approve();
+  const RunResult refused = golden({"--update", "--beside"});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--beside: theirs: of a picture that another program made"));
+  EXPECT_EQ(golden({"--beside"}).exitCode, 2);
+}
+
 TEST_F(GoldenCommand, TakesTimesPatternsAndPicturesOfOthers) {
   fs::create_directory(folder_ / "scenes");
   folder_.put("scenes/one.toml", kGoodScene);
@@ -188,7 +239,7 @@ TEST_F(GoldenCommand, ReportsForMachinesAndForPeople) {
   const std::string xml = bytesOf(folder_ / "j.xml"), page = bytesOf(folder_ / "r.html");
   EXPECT_THAT(xml, HasSubstr("tests=\"2\" failures=\"1\" errors=\"0\""));
   EXPECT_THAT(xml, HasSubstr("name=\"theirs\""));
-  EXPECT_THAT(xml, HasSubstr("<failure type=\"different\" message=\"largest difference 100 of 2"));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"different\" message=\"largest difference 100 (limit 2)"));
   EXPECT_THAT(page, HasSubstr("\"name\":\"theirs\",\"status\":\"different\""));
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
   EXPECT_THAT(page, Not(HasSubstr("http://")));

@@ -123,7 +123,7 @@ def check(driver, report, screenshot):
     # What fails stands first, and is shown.
     expect(page.names(), ['recoloured', 'brighter', 'same'], 'order by status')
     expect(page.find('tr[aria-selected=true]').get_attribute('data-name'), 'recoloured', 'shown first')
-    assert 'largest difference 170 of 2' in page.find('#message').text, page.find('#message').text
+    assert 'largest difference 170 (limit 2)' in page.find('#message').text, page.find('#message').text
 
     page.sort_by('name')
     expect(page.names(), ['brighter', 'recoloured', 'same'], 'order by name')

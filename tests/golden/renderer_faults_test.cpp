@@ -82,9 +82,11 @@ class FaultyProgram {
 
   /// What the faulty object defines is not looked for in the library any more.
   void link() const {
-    expectDone(runShell(kBuild, fmt::format("eval \"$(ninja -t commands bin/poinsot | tail -1 |"
-                                            " sed 's| -o bin/poinsot | {} -o {} |')\"",
-                                            object_, program_)));
+    expectDone(
+        runShell(kBuild, fmt::format("command=$(ninja -t commands bin/poinsot | tail -1)\n"
+                                     "faulty=$(printf %s \"$command\" | sed 's| -o bin/poinsot | {} -o {} |')\n"
+                                     "[ \"$faulty\" != \"$command\" ] && eval \"$faulty\"",
+                                     object_, program_)));
   }
 
   const ScratchFolder& folder_;

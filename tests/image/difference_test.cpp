@@ -118,7 +118,7 @@ TEST(Verdict, CountsPixelsWhereToldTo) {
   EXPECT_EQ(verdict(compare(a, b).difference, {.differingPixels = 3, .flipMean = 1, .flipMax = 1}),
             Verdict::kNear);
   EXPECT_EQ(excesses(compare(a, b).difference, {.differingPixels = 2, .flipMean = 1, .flipMax = 1}),
-            std::vector<std::string>{"differing pixels 3 of 2"});
+            std::vector<std::string>{"differing pixels 3 (limit 2)"});
 }
 
 // 16 bits are compared in their own steps: one of 65535 is 255/65535 of a level. Eight bits count as v * 257.

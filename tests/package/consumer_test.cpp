@@ -54,6 +54,11 @@ TEST(Consumer, HasGoldenTests) {
       AllOf(HasSubstr("approved/spin.png: approved, the first"), HasSubstr("approved/drawn.png: approved")));
   EXPECT_EQ(goldenTests(tree), 0) << tree.run("cat ctest.log");
   EXPECT_THAT(tree.run("cat consumer/golden/spin/junit.xml"), HasSubstr("failures=\"0\""));
+  // A picture of an earlier run does not stand for one that is not drawn any more.
+  tree.run("mv golden/draw.sh draw.sh; printf '#!/bin/sh\\n' >golden/draw.sh; chmod +x golden/draw.sh");
+  EXPECT_EQ(goldenTests(tree), 1);
+  tree.run("mv draw.sh golden/draw.sh");
+  EXPECT_EQ(goldenTests(tree), 0);
   tree.run("sed -i 's/200/180/' golden/draw.sh");
   EXPECT_EQ(goldenTests(tree), 1);
   EXPECT_THAT(tree.run("cat ctest.log"), AllOf(HasSubstr("drawn (Failed)"), Not(HasSubstr("spin (Failed)"))));
