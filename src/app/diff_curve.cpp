@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -76,11 +77,19 @@ class CurvePicture {
     const double last = std::max<double>(1, static_cast<double>(diff_.frames.size()) - 1);
     return kLeft + (kRight - kLeft) * frame / last;
   }
+  /// The most of frames that have figures; nothing where none has.
   template <class Figure>
-  auto mostOf(const Span& span, Figure figure) const {
-    auto most = figure(diff_.frames[span.first]);
-    for (std::size_t k = span.first; k < span.end; ++k) most = std::max(most, figure(diff_.frames[k]));
+  std::optional<double> mostOf(const Span& span, Figure figure) const {
+    std::optional<double> most;
+    for (std::size_t k = span.first; k < span.end; ++k)
+      if (diff_.frames[k].mismatch.empty()) most = std::max(most.value_or(0), figure(diff_.frames[k]));
     return most;
+  }
+  image::Verdict verdictOf(std::size_t point) const {
+    const Span span = spanOf(point);
+    image::Verdict worst = image::Verdict::kIdentical;
+    for (std::size_t k = span.first; k < span.end; ++k) worst = std::max(worst, diff_.frames[k].verdict);
+    return worst;
   }
 
   static std::string text(double x, double y, const char* anchor, const std::string& words) {
@@ -91,7 +100,7 @@ class CurvePicture {
   }
 
   std::string panel(const Series& series) const {
-    const double most = mostOf({0, diff_.frames.size()}, series.of);
+    const double most = mostOf({0, diff_.frames.size()}, series.of).value_or(0);
     const auto ticks = stage::coveringTicks(0, most > 0 ? most : std::max(series.limit, 1e-3), 7);
     const double top = ticks.at(ticks.last);
     const auto yOf = [&](double value) { return series.bottom - (series.bottom - series.top) * value / top; };
@@ -108,11 +117,15 @@ class CurvePicture {
   template <class Place>
   std::string line(const Series& series, Place yOf) const {
     std::string path;
+    bool pen = false;  // down
     for (std::size_t i = 0; i < points(); ++i) {
       const Span span = spanOf(i);
-      path += fmt::format("{}{:.2f} {:.2f}", i == 0 ? "M" : "L", xOf(static_cast<double>(span.first)),
-                          yOf(mostOf(span, series.of)));
+      const auto most = mostOf(span, series.of);
+      if (most)
+        path += fmt::format("{}{:.2f} {:.2f}", pen ? "L" : "M", xOf(static_cast<double>(span.first)), yOf(*most));
+      pen = most.has_value();
     }
+    if (path.empty()) return "";
     if (points() == 1) path += "h3";
     return fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"#0f62ad\" stroke-width=\"1.6\" "
@@ -123,9 +136,6 @@ class CurvePicture {
   /// A band of the worst verdict of each point's frames; neighbours of one verdict are one.
   std::string verdicts() const {
     std::string svg;
-    const auto verdictOf = [&](std::size_t i) {
-      return mostOf(spanOf(i), [](const PictureDiff& f) { return f.verdict; });
-    };
     for (std::size_t i = 0, end = 0; i < points(); i = end) {
       for (end = i + 1; end < points() && verdictOf(end) == verdictOf(i);) ++end;
       // Each point reaches half a step to both sides.
@@ -164,6 +174,10 @@ std::string curveCsv(const FilmDiff& diff) {
   std::string text(kCsvHeader);
   for (std::size_t k = 0; k < diff.frames.size(); ++k) {
     const PictureDiff& frame = diff.frames[k];
+    if (!frame.mismatch.empty()) {  // no figures
+      text += fmt::format("{},{},{},,,,,,,,\n", k, diff.time_s(k), image::toString(frame.verdict));
+      continue;
+    }
     const image::ImageDifference& d = frame.figures;
     text += fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g}\n", k, diff.time_s(k),
                         image::toString(frame.verdict), d.differingPixels, d.maxAbs, d.meanAbs, d.rmse,

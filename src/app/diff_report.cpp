@@ -47,12 +47,14 @@ void addMaps(DiffPageEntry& entry, const ComparedPictures& compared) {
       textOf(image::encodePng(image::amplifiedDifference(compared.reference.pixels, compared.test.pixels)));
 }
 
-/// Both files, and what is drawn of them.
-void addPictures(DiffPageEntry& entry, const DiffSubject& subject) {
+/// Both files, and what is drawn of them; nothing of those that cannot be read, which is said of them already.
+void addPictures(DiffPageEntry& entry, const DiffSubject& subject) try {
   const fs::path reference = subject.reference / entry.diff.name, test = subject.test / entry.diff.name;
   entry.reference = pngFile(reference);
   entry.actual = pngFile(test);
   addMaps(entry, compareFiles(reference, test, subject.request));
+} catch (const core::Error&) {
+  entry.reference = entry.actual = {};
 }
 
 /// Places of the pairs that are not identical, the worst first.

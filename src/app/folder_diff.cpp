@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <system_error>
 
 #include "app/parallel.h"
@@ -37,23 +38,36 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
-/// A place for the picture of one pair.
-std::optional<fs::path> within(const std::optional<fs::path>& folder, const std::string& name) {
-  if (!folder) return std::nullopt;
-  fs::path file = *folder / name;
-  output::makeFolders(file.parent_path());
-  return file;
+/// The request for one pair: places for its pictures in the folders.
+DiffRequest requestFor(const DiffRequest& request, const std::string& name) {
+  DiffRequest own = request;
+  for (auto* place : {&own.map, &own.difference})
+    if (*place) *place = **place / name;
+  return own;
 }
 
 /// Identical pairs leave no picture.
 PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std::string& name,
                      const DiffRequest& request) {
-  ComparedPictures compared = compareFiles(reference / name, test / name, request);
+  const DiffRequest own = requestFor(request, name);
+  ComparedPictures compared = compareFiles(reference / name, test / name, own);
   compared.diff.name = name;
-  if (compared.diff.verdict != image::Verdict::kIdentical && compared.diff.mismatch.empty())
-    writeMaps(compared, {request.rule, request.pixelsPerDegree, within(request.map, name),
-                         within(request.difference, name)});
+  if (compared.diff.verdict == image::Verdict::kIdentical) {
+    forgetMaps(own);
+    return std::move(compared.diff);
+  }
+  for (const auto& place : {own.map, own.difference})
+    if (place && compared.diff.mismatch.empty()) output::makeFolders(place->parent_path());
+  writeMaps(compared, own);
   return std::move(compared.diff);
+}
+
+/// Of a pair that cannot be read.
+PictureDiff unreadablePair(const std::string& name, const Error& error) {
+  PictureDiff diff;
+  diff.name = name;
+  diff.mismatch = error.what();
+  return diff;
 }
 
 }  // namespace
@@ -75,8 +89,18 @@ FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const Di
   std::ranges::set_difference(ours, theirs, std::back_inserter(diff.onlyInReference));
   std::ranges::set_difference(theirs, ours, std::back_inserter(diff.onlyInTest));
   diff.pictures.resize(both.size());
-  forEachIndex(both.size(), jobs,
-               [&](std::size_t i) { diff.pictures[i] = diffPair(reference, test, both[i], request); });
+  std::vector<std::optional<Error>> errors(both.size());
+  forEachIndex(both.size(), jobs, [&](std::size_t i) {
+    try {
+      diff.pictures[i] = diffPair(reference, test, both[i], request);
+    } catch (const Error& error) {
+      diff.pictures[i] = unreadablePair(both[i], error);
+      errors[i] = error;
+    }
+  });
+  for (auto& error : errors) {
+    if (error && !diff.firstError) diff.firstError = std::move(error);
+  }
   return diff;
 }
 

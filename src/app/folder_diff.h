@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/picture_diff.h"
+#include "core/error.h"
 
 namespace poinsot::app {
 
@@ -12,6 +14,7 @@ namespace poinsot::app {
 struct FolderDiff {
   std::vector<PictureDiff> pictures;  ///< by name
   std::vector<std::string> onlyInReference, onlyInTest;
+  std::optional<core::Error> firstError;  ///< of the first pair that could not be read or drawn; it is different
 
   /// The worst of the pairs; different where something has no partner.
   image::Verdict verdict() const;
@@ -20,7 +23,7 @@ struct FolderDiff {
 /// Pairs the PNG files of two folders and the folders in them by their names and compares each pair; `jobs` at a
 /// time. Where the request names places for pictures these are folders, and get one of each pair that is not
 /// identical, by its name.
-/// @throws core::Error(kIo) with the file or folder, the first by name; (kUsage) if the reference has no PNG.
+/// @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if the reference has no PNG.
 FolderDiff diffFolders(const std::filesystem::path& reference, const std::filesystem::path& test,
                        const DiffRequest& request, int jobs);
 

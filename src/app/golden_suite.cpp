@@ -94,6 +94,7 @@ class Comparing {
 
   void into(GoldenOutcome& outcome) const {
     outcome.actual = one_.actual;
+    forgetMaps(places());
     const auto all = referencesOf(references_, one_.name);
     if (all.empty()) {
       outcome.status = GoldenStatus::kNew;
@@ -119,13 +120,18 @@ class Comparing {
     return nearest;
   }
 
-  void draw(const ComparedPictures& nearest, GoldenOutcome& outcome) const {
-    outcome.map = output_ / (one_.name + ".flip.png");
-    outcome.difference = output_ / (one_.name + ".difference.png");
+  DiffRequest places() const {
     DiffRequest request{one_.test.rule.limits};
-    request.map = outcome.map;
-    request.difference = outcome.difference;
+    request.map = output_ / (one_.name + ".flip.png");
+    request.difference = output_ / (one_.name + ".difference.png");
+    return request;
+  }
+
+  void draw(const ComparedPictures& nearest, GoldenOutcome& outcome) const {
+    const DiffRequest request = places();
     writeMaps(nearest, request);
+    outcome.map = *request.map;
+    outcome.difference = *request.difference;
   }
 
   const GoldenCase& one_;

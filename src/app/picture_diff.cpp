@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <system_error>
 #include <variant>
 
 #include "image/magma.h"
@@ -60,8 +61,15 @@ ComparedPictures compareFiles(const std::filesystem::path& reference, const std:
   return comparePictures(read(reference), read(test), request);
 }
 
+void forgetMaps(const DiffRequest& request) {
+  for (const auto& place : {request.map, request.difference}) {
+    std::error_code ignored;  // what stays is overwritten or refused later
+    if (place && image::isOwnPng(*place)) std::filesystem::remove(*place, ignored);
+  }
+}
+
 void writeMaps(const ComparedPictures& compared, const DiffRequest& request) {
-  if (!compared.diff.mismatch.empty()) return;
+  if (!compared.diff.mismatch.empty()) return forgetMaps(request);
   if (request.map) output::writePng(*request.map, image::magmaPicture(compared.flip));
   if (request.difference)
     output::writePng(*request.difference,

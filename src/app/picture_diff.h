@@ -59,7 +59,11 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
 ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
                               const DiffRequest& request);
 
-/// Writes what the request asks for; nothing of pictures that have no figures.
+/// Removes what an earlier run wrote where the request asks for maps.
+void forgetMaps(const DiffRequest& request);
+
+/// Writes what the request asks for; of pictures that have no figures nothing, and removes what an earlier run
+/// wrote.
 /// @throws core::Error(kIo) where something cannot be written.
 void writeMaps(const ComparedPictures& compared, const DiffRequest& request);
 

@@ -150,6 +150,7 @@ class Diff {
   image::Verdict tellOf(const app::FolderDiff& diff) const {
     say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
     writeReport([&] { return app::diffReport(diff, subject(), jobs()); });
+    if (diff.firstError) throw *diff.firstError;  // after what could be told
     return diff.verdict();
   }
 

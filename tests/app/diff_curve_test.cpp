@@ -82,6 +82,19 @@ TEST(DiffCurve, LosesNoPeakOfALongFilm) {
   EXPECT_GE(std::stod(strip[2]), 1);
 }
 
+// Nothing is not 0: a frame without figures leaves a gap.
+TEST(DiffCurve, HasNoPointWhereThereIsNoFigure) {
+  FilmDiff diff = film(5, {1});
+  diff.frames[2].verdict = image::Verdict::kDifferent;
+  diff.frames[2].mismatch = "the channels are 4 (RGB and alpha), not 3 (RGB)";
+  const std::string svg = curveSvg(diff, {});
+  const auto curves = curvesOf(svg);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].size(), 4u);
+  EXPECT_THAT(svg, testing::ContainsRegex("<path d=\"M[^M\"]*M[^M\"]*\" fill=\"none\""));  // lifted once
+  EXPECT_THAT(curveCsv(diff), testing::HasSubstr("\n2,0.2,different,,,,,,,,\n3,"));
+}
+
 TEST(DiffCurve, HasALineForALimitWithinIt) {
   const auto lines = [](const FilmDiff& diff, double limit) {
     image::NearRule rule;

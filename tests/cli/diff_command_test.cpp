@@ -34,6 +34,13 @@ void save(const std::filesystem::path& file, const Picture& picture) {
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
+/// What the script of a page is given.
+json dataOf(const std::string& page) {
+  const std::string mark = "type=\"application/json\">";
+  const auto begin = page.find(mark) + mark.size();
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin), nullptr, false);
+}
+
 class DiffCommand : public ::testing::Test {
  protected:
   DiffCommand() {
@@ -240,17 +247,33 @@ TEST_F(DiffCommand, WritesNothingOverWhatIsCompared) {
   EXPECT_EQ(bytesOf(folder_ / "a.png"), reference);
 }
 
+TEST_F(DiffCommand, TellsOfAllPairsThoughOneCannotBeRead) {
+  for (const char* name : {"old/a.png", "new/a.png", "old/c.png"}) save(folder_ / name, a_);
+  save(folder_ / "new/c.png", grey({64, 48}, 200));
+  save(folder_ / "old/b.png", a_);
+  folder_.put("new/b.png", "no picture");
+  const RunResult result = diff({"old", "new", "--report", "r.html"});
+  EXPECT_EQ(result.exitCode, 4);
+  EXPECT_THAT(result.out, StartsWith("different: 1 identical, 2 different\n"));
+  EXPECT_THAT(result.out, HasSubstr("  different  c.png: largest 100"));
+  EXPECT_THAT(result.err, HasSubstr("new/b.png: not a readable PNG"));
+  EXPECT_EQ(dataOf(bytesOf(folder_ / "r.html"))["entries"].size(), 3u);
+}
+
+TEST_F(DiffCommand, LeavesNoMapOfAnEarlierRun) {
+  save(folder_ / "old/a.png", a_);
+  save(folder_ / "new/a.png", grey({64, 48}, 200));
+  EXPECT_EQ(diff({"old", "new", "--map", "maps"}).exitCode, 1);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "maps/a.png"));
+  save(folder_ / "new/a.png", a_);
+  EXPECT_EQ(diff({"old", "new", "--map", "maps"}).exitCode, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "maps/a.png"));
+}
+
 TEST_F(DiffCommand, SeesPngsWhateverTheCase) {
   save(folder_ / "old/X.PNG", a_);
   save(folder_ / "new/X.PNG", grey({64, 48}, 200));
   EXPECT_EQ(diff({"old", "new"}).exitCode, 1);
-}
-
-/// What the script of a page is given.
-json dataOf(const std::string& page) {
-  const std::string mark = "type=\"application/json\">";
-  const auto begin = page.find(mark) + mark.size();
-  return json::parse(page.substr(begin, page.find("</script>", begin) - begin), nullptr, false);
 }
 
 // Of 103 pairs that differ the hundred worst have pictures: the one of another size, and those that differ most.
