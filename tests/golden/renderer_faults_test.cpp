@@ -7,21 +7,9 @@
 #include <fstream>
 
 #include "golden/suite_run.h"
-#include "support/text_of.h"
 
 namespace poinsot {
 namespace {
-
-/// Some text of a file in src/, and what a slip would make of it.
-struct Fault {
-  const char* name;
-  const char* file;
-  const char* from;
-  const char* to;
-};
-
-// What GoogleTest and ctest print of a case.
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
 const Fault kFaults[] = {
     {"WindingTurned", "render/mesh_painter.cpp", "glFrontFace(GL_CW)", "glFrontFace(GL_CCW)"},
@@ -58,11 +46,7 @@ const std::string kBuild = POINSOT_BINARY_DIR;
 class FaultyProgram {
  public:
   FaultyProgram(const ScratchFolder& folder, const Fault& fault) : folder_(folder) {
-    std::string text = textOf(std::string(POINSOT_SOURCE_DIR "/src/") + fault.file);
-    const auto at = text.find(fault.from);
-    EXPECT_NE(at, std::string::npos) << "the file has changed: seed the fault anew";
-    if (at != std::string::npos) text.replace(at, std::string(fault.from).size(), fault.to);
-    std::ofstream(source_) << text;
+    std::ofstream(source_) << textWith(fault, POINSOT_SOURCE_DIR "/src");
     compile(fault.file);
     link();
   }

@@ -18,17 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line of a shader, or part of it, and what a slip would make of it.
-struct Fault {
-  const char* name;
-  const char* file;
-  const char* from;
-  const char* to;
-};
-
-// What GoogleTest and ctest print of a case.
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
-
 const Fault kFaults[] = {
     {"GlassInsideOut", "composite.frag", "sheet == 0 ? -halfChord : halfChord",
      "sheet == 0 ? halfChord : -halfChord"},
@@ -70,10 +59,7 @@ class SeededFault : public testing::TestWithParam<Fault> {
 TEST_P(SeededFault, IsCaught) {
   const Fault& fault = GetParam();
   fs::copy(POINSOT_SOURCE_DIR "/shaders", shaders_);
-  std::string text = textOf(fs::path(shaders_) / fault.file);
-  const auto at = text.find(fault.from);
-  ASSERT_NE(at, std::string::npos) << "the shader has changed: seed the fault anew";
-  text.replace(at, std::string(fault.from).size(), fault.to);
+  const std::string text = textWith(fault, shaders_);  // before the file is emptied
   std::ofstream(fs::path(shaders_) / fault.file) << text;
   expectCaught(suite());
 }

@@ -4,7 +4,18 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "support/text_of.h"
+
 namespace poinsot {
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+std::string textWith(const Fault& fault, const std::string& folder) {
+  std::string text = textOf(folder + "/" + fault.file);
+  const auto at = text.find(fault.from);
+  EXPECT_NE(at, std::string::npos) << fault.file << " has changed: seed the fault anew";
+  return at == std::string::npos ? text : text.replace(at, std::string(fault.from).size(), fault.to);
+}
 
 ShellResult runSuite(const ScratchFolder& folder, const std::string& program, const std::string& manifest,
                      const std::string& tests, const std::vector<std::string>& environment) {

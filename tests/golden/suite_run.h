@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,20 @@
 #include "support/shell_run.h"
 
 namespace poinsot {
+
+/// A passage of a source file, and what a slip would make of it.
+struct Fault {
+  const char* name;
+  const char* file;
+  const char* from;
+  const char* to;
+};
+
+// What GoogleTest and ctest print of a case.
+void PrintTo(const Fault& fault, std::ostream* out);
+
+/// The file beneath `folder` with the fault in it; fails the test where the passage is not there any more.
+std::string textWith(const Fault& fault, const std::string& folder);
 
 /// Tests of the golden suite that have between them every kind of thing that is drawn.
 inline constexpr const char* kTestsOfEverything =
