@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // C: camera axes, x right, y up, looking along -z. Pixels count from the top left corner, y down, and row 0 of the
 // framebuffer is the top row, so that nothing is flipped on read-back.
-uniform vec2 pictureSize_px;
-uniform vec2 opticalCentre_px;
-uniform float focal_px;     // pixels per unit length at unit distance, or at any
-uniform vec2 depthRange;  // nearest and farthest distance along the view
-
-uniform float orthographic;  // 1 with parallel rays, else 0: a factor, as llvmpipe runs both sides of an if
-
 // The ray through a pixel: x_C = rayFrom + t * rayThrough, t being the distance along the view.
 vec3 rayThrough(vec2 p_px) {
-  vec2 q = (p_px - opticalCentre_px) / focal_px * (1.0 - orthographic);
+  vec2 q = (p_px - opticalCentre_px) * (pixelAtOne * (1.0 - orthographic));
   return vec3(q.x, -q.y, -1.0);
 }
 
 vec3 rayFrom(vec2 p_px) {
-  vec2 q = (p_px - opticalCentre_px) / focal_px * orthographic;
+  vec2 q = (p_px - opticalCentre_px) * (pixelAtOne * orthographic);
   return vec3(q.x, -q.y, 0.0);
 }
 
 // Length of a pixel's side at distance t along the view.
-float pixelSize(float t) { return mix(t, 1.0, orthographic) / focal_px; }
+float pixelSize(float t) { return mix(t, 1.0, orthographic) * pixelAtOne; }
 
-float toDepth(float t) { return clamp((t - depthRange.x) / (depthRange.y - depthRange.x), 0.0, 1.0); }
+float toDepth(float t) { return clamp((t - depthRange.x) * depthRange.y, 0.0, 1.0); }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Analytic coverage: how much of a pixel lies inside a boundary at signed distance d_px (positive inside).
-// 1 for pictures; large for the reference renderer, whose many samples see hard edges.
-uniform float sharpness;
 
 // A straight edge as a pixel sees it: xy the unit vector towards the inside, z the distance of the pixel's centre.
 // The area is exact: a triangle until the edge has passed a corner of the pixel, then a trapezium.
@@ -17,11 +15,28 @@ float covered(vec3 edge) {
 // A strip between two parallel edges, right also where it is thinner than a pixel.
 float coveredStrip(vec3 a, vec3 b) { return max(covered(a) + covered(b) - 1.0, 0.0); }
 
+// A line, by its unit normal and the distance of its middle.
+float coveredLine(float distance_px, vec2 normal, float width_px) {
+  return coveredStrip(vec3(-normal, 0.5 * width_px - distance_px), vec3(normal, 0.5 * width_px + distance_px));
+}
+
+// A thin line of low contrast: a ramp one pixel wide, whose second moment is that of the pixel in every direction.
+// Exact where the line is level or upright, and a fifth of the cost.
+float faintLine(float distance_px, float width_px) {
+  float width = width_px * sharpness;
+  return clamp(0.5 * width + 0.5 - distance_px * sharpness, 0.0, min(width, 1.0));
+}
+
 // Which share of the pixel lies on the near side of where two surfaces cut each other: `ahead` is how much farther the
 // other one is, and slope how fast that grows.
 float shareBefore(float ahead, vec2 slope) {
   slope.x += 1e-9;  // a direction, where the surfaces are parallel
   return covered(vec3(slope, ahead) / length(slope));
+}
+
+// The same of glass and a solid, as of a faint line.
+float glassBefore(float ahead, vec2 slope) {
+  return clamp(0.5 + sharpness * ahead * inversesqrt(dot(slope, slope) + 1e-18), 0.0, 1.0);
 }
 
 // An ellipse in the picture: centre and inverse covariance (xx, xy, yy), rho = 1 on its edge. rho grows

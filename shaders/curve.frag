@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "constants.glsl"
 #include "camera.glsl"
 #include "coverage.glsl"
 #include "shading.glsl"
 #include "emit.glsl"
 
-uniform float solid;
-uniform vec3 color;
-uniform float gloss;
-uniform float lift;  // towards the eye
-
 noperspective in vec4 acrossOut;
 noperspective in vec4 tangentOut_C;
 
 void main() {
+  Material material = Material(own(0).rgb, own(0).a);
+  float solid = own(1).x, lift = own(1).y;  // towards the eye
   float offset = acrossOut.x, halfWidth = acrossOut.y;
   // Linear over a piece, so that the derivatives tell its direction exactly.
   vec2 inwards = -normalize(vec2(dFdx(offset), dFdy(offset)) + vec2(1e-9, 0.0));
@@ -25,10 +23,10 @@ void main() {
   vec3 side_C = normalize(cross(tangentOut_C.xyz, ray) + vec3(1e-9));
   vec3 n_C = normalize(u * side_C + front * normalize(cross(side_C, tangentOut_C.xyz) + vec3(0.0, 0.0, 1e-9)));
   if (dot(n_C, ray) > 0.0) n_C = u * side_C - front * ray;
-  vec3 shown = shade(Material(color, gloss), n_C, -ray);
+  vec3 shown = shade(material, n_C, -ray);
   t -= front * tangentOut_C.w;
 #else
-  vec3 shown = color;
+  vec3 shown = material.color;
 #endif
   emit(solid, shown, coverage, toDepth(t - lift));
 }

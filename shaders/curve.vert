@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One vertex of a curve's strip, placed by the CPU: straight in pixels, so that widths are exact.
-uniform vec2 pictureSize_px;
+#include "constants.glsl"
 
 layout(location = 0) in vec2 position_px;
 layout(location = 1) in vec4 across;     // offset from the line, half width, distance to the end, distance along the view
@@ -10,6 +10,7 @@ noperspective out vec4 acrossOut;
 noperspective out vec4 tangentOut_C;
 
 void main() {
+  handOn();
   acrossOut = across;
   tangentOut_C = tangent_C;
   gl_Position = vec4(2.0 * position_px / pictureSize_px - 1.0, 0.0, 1.0);

@@ -5,9 +5,9 @@
 // The composite puts them together in order of depth. EDGES 2 wants coverage.glsl before.
 out vec4 fragment;
 #if EDGES == 1
-uniform sampler2D edgeBefore;
+uniform sampler2DRect edgeBefore;
 #elif EDGES == 2
-uniform sampler2D fullColor, fullDepth;  // alpha: the solid's number
+uniform sampler2DRect fullColor, fullDepth;  // alpha: the solid's number
 #endif
 
 // An edge must be this much farther to be another edge and not the same one again.
@@ -20,10 +20,10 @@ bool isSame(float a, float b) { return abs(a - b) < 0.5 * kNumber; }
 
 // How the depth of the solid in front grows in the direction of `step`, as far as that solid reaches.
 float slopeInFront(ivec2 texel, ivec2 step, float depth, float number) {
-  float before = depth - texelFetch(fullDepth, texel - step, 0).r;
-  float after = texelFetch(fullDepth, texel + step, 0).r - depth;
-  bool isBefore = isSame(texelFetch(fullColor, texel - step, 0).a, number);
-  bool isAfter = isSame(texelFetch(fullColor, texel + step, 0).a, number);
+  float before = depth - texelFetch(fullDepth, texel - step).r;
+  float after = texelFetch(fullDepth, texel + step).r - depth;
+  bool isBefore = isSame(texelFetch(fullColor, texel - step).a, number);
+  bool isAfter = isSame(texelFetch(fullColor, texel + step).a, number);
   float flatter = abs(before) < abs(after) ? before : after;
   return isBefore ? (isAfter ? flatter : before) : (isAfter ? after : 0.0);
 }
@@ -36,7 +36,7 @@ void emit(float solid, vec3 color, float coverage, float depth) {
 #if EDGES == 2
   vec2 slope = vec2(dFdx(depth), dFdy(depth));
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  float number = texelFetch(fullColor, texel, 0).a, inFront = texelFetch(fullDepth, texel, 0).r;
+  float number = texelFetch(fullColor, texel).a, inFront = texelFetch(fullDepth, texel).r;
   if (coverage < 0.998 || number < 1.5 * kNumber || isSame(number, solid)) discard;
   vec2 other = vec2(slopeInFront(texel, ivec2(1, 0), inFront, number), slopeInFront(texel, ivec2(0, 1), inFront, number));
   float share = shareBefore(inFront - depth, other - slope);
@@ -45,7 +45,7 @@ void emit(float solid, vec3 color, float coverage, float depth) {
   gl_FragDepth = inFront;
 #elif EDGES == 1
   if (coverage < 0.002 || coverage >= 0.998) discard;
-  if (depth <= texelFetch(edgeBefore, ivec2(gl_FragCoord.xy), 0).r + kSameDepth) discard;
+  if (depth <= texelFetch(edgeBefore, ivec2(gl_FragCoord.xy)).r + kSameDepth) discard;
   fragment = vec4(color, coverage);
   gl_FragDepth = depth;
 #else

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "constants.glsl"
 #include "camera.glsl"
 #include "coverage.glsl"
 #include "shading.glsl"
 #include "emit.glsl"
 
 // The picture of a frustum is the hull of its two end discs: two ellipses and the strip between their tangents.
-uniform vec3 from_C;
-uniform vec3 axis_C;         // unit, from the first disc to the second
-uniform vec4 radii;          // first, second, height, slope (second - first) / height
-uniform vec4 discCentres_px;
-uniform vec3 firstForm, secondForm;
-uniform vec3 sides[4];       // edges of the strip, 0 and 2 the silhouette; all (0, 0, -1) when there is none
-uniform int visibleCap;      // 0: none, 1: first disc, 2: second
-uniform float solid;
-uniform vec3 color;
-uniform float gloss;
-
 // Whether the disc is seen almost edge-on and has a chord, the strip's edge across: pixels are wider than what of the
 // disc lies beyond that.
 bool isThin(ScreenEllipse disc, vec3 chord) { return halfWidth(disc) < 2.0 && abs(chord.z) < 1e5; }
@@ -32,8 +22,15 @@ vec3 endAt(ScreenEllipse disc, vec3 chord, vec2 p_px) {
 
 void main() {
   vec2 p_px = gl_FragCoord.xy;
-  ScreenEllipse firstDisc = ScreenEllipse(discCentres_px.xy, firstForm);
-  ScreenEllipse secondDisc = ScreenEllipse(discCentres_px.zw, secondForm);
+  vec3 from_C = own(0).xyz, axis_C = own(1).xyz;  // the axis unit, from the first disc to the second
+  float solid = own(0).w, gloss = own(4).w;
+  int visibleCap = int(own(1).w);                 // 0: none, 1: first disc, 2: second
+  vec4 radii = own(2);                            // first, second, height, slope (second - first) / height
+  ScreenEllipse firstDisc = ScreenEllipse(own(3).xy, own(4).xyz);
+  ScreenEllipse secondDisc = ScreenEllipse(own(3).zw, own(5).xyz);
+  vec3 color = own(6).rgb;
+  // Edges of the strip, 0 and 2 the silhouette; all (0, 0, -1) when there is none.
+  vec3 sides[4] = vec3[4](own(7).xyz, own(8).xyz, own(9).xyz, own(10).xyz);
   vec3 first = edgeAt(firstDisc, p_px), second = edgeAt(secondDisc, p_px);
   vec3 ends = outerOf(endAt(secondDisc, sides[1], p_px), endAt(firstDisc, sides[3], p_px));
   vec3 strip = outerOf(outerOf(edgeAt(sides[0], p_px), edgeAt(sides[2], p_px)), ends);

@@ -1,61 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines on a sphere s (unit vectors), drawn on whatever ellipsoid it was made from. dx and dy: how s changes from pixel
-// to pixel, to the right and down.
+// Lines on a sphere s (unit vectors), drawn on whatever ellipsoid it was made from. No angle is ever taken: latitude
+// and longitude are unit complex numbers, and a line at every step of an angle is where the imaginary part of a power
+// is zero. Off the lines that part is a sine, which reads the distance short; only where lines come so close that they
+// have faded.
 
-// That change, where the sphere is looked at along d and a step in the picture is `across` there. Not from the
-// neighbours' difference, which is too coarse at the rim.
-vec3 changeOnSphere(vec3 s, vec3 d, vec3 across) {
-  float facing = dot(s, d);
-  return across - d * dot(s, across) / (facing < 0.0 ? min(facing, -1e-4) : max(facing, 1e-4));
-}
+vec2 timesComplex(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
+vec2 squareComplex(vec2 a) { return vec2(a.x * a.x - a.y * a.y, 2.0 * a.x * a.y); }
 
-// A line where `value` is 0; `slope` is how fast that grows to the right and down, per pixel.
-float lineCover(float value, vec2 slope, float width_px) {
-  float steepness = max(length(slope), 1e-9), distance_px = value / steepness;
-  vec2 across = slope / steepness;
-  return coveredStrip(vec3(-across, 0.5 * width_px - distance_px), vec3(across, 0.5 * width_px + distance_px));
-}
-
-// One family of lines at every `step` of an angle, fading where they come closer than `least_px`.
-float graticuleLines(float angle, vec2 slope, float step, float width_px, float least_px) {
-  float spacing_px = step / max(length(slope), 1e-9);
-  float fade = clamp(2.0 * spacing_px / least_px - 1.0, 0.0, 1.0);
-  return fade * lineCover(angle - step * round(angle / step), slope, width_px);
-}
-
-// Latitude and longitude of s, and how fast they change, per pixel to the right and down.
-struct Angles {
-  float latitude, longitude;
-  vec2 latitudeSlope, longitudeSlope;
+// A point of the sphere in the picture.
+struct SpherePoint {
+  vec2 latitude;        // as a complex number
+  vec2 twiceLongitude;  // also, of twice the angle
+  vec2 pixels;          // how many make a radian of latitude and longitude
+  vec2 north, east;     // as directions in the picture, unit
 };
 
-Angles anglesOf(vec3 s, vec3 dx, vec3 dy) {
-  float r2 = max(dot(s.xy, s.xy), 1e-8);
-  return Angles(atan(s.z, sqrt(r2)), atan(s.y, s.x), vec2(dx.z, dy.z) / sqrt(r2),
-                vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x) / r2);
+// dx and dy: how s changes from pixel to pixel, to the right and down.
+SpherePoint spherePoint(vec3 s, vec3 dx, vec3 dy) {
+  vec2 up = vec2(dx.z, dy.z), around = vec2(s.x * dx.y - s.y * dx.x, s.x * dy.y - s.y * dy.x);
+  float r2 = max(dot(s.xy, s.xy), 1e-8), r = sqrt(r2);
+  float climb = sqrt(dot(up, up) + 1e-18), turn = sqrt(dot(around, around) + 1e-18);
+  float inverse = 1.0 / (climb * turn * r2);  // one division in place of three
+  return SpherePoint(vec2(r, s.z), squareComplex(s.xy) * (inverse * climb * turn),
+                     vec2(r * r2 * turn * inverse, r2 * r2 * climb * inverse), up * (turn * r2 * inverse),
+                     around * (climb * r2 * inverse));
+}
+
+// How much is left of a family of lines that comes closer than `least` widths.
+float fade(float spacing_px, vec2 width_px, float least) {
+  return clamp(spacing_px * (2.0 / least * width_px.y) - 1.0, 0.0, 1.0);
 }
 
 // On glass: parallels every 15 degrees; meridians every 30, and every 15 where there is room, so that they fade out
-// towards the poles and do not crowd there. The three principal sections are drawn stronger.
-float graticule(vec3 s, vec3 dx, vec3 dy, float width_px) {
+// towards the poles and do not crowd there. The three principal sections are drawn stronger. Widths come with their
+// reciprocals.
+float graticule(SpherePoint p, vec2 width_px) {
   const float kStep = 0.2617993878;  // 15 degrees
-  Angles a = anglesOf(s, dx, dy);
-  float room_px = 12.0 * width_px;
-  float minor = max(graticuleLines(a.latitude, a.latitudeSlope, kStep, width_px, 0.5 * room_px),
-                    max(graticuleLines(a.longitude, a.longitudeSlope, 2.0 * kStep, width_px, 0.5 * room_px),
-                        graticuleLines(a.longitude, a.longitudeSlope, kStep, width_px, 2.5 * room_px)));
-  float principal = max(lineCover(a.latitude, a.latitudeSlope, width_px),
-                        graticuleLines(a.longitude, a.longitudeSlope, 6.0 * kStep, width_px, 0.25 * room_px));
+  vec2 u2 = squareComplex(p.latitude), u6 = timesComplex(u2, squareComplex(u2));
+  vec2 v2 = p.twiceLongitude, v6 = timesComplex(v2, squareComplex(v2));
+  const float kSixth = 1.0 / 6.0;
+  float parallel = kSixth * abs(u6.x * u6.y), meridian = kSixth * abs(v6.x * v6.y);  // sines of 12 times the angles
+  float step_px = kStep * p.pixels.y;
+  float minor = max(fade(kStep * p.pixels.x, width_px, 6.0) * faintLine(parallel * p.pixels.x, width_px.x),
+                    max(fade(2.0 * step_px, width_px, 6.0) * faintLine(kSixth * abs(v6.y) * p.pixels.y, width_px.x),
+                        fade(step_px, width_px, 30.0) * faintLine(meridian * p.pixels.y, width_px.x)));
+  float principal = max(faintLine(abs(p.latitude.y) * p.pixels.x, width_px.x),
+                        fade(6.0 * step_px, width_px, 3.0) * faintLine(0.5 * abs(v2.y) * p.pixels.y, width_px.x));
   return max(principal, 0.55 * minor);
 }
 
-// On a solid: rings every 22.5 degrees, four meridians, one of them heavy: without it the spin of a round body would
-// not show.
-float markings(vec3 s, vec3 dx, vec3 dy, float width_px) {
+// On a solid: rings every 22.5 degrees, four meridians, one of them heavy, that of `ahead`: without it the spin of a
+// round body would not show.
+float markings(SpherePoint p, vec2 width_px, bool ahead) {
   const float kRing = 0.3926990817, kQuarter = 1.570796327;
-  Angles a = anglesOf(s, dx, dy);
-  float rings = graticuleLines(a.latitude, a.latitudeSlope, kRing, width_px, 4.0 * width_px);
-  float meridians = graticuleLines(a.longitude, a.longitudeSlope, kQuarter, width_px, 3.0 * width_px);
-  float heavy = lineCover(a.longitude, a.longitudeSlope, 2.2 * width_px);
+  vec2 u4 = squareComplex(squareComplex(p.latitude));
+  float ring = 0.25 * abs(u4.x * u4.y), meridian = 0.5 * abs(p.twiceLongitude.y);  // sines of 8 times and twice
+  float rings = coveredLine(ring * p.pixels.x, p.north, width_px.x) * fade(kRing * p.pixels.x, width_px, 4.0);
+  float meridian_px = meridian * p.pixels.y;
+  float meridians = coveredLine(meridian_px, p.east, width_px.x) * fade(kQuarter * p.pixels.y, width_px, 3.0);
+  // Where twice the longitude is 0 it is 0 or half a turn.
+  bool about = p.twiceLongitude.x > 0.0 && ahead;
+  float heavy = float(about) * coveredLine(meridian_px, p.east, 2.2 * width_px.x);
   return max(heavy, max(rings, meridians));
 }

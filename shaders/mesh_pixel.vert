@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One pixel of a mesh that the CPU resolved, shaded here: up to four directions of surface, each with its share.
+#include "constants.glsl"
 #include "camera.glsl"
 #include "shading.glsl"
 
@@ -16,6 +17,7 @@ flat out float depth;
 flat out float solidOut;
 
 void main() {
+  handOn();
   vec3 towardEye_C = -normalize(rayThrough(place.xy));
   vec3 sum = vec3(0.0);
   for (int i = 0; i < kFacets; ++i) {

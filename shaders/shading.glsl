@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lighting in linear light. The light travels with the camera, so that a body looks alike from every side.
-uniform vec3 lightDirection_C;
-
 struct Material {
   vec3 color;
   float gloss;

@@ -53,13 +53,12 @@ Framebuffer::Framebuffer(glm::ivec2 size, const std::vector<GLenum>& colorFormat
 TextureName Framebuffer::makeTexture(GLenum format, GLenum attachment) const {
   auto texture = TextureName::make();
   const auto client = clientFormat(format);
-  glBindTexture(GL_TEXTURE_2D, texture.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size_.x, size_.y, 0, client.format, client.type,
+  glBindTexture(GL_TEXTURE_RECTANGLE, texture.id());
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, static_cast<GLint>(format), size_.x, size_.y, 0, client.format, client.type,
                nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture.id(), 0);
   return texture;
 }
 

@@ -6,7 +6,8 @@
 #include <array>
 
 #include "render/cells.h"
-#include "render/shader_source.h"
+#include "render/constants.h"
+#include "render/mosaic.h"
 #include "render/solid_pass.h"
 
 namespace poinsot::render {
@@ -21,46 +22,63 @@ void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
                                                                 {"nextEdgeDepth", solids.nextEdge.depth()}}};
   for (std::size_t i = 0; i < textures.size(); ++i) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-    glBindTexture(GL_TEXTURE_2D, textures[i].second);
+    glBindTexture(GL_TEXTURE_RECTANGLE, textures[i].second);
     program.set(textures[i].first, static_cast<int>(i));
   }
+}
+
+/// #define EACH_name(f) f(from) ... f(to - 1)
+std::string each(const char* name, std::size_t from, std::size_t to) {
+  std::string text = fmt::format("#define EACH_{}(f)", name);
+  for (std::size_t i = from; i < to; ++i) text += fmt::format(" f({})", i);
+  return text + "\n";
+}
+
+/// The loops of composite.frag.
+std::string unrolled(const SheetCounts& sheets, std::size_t edges) {
+  const std::size_t all = edges + sheets.fragments();
+  std::string pairs = "#define EACH_PAIR(f)";
+  for (std::size_t i = 0; i < all; ++i)
+    for (std::size_t j = i + 1; j < all; ++j) pairs += fmt::format(" f({}, {})", i, j);
+  return each("ELLIPSOID", 0, sheets.ellipsoids) + each("PLANE", 0, sheets.planes) +
+         each("CONE", 0, sheets.cones) + each("POLYGON", 0, sheets.polygons) +
+         each("SIDE", 0, sheets.polygonSides) + each("SHEET", edges, all) + each("FRAGMENT", 0, all) + pairs +
+         "\n";
 }
 
 }  // namespace
 
 const gl::ShaderProgram& Compositor::program(const Variant& variant) {
   if (const auto known = programs_.find(variant); known != programs_.end()) return known->second;
-  const auto& [transparent, solids, sheets] = variant;
+  const auto& [transparent, solids, outlines, sheets] = variant;
+  const int reach = static_cast<int>(solids);
   const std::string defines = fmt::format(
-      "#define TRANSPARENT {:d}\n#define SOLIDS {:d}\n#define ELLIPSOIDS {}\n#define PLANES {}\n#define CONES {}\n"
-      "#define POLYGONS {}\n#define SIDES {}\n",
-      transparent, solids, sheets.ellipsoids, sheets.planes, sheets.cones, sheets.polygons, sheets.polygonSides);
-  gl::ShaderProgram made("composite.frag", shaderSource("tiles.vert"), shaderSource("composite.frag", defines));
+      "#define TRANSPARENT {:d}\n#define SOLIDS {}\n#define OUTLINES {:d}\n#define ELLIPSOIDS {}\n#define PLANES "
+      "{}\n"
+      "#define CONES {}\n#define POLYGONS {}\n#define SIDES {}\n",
+      transparent, reach, outlines, sheets.ellipsoids, sheets.planes, sheets.cones, sheets.polygons,
+      sheets.polygonSides);
+  gl::ShaderProgram made = programWithConstants("tiles.vert", "composite.frag", 1 + sheets.constants(),
+                                                defines + unrolled(sheets, solids == SolidReach::kEdges ? 2 : 0));
   return programs_.emplace(variant, std::move(made)).first->second;
 }
 
-void Compositor::draw(const draw::DrawList& list, const SolidLayers& solids, const TileMask& solidTiles,
-                      float sharpness, bool transparent) {
-  const Sheets sheets(list);
-  std::map<Content, std::vector<glm::vec2>> tiles;
-  for (int row = 0; row < solidTiles.rows(); ++row) {
-    for (int column = 0; column < solidTiles.columns(); ++column) {
-      const PixelBounds tile = solidTiles.tile(column, row);
-      const Content content{solidTiles.marked(column, row), sheets.reaching(tile)};
-      if (content.first || !content.second.empty()) addRectangle(tiles[content], tile);
-    }
-  }
-
+void Compositor::draw(const draw::DrawList& list, const SolidLayers& layers, const Sheets& sheets,
+                      const Mosaic& mosaic, float sharpness, bool transparent) {
+  const Constants ofPicture = pictureConstants(list, sharpness);
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   floatAttribute(0, 2, sizeof(glm::vec2), 0);
-  for (const auto& [content, triangles] : tiles) {
-    const auto& [hasSolids, chosen] = content;
-    const auto& shader = program({transparent, hasSolids, sheets.counts(chosen)});
-    setPicture(shader, list, sharpness);
-    shader.set("background", list.background);
-    bindLayers(shader, solids);
-    sheets.setUniforms(shader, chosen);
+  for (const auto& [content, parts] : mosaic.parts) {
+    const SheetChoice& chosen = content.sheets;
+    const auto& shader = program({transparent, content.solids, chosen.outlines, sheets.counts(chosen)});
+    Constants own{{list.background, 0}};
+    const Constants ofSheets = sheets.constants(chosen);
+    own.insert(own.end(), ofSheets.begin(), ofSheets.end());
+    useWith(shader, ofPicture, own);
+    bindLayers(shader, layers);
+    std::vector<glm::vec2> triangles;
+    for (const PixelBounds& part : parts) addRectangle(triangles, part);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2)), triangles.data(),
                  GL_STREAM_DRAW);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));

@@ -8,8 +8,7 @@
 #include "draw/draw_list.h"
 #include "gl/framebuffer.h"
 #include "gl/shader_program.h"
-#include "render/sheets.h"
-#include "render/tile_mask.h"
+#include "render/mosaic.h"
 
 namespace poinsot::render {
 
@@ -21,19 +20,18 @@ struct SolidLayers {
 };
 
 /// Puts solids and translucent sheets together, pixel by pixel in order of depth (composite.frag). The picture is
-/// cut into tiles; each is drawn by a shader made for the sheets that reach it, so that empty paper costs nothing.
+/// cut into rectangles (mosaic.h); each is drawn by a shader made for what is there, so that empty paper costs
+/// nothing.
 class Compositor {
  public:
-  /// Draws into the bound framebuffer, which holds the background already.
-  void draw(const draw::DrawList& list, const SolidLayers& solids, const TileMask& solidTiles, float sharpness,
-            bool transparent);
+  /// Draws what the mosaic covers into the bound framebuffer. The sheets are those of the list.
+  void draw(const draw::DrawList& list, const SolidLayers& layers, const Sheets& sheets, const Mosaic& mosaic,
+            float sharpness, bool transparent);
 
  private:
-  using Content = std::pair<bool, SheetChoice>;  // of a tile: whether solids reach it, and which sheets
-
-  /// A program for one kind of tile: its features are known when it is compiled, as llvmpipe runs both sides of an
-  /// if.
-  using Variant = std::tuple<bool, bool, SheetCounts>;  // transparent, solids, sheets
+  /// A program for one kind of content: its features are known when it is compiled, as llvmpipe runs both sides of
+  /// an if.
+  using Variant = std::tuple<bool, SolidReach, bool, SheetCounts>;  // transparent, solids, outlines, sheets
   const gl::ShaderProgram& program(const Variant& variant);
 
   std::map<Variant, gl::ShaderProgram> programs_;

@@ -21,11 +21,11 @@ void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
       marks.markSegment(glm::dvec2(screen.vertices[e.from]), glm::dvec2(screen.vertices[e.to]));
 }
 
-void markCells(const ScreenMesh& screen, SeamMask& seams) {
+void markCells(const ScreenMesh& screen, SolidCells& cells) {
   for (std::size_t f = 0; f < screen.front.size(); ++f) {
     if (!screen.front[f]) continue;
     const auto t = screen.triangle(f);
-    seams.mark({glm::vec2(t[0]), glm::vec2(t[1]), glm::vec2(t[2])});
+    cells.mark({glm::vec2(t[0]), glm::vec2(t[1]), glm::vec2(t[2])}, SolidReach::kInside);
   }
 }
 
@@ -40,17 +40,25 @@ void markSmallFaces(const ScreenMesh& screen, PixelMarks& marks) {
   }
 }
 
+// As mesh.vert takes them.
+Constants constantsOf(const ScreenMesh& screen, float solid) {
+  Constants own{{screen.origin_C, solid}};
+  for (int i = 0; i < 3; ++i) own.emplace_back(screen.axes_C[i], 0);
+  for (int i = 0; i < 3; ++i) own.emplace_back(screen.normals_C[i], 0);
+  own.emplace_back(screen.mesh->material.color, screen.mesh->material.gloss);
+  return own;
+}
+
 }  // namespace
 
 MeshPainter::MeshPainter()
-    : faces_{solidProgram("mesh.vert", "mesh.frag", SolidPass::kFull),
-             solidProgram("mesh.vert", "mesh.frag", SolidPass::kSeams)},
-      pixels_{solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kFull),
-              solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kEdges)} {
-  glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    : faces_{solidProgram("mesh.vert", "mesh.frag", SolidPass::kFull, 8),
+             solidProgram("mesh.vert", "mesh.frag", SolidPass::kSeams, 8)},
+      pixels_{solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kFull, 0),
+              solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kEdges, 0)} {
+  glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glBindVertexArray(pixelVertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, pixelBuffer_.id());
   constexpr GLuint kFacets = ResolvedPixel::kFacets;
@@ -79,10 +87,9 @@ const MeshPainter::Kept& MeshPainter::kept(const draw::Mesh& mesh) {
 }
 
 std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList& list, float sharpness,
-                                                           TileMask& tiles, SeamMask& seams) {
-  list_ = &list;
-  seams_ = &seams;
-  sharpness_ = sharpness;
+                                                           SolidCells& solidCells) {
+  solidCells_ = &solidCells;
+  ofPicture_ = pictureConstants(list, sharpness);
   meshes_ = list.meshes;
   for (const draw::Box& box : list.boxes) meshes_.push_back(boxMesh(box));
   screens_.clear();
@@ -95,9 +102,8 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
     const Kept& own = kept(mesh);
     ScreenMesh screen = screenMesh(list.camera, mesh, own.topology);
     if (screen.bounds.empty()) continue;
-    tiles.mark(screen.bounds);
-    solids_.push_back(seams.nextSolid());
-    markCells(screen, seams);
+    solids_.push_back(solidCells.nextSolid());
+    markCells(screen, solidCells);
     lines.push_back(meshEdgeLines(list.camera, screen));
     screens_.push_back(std::move(screen));
     screensKept_.push_back(&own);
@@ -111,6 +117,8 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
   }
   marks_.finish();
   resolved_ = resolveMeshes(screens_, marks_, list.camera);
+  for (const ResolvedPixel& pixel : resolved_.partial) solidCells.markEdge(glm::vec2(pixel.place));
+  for (const ResolvedPixel& pixel : resolved_.full) solidCells.markEdge(glm::vec2(pixel.place));
   uploadMarks();
   uploadPixels();
   return lines;
@@ -118,9 +126,9 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
 
 void MeshPainter::uploadMarks() {
   const glm::ivec2 size = marks_.size_px();
-  glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
+  glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, marks_.bytes());
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, marks_.bytes());
 }
 
 void MeshPainter::uploadPixels() {
@@ -133,27 +141,22 @@ void MeshPainter::uploadPixels() {
 void MeshPainter::drawFaces(SolidPass pass) const {
   const bool full = pass == SolidPass::kFull;
   const gl::ShaderProgram& program = faces_[full ? 0 : 1];
-  setPicture(program, *list_, sharpness_);
-  program.set("marks", 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, marksTexture_.id());
+  glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
   // Rows count downwards, so what is counter-clockwise to the eye is clockwise to OpenGL.
   glFrontFace(GL_CW);
   glEnable(GL_CULL_FACE);
   for (std::size_t i = 0; i < screens_.size(); ++i) {
     const ScreenMesh& screen = screens_[i];
     if (!full) {
-      const PixelBounds part = seams_->sharedPart(screen.bounds);
+      const PixelBounds part = solidCells_->sharedPart(screen.bounds);
       if (part.empty()) continue;
       glEnable(GL_SCISSOR_TEST);
       glScissor(static_cast<GLint>(part.left), static_cast<GLint>(part.top),
                 static_cast<GLsizei>(part.right - part.left), static_cast<GLsizei>(part.bottom - part.top));
     }
-    program.set("origin_C", screen.origin_C);
-    program.set("axes_C", screen.axes_C);
-    program.set("normals_C", screen.normals_C);
-    program.set("solid", solids_[i]);
-    setMaterial(program, screen.mesh->material);
+    useForSolid(program, ofPicture_, constantsOf(screen, solids_[i]));
+    program.set("marks", 0);
     glBindVertexArray(screensKept_[i]->vertexArray.id());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * screen.front.size()), GL_UNSIGNED_INT, nullptr);
   }
@@ -167,7 +170,7 @@ void MeshPainter::drawPixels(SolidPass pass) const {
   const std::size_t count = full ? resolved_.full.size() : resolved_.partial.size();
   if (count == 0) return;
   const gl::ShaderProgram& program = pixels_[static_cast<std::size_t>(pass)];
-  setPicture(program, *list_, sharpness_);
+  useForSolid(program, ofPicture_, {});
   glBindVertexArray(pixelVertices_.id());
   glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }

@@ -13,9 +13,8 @@
 #include "render/picture_cache.h"
 #include "render/pixel_marks.h"
 #include "render/screen_mesh.h"
-#include "render/seam_mask.h"
+#include "render/solid_cells.h"
 #include "render/solid_pass.h"
-#include "render/tile_mask.h"
 
 namespace poinsot::render {
 
@@ -31,8 +30,8 @@ class MeshPainter {
 
   /// Works out this list, once for all passes, and marks the tiles and the cells that its meshes may touch.
   /// @return the sharp edges of each mesh, where they are to be drawn.
-  std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness, TileMask& tiles,
-                                                SeamMask& seams);
+  std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness,
+                                                SolidCells& solidCells);
 
   /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
   void draw(SolidPass pass, const PassInputs& inputs) const;
@@ -62,13 +61,12 @@ class MeshPainter {
   PictureCache<Key, Kept> kept_;
 
   // Of the list last prepared.
-  const draw::DrawList* list_ = nullptr;
-  float sharpness_ = 1;
+  Constants ofPicture_;
   std::vector<draw::Mesh> meshes_;  // boxes too
   std::vector<ScreenMesh> screens_;
   std::vector<const Kept*> screensKept_;
   std::vector<float> solids_;  // their numbers
-  const SeamMask* seams_ = nullptr;
+  const SolidCells* solidCells_ = nullptr;
   PixelMarks marks_;
   ResolvedPixels resolved_;
 };

@@ -8,6 +8,7 @@
 #include "core/expect.h"
 #include "gl/framebuffer.h"
 #include "render/compositor.h"
+#include "render/eraser.h"
 #include "render/flat_painter.h"
 #include "render/mesh_painter.h"
 #include "render/solid_painter.h"
@@ -83,14 +84,6 @@ class BufferShelf {
   std::deque<Buffers> shelf_;  // the last used first
 };
 
-// The back end gives RGBA, and 4K of it are 32 MiB: a picture without alpha takes it a band at a time.
-constexpr int kBandRows = 64;
-
-template <typename Sample>
-void readRows(int first, int count, int width, Sample* rgba) {
-  glReadPixels(0, first, width, count, GL_RGBA, formatsOf<Sample>().sample, rgba);
-}
-
 template <typename Sample>
 void dropAlpha(const Sample* rgba, std::size_t pixels, Sample* rgb) {
   for (std::size_t i = 0; i < pixels; ++i, rgba += 4, rgb += 3) {
@@ -100,20 +93,41 @@ void dropAlpha(const Sample* rgba, std::size_t pixels, Sample* rgb) {
   }
 }
 
+/// One row of a picture with nothing on it.
 template <typename Sample>
-image::BasicImage<Sample> readBack(image::PixelSize size, bool transparent) {
-  image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  if (transparent) {
-    readRows(0, size.height, size.width, picture.pixels.data());
-    return picture;
+std::vector<Sample> paperRow(int width, const draw::Color& background, bool transparent) {
+  const std::size_t channels = transparent ? 4 : 3;
+  std::vector<Sample> row(channels * static_cast<std::size_t>(width));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto value = draw::srgbFromLinear<Sample>(background[static_cast<int>(c)]);
+    for (std::size_t i = c; i < row.size(); i += channels) row[i] = value;  // alpha stays 0
   }
-  const auto width = static_cast<std::size_t>(size.width);
-  std::vector<Sample> band(4 * width * static_cast<std::size_t>(std::min(size.height, kBandRows)));
-  for (int first = 0; first < size.height; first += kBandRows) {
-    const int rows = std::min(kBandRows, size.height - first);
-    readRows(first, rows, size.width, band.data());
-    dropAlpha(band.data(), width * static_cast<std::size_t>(rows), picture.at(0, first));
+  return row;
+}
+
+/// What the mosaic covers, and paper beside it. The back end gives RGBA, and 4K of it are 32 MiB: a row of tiles
+/// at a time.
+template <typename Sample>
+image::BasicImage<Sample> readBack(image::PixelSize size, const Mosaic& mosaic, const draw::Color& background,
+                                   bool transparent) {
+  image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
+  const auto channels = static_cast<std::size_t>(picture.channels);
+  const auto paper = paperRow<Sample>(size.width, background, transparent);
+  std::vector<Sample> band(static_cast<std::size_t>(4 * size.width * Mosaic::kTile_px));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  for (int first = 0; first < size.height; first += Mosaic::kTile_px) {
+    const auto [from, to] = mosaic.columns[static_cast<std::size_t>(first / Mosaic::kTile_px)];
+    const int rows = std::min(size.height - first, Mosaic::kTile_px);
+    if (to > from) glReadPixels(from, first, to - from, rows, GL_RGBA, formatsOf<Sample>().sample, band.data());
+    const auto width = static_cast<std::size_t>(to - from);
+    for (int y = 0; y < rows; ++y) {
+      std::ranges::copy(paper, picture.at(0, first + y));
+      const Sample* rgba = band.data() + 4 * width * static_cast<std::size_t>(y);
+      if (channels == 4)
+        std::copy_n(rgba, 4 * width, picture.at(from, first + y));
+      else
+        dropAlpha(rgba, width, picture.at(from, first + y));
+    }
   }
   return picture;
 }
@@ -121,11 +135,8 @@ image::BasicImage<Sample> readBack(image::PixelSize size, bool transparent) {
 template <typename Sample>
 image::BasicImage<Sample> blankPicture(image::PixelSize size, const draw::Color& background, bool transparent) {
   image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
-  const auto channels = static_cast<std::size_t>(picture.channels);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto value = draw::srgbFromLinear<Sample>(background[static_cast<int>(c)]);
-    for (std::size_t i = c; i < picture.pixels.size(); i += channels) picture.pixels[i] = value;
-  }
+  const auto paper = paperRow<Sample>(size.width, background, transparent);
+  for (int y = 0; y < size.height; ++y) std::ranges::copy(paper, picture.at(0, y));
   return picture;
 }
 
@@ -142,6 +153,7 @@ struct Renderer::Passes {
   const Buffers* buffers = nullptr;  // of the panel in progress
   SolidPainter solids;
   MeshPainter meshes;
+  Eraser eraser;
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
@@ -153,17 +165,17 @@ struct Renderer::Passes {
     text.beginPicture();
   }
 
-  void drawSolids(const TileMask& tiles, const SeamMask& seams) {
+  void drawSolids(const SolidCells& cells) {
+    if (!cells.any()) return;
     const auto pass = [&](const gl::Framebuffer& target, SolidPass which, const PassInputs& inputs) {
       target.bind();
-      glClearColor(0, 0, 0, 0);
-      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      if (tiles.any()) drawPass(which, inputs);
+      eraser.erase();
+      drawPass(which, inputs);
     };
     pass(buffers->full, SolidPass::kFull, {});
     pass(buffers->edge, SolidPass::kEdges, {});
     // A seam is like an edge. One behind an edge is left out: a second pass would cost more than it shows.
-    if (seams.any()) drawPass(SolidPass::kSeams, {0, buffers->full.color(0), buffers->full.depth()});
+    if (cells.anyShared()) drawPass(SolidPass::kSeams, {0, buffers->full.color(0), buffers->full.depth()});
     pass(buffers->nextEdge, SolidPass::kEdges, {buffers->edge.depth()});
   }
 
@@ -172,30 +184,23 @@ struct Renderer::Passes {
     meshes.draw(which, inputs);
   }
 
+  /// Leaves the picture in its buffer where the mosaic that it returns covers it.
   template <typename Sample>
-  void clearPicture(const draw::DrawList& list, bool transparent) {
-    buffers->picture.bind();
-    const auto channel = [&](int c) {
-      const float value = draw::srgbFromLinear<Sample>(list.background[c]);
-      return value / image::BasicImage<Sample>::kMost;
-    };
-    glClearColor(channel(0), channel(1), channel(2), transparent ? 0.0f : 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
-
-  template <typename Sample>
-  void draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
+  Mosaic draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
     buffers = &shelf.of(size, formatsOf<Sample>());
     glViewport(0, 0, size.x, size.y);
-    TileMask tiles(list.camera.size_px);
-    SeamMask seams(list.camera.size_px);
-    const auto meshEdges = meshes.prepare(list, options.sharpness, tiles, seams);
-    solids.prepare(list, meshEdges, options.sharpness, tiles, seams);
-    drawSolids(tiles, seams);
-    clearPicture<Sample>(list, options.transparent);
-    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, tiles, options.sharpness,
+    SolidCells cells(list.camera.size_px);
+    const auto meshEdges = meshes.prepare(list, options.sharpness, cells);
+    solids.prepare(list, meshEdges, options.sharpness, cells);
+    eraser.prepare(cells, pictureConstants(list, options.sharpness));
+    drawSolids(cells);
+    const Sheets sheets(list);
+    Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, cells);
+    buffers->picture.bind();
+    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, sheets, mosaic, options.sharpness,
                     options.transparent);
     glFinish();
+    return mosaic;
   }
 
   /// One view with its type, as large as its camera says.
@@ -203,13 +208,14 @@ struct Renderer::Passes {
   image::BasicImage<Sample> panel(const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
     image::BasicImage<Sample> picture;
+    Mosaic mosaic;
     {
       const Stopwatch watch(times.draw_s);
-      draw<Sample>(list, size, options);
+      mosaic = draw<Sample>(list, size, options);
     }
     {
       const Stopwatch watch(times.read_s);
-      picture = readBack<Sample>({size.x, size.y}, options.transparent);
+      picture = readBack<Sample>({size.x, size.y}, mosaic, list.background, options.transparent);
     }
     const Stopwatch watch(times.text_s);
     text.paint(list.texts, picture);

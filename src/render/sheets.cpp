@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/expect.h"
-#include "render/sheet_uniforms.h"
+#include "render/sheet_constants.h"
 
 namespace poinsot::render {
 namespace {
@@ -20,35 +20,91 @@ bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
          bounds.bottom > tile.top;
 }
 
-// A tile wholly outside one edge of the plane's picture does not show the plane.
-bool touches(const PlaneSheet& plane, const PixelBounds& tile) {
-  if (!touches(plane.bounds, tile)) return false;
+enum class Relation { kApart, kCrossed, kFilled };
+
+// Of an outline, by the least and the most that some measure of depth within it is in a part of the picture, 0
+// being on the outline.
+Relation relation(float least, float most) {
+  return most < 0 ? Relation::kApart : least > 0 ? Relation::kFilled : Relation::kCrossed;
+}
+
+glm::vec2 middleOf(const PixelBounds& b) { return {0.5f * (b.left + b.right), 0.5f * (b.top + b.bottom)}; }
+float radiusOf(const PixelBounds& b) { return 0.5f * std::hypot(b.right - b.left, b.bottom - b.top); }
+
+// rho of the outline changes by at most 1 / (its half width) a pixel.
+Relation relation(const ScreenEllipse& outline, const PixelBounds& part) {
+  if (!touches(outline.bounds, part)) return Relation::kApart;
+  const glm::vec3 f = outline.form;
+  const float steepest = std::sqrt(0.5f * (f.x + f.z) + std::hypot(0.5f * (f.x - f.z), f.y));
+  const glm::vec2 q = middleOf(part) - outline.centre_px;
+  const float rho = std::sqrt(f.x * q.x * q.x + 2 * f.y * q.x * q.y + f.z * q.y * q.y);
+  const float reach = (radiusOf(part) + kMargin_px) * steepest;
+  return relation(1 - rho - reach, 1 - rho + reach);
+}
+
+// The border of a plane is part of its outline.
+Relation relation(const PlaneSheet& plane, const PixelBounds& part) {
+  if (!touches(plane.bounds, part)) return Relation::kApart;
+  Relation whole = Relation::kFilled;
   for (const glm::vec3& e : plane.edges) {
-    const float x = e.x > 0 ? tile.right : tile.left, y = e.y > 0 ? tile.bottom : tile.top;
-    if (e.x * x + e.y * y + e.z < -kMargin_px) return false;
+    const float middle = glm::dot(glm::vec2(e), middleOf(part)) + e.z;
+    const float reach =
+        0.5f * (std::abs(e.x) * (part.right - part.left) + std::abs(e.y) * (part.bottom - part.top));
+    const Relation one = relation(middle - reach - plane.border_px - kMargin_px, middle + reach + kMargin_px);
+    if (one == Relation::kApart) return one;
+    if (one == Relation::kCrossed) whole = one;
   }
-  return true;
+  return whole;
+}
+
+/// With x = from + t through the point of the plane that a ray meets, n its normal and c its centre,
+///   t = n.(c - from) / n.through,  u = (t through - (c - from)).e_u
+/// Numerators and divisor are linear in the pixel, so that three pixels tell all.
+void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::array<glm::vec3, 2>& axes_C,
+                  float spacing, PlaneSheet& sheet) {
+  sheet.middle_px = projectCamera(camera, centre_C);
+  const glm::dvec3 c(centre_C), e_u(axes_C[0]), e_v(axes_C[1]), n = glm::cross(e_u, e_v);
+  const auto focal_px = static_cast<double>(camera.focal_px());
+  const auto near = static_cast<double>(camera.near), far = static_cast<double>(camera.far);
+  const auto at = [&](const glm::dvec2& p_px) {
+    const glm::dvec2 q = (p_px - glm::dvec2(camera.centre_px)) / focal_px;
+    const glm::dvec3 sideways(q.x, -q.y, 0), forward(0, 0, -1);
+    const glm::dvec3 from = camera.orthographic ? sideways : glm::dvec3(0);
+    const glm::dvec3 through = camera.orthographic ? forward : sideways + forward;
+    const double divisor = glm::dot(n, through), t = glm::dot(n, c - from);
+    const auto along = [&](const glm::dvec3& e) {
+      return (t * glm::dot(through, e) - divisor * glm::dot(c - from, e)) / static_cast<double>(spacing);
+    };
+    return glm::dvec4(along(e_u), along(e_v), (t - near * divisor) / (far - near), divisor);
+  };
+  const glm::dvec2 middle(sheet.middle_px);
+  const glm::dvec4 here = at(middle), right = at(middle + glm::dvec2(1, 0)) - here,
+                   down = at(middle + glm::dvec2(0, 1)) - here;
+  // Seen edge-on it is a line: nothing of it is drawn.
+  const double scale = 1 / (std::abs(here.w) > 1e-9 ? here.w : 1e-9);
+  const auto row = [&](int i) { return glm::vec3(scale * right[i], scale * down[i], scale * here[i]); };
+  sheet.u = row(0);
+  sheet.v = row(1);
+  sheet.depth = row(2);
+  sheet.divisor = row(3);
 }
 
 }  // namespace
 
 EllipsoidSheet ellipsoidSheet(const draw::Camera& camera, const draw::GlassEllipsoid& e) {
   const glm::mat3 semiAxes_C = glm::transpose(camera.R_WC) * e.semiAxes_W;
-  EllipsoidSheet sheet{toCamera(camera, e.centre_W), glm::mat3(glm::inverse(glm::dmat3(semiAxes_C))), {}};
-  if (inFront(camera, sheet.centre_C, semiAxes_C))
-    sheet.outline = ellipseOutline(camera, sheet.centre_C, semiAxes_C);
+  const glm::vec3 centre_C = toCamera(camera, e.centre_W);
+  EllipsoidSheet sheet;
+  if (!inFront(camera, centre_C, semiAxes_C)) return sheet;
+  sheet.outline = ellipseOutline(camera, centre_C, semiAxes_C);
+  sheet.rays = ellipsoidRays(camera, centre_C, semiAxes_C, sheet.outline.centre_px);
   return sheet;
 }
 
 PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
   PlaneSheet sheet;
-  sheet.centre_C = toCamera(camera, p.centre_W);
-  const glm::vec3 u = p.u_W * camera.R_WC, v = p.v_W * camera.R_WC;
-  sheet.u_C = glm::normalize(u);
-  sheet.v_C = glm::normalize(v);
-  sheet.normal_C = glm::normalize(glm::cross(u, v));
-  const std::array<glm::vec3, 4> corners_C{sheet.centre_C - u - v, sheet.centre_C + u - v, sheet.centre_C + u + v,
-                                           sheet.centre_C - u + v};
+  const glm::vec3 centre_C = toCamera(camera, p.centre_W), u = p.u_W * camera.R_WC, v = p.v_W * camera.R_WC;
+  const std::array<glm::vec3, 4> corners_C{centre_C - u - v, centre_C + u - v, centre_C + u + v, centre_C - u + v};
   std::array<glm::vec2, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
     if (-corners_C[i].z <= camera.near) return sheet;
@@ -56,6 +112,8 @@ PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
   }
   sheet.edges = quadEdges(corners);
   for (const glm::vec2& c : corners) sheet.bounds.include(c, kMargin_px);
+  sheet.border_px = 1.5f * p.lineWidth_px;
+  setQuotients(camera, centre_C, {glm::normalize(u), glm::normalize(v)}, p.spacing_W, sheet);
   return sheet;
 }
 
@@ -110,12 +168,17 @@ Sheets::Sheets(const draw::DrawList& list) : list_(list) {
 
 SheetChoice Sheets::reaching(const PixelBounds& part) const {
   SheetChoice chosen;
+  const auto take = [&](Relation relation, std::vector<std::size_t>& numbers, std::size_t i) {
+    if (relation != Relation::kApart) numbers.push_back(i);
+    if (relation == Relation::kCrossed) chosen.outlines = true;
+  };
   for (std::size_t i = 0; i < ellipsoids_.size(); ++i)
-    if (touches(ellipsoids_[i].outline.bounds, part)) chosen.ellipsoids.push_back(i);
+    take(relation(ellipsoids_[i].outline, part), chosen.ellipsoids, i);
   // Cones that share an apex come together, and so do polygons that share an edge.
   const auto together = [&](const auto& sheets, const auto& boundsOf, std::vector<std::size_t>& numbers) {
     const auto here = [&](const auto& s) { return touches(boundsOf(s), part); };
     if (std::ranges::none_of(sheets, here)) return;
+    chosen.outlines = true;
     for (std::size_t i = 0; i < sheets.size(); ++i)
       if (!boundsOf(sheets[i]).empty()) numbers.push_back(i);
   };
@@ -123,11 +186,15 @@ SheetChoice Sheets::reaching(const PixelBounds& part) const {
       cones_, [](const ConeSheet& s) { return s.outline.bounds; }, chosen.cones);
   together(
       polygons_, [](const PolygonSheet& s) { return s.bounds; }, chosen.polygons);
-  // With an ellipsoid or a cone the planes come along: fewer shaders to compile for the few tiles it concerns.
-  const bool glass = !chosen.ellipsoids.empty() || !chosen.cones.empty();
-  for (std::size_t i = 0; i < planes_.size(); ++i)
-    if (touches(planes_[i], part) || (glass && !planes_[i].bounds.empty())) chosen.planes.push_back(i);
+  for (std::size_t i = 0; i < planes_.size(); ++i) take(relation(planes_[i], part), chosen.planes, i);
   return chosen;
+}
+
+void Sheets::addPlanesTo(SheetChoice& chosen) const {
+  if (chosen.ellipsoids.empty() && chosen.cones.empty()) return;
+  chosen.planes.clear();
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    if (!planes_[i].bounds.empty()) chosen.planes.push_back(i);
 }
 
 SheetCounts Sheets::counts(const SheetChoice& chosen) const {
@@ -136,11 +203,19 @@ SheetCounts Sheets::counts(const SheetChoice& chosen) const {
   return {chosen.ellipsoids.size(), chosen.planes.size(), chosen.cones.size(), chosen.polygons.size(), sides};
 }
 
-void Sheets::setUniforms(const gl::ShaderProgram& program, const SheetChoice& chosen) const {
-  setEllipsoids(program, list_, ellipsoids_, chosen.ellipsoids);
-  setPlanes(program, list_, planes_, chosen.planes);
-  setCones(program, list_, cones_, chosen.cones);
-  setPolygons(program, list_, polygons_, chosen.polygons, counts(chosen).polygonSides);
+std::size_t SheetCounts::constants() const {
+  return kEllipsoidConstants * ellipsoids + kPlaneConstants * planes + kConeConstants * cones +
+         polygonConstants(polygonSides) * polygons;
+}
+
+Constants Sheets::constants(const SheetChoice& chosen) const {
+  Constants all;
+  for (const std::size_t i : chosen.ellipsoids) append(all, list_.glassEllipsoids[i], ellipsoids_[i]);
+  for (const std::size_t i : chosen.planes) append(all, list_.planes[i], planes_[i]);
+  for (const std::size_t i : chosen.cones) append(all, list_.glassCones[i], cones_[i]);
+  const std::size_t sides = counts(chosen).polygonSides;
+  for (const std::size_t i : chosen.polygons) append(all, list_.glassPolygons[i], polygons_[i], sides);
+  return all;
 }
 
 }  // namespace poinsot::render

@@ -5,18 +5,12 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "render/ellipsoid_rays.h"
 #include "render/frustum_outline.h"
 #include "render/shader_source.h"
 
 namespace poinsot::render {
 namespace {
-
-using gl::ShaderProgram;
-
-template <std::size_t N>
-std::vector<glm::vec3> asVector(const std::array<glm::vec3, N>& values) {
-  return {values.begin(), values.end()};
-}
 
 glm::vec2 positionOf(glm::vec2 vertex) { return vertex; }
 glm::vec2 positionOf(const StripVertex& vertex) { return vertex.position_px; }
@@ -25,10 +19,10 @@ glm::vec2 positionOf(const StripVertex& vertex) { return vertex.position_px; }
 
 SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   Programs programs;  // in the order of Kind
-  programs.push_back(solidProgram("tiles.vert", "ellipsoid.frag", pass));
-  programs.push_back(solidProgram("tiles.vert", "frustum.frag", pass));
-  programs.push_back(solidProgram("curve.vert", "curve.frag", pass, "#define TUBE 0\n"));
-  programs.push_back(solidProgram("curve.vert", "curve.frag", pass, "#define TUBE 1\n"));
+  programs.push_back(solidProgram("tiles.vert", "ellipsoid.frag", pass, 12));
+  programs.push_back(solidProgram("tiles.vert", "frustum.frag", pass, 11));
+  programs.push_back(solidProgram("curve.vert", "curve.frag", pass, 2, "#define TUBE 0\n"));
+  programs.push_back(solidProgram("curve.vert", "curve.frag", pass, 2, "#define TUBE 1\n"));
   return programs;
 }
 
@@ -45,11 +39,10 @@ SolidPainter::SolidPainter()
 }
 
 void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
-                           float sharpness, TileMask& tiles, SeamMask& seams) {
+                           float sharpness, SolidCells& solidCells) {
   list_ = &list;
-  sharpness_ = sharpness;
-  tiles_ = &tiles;
-  seams_ = &seams;
+  ofPicture_ = pictureConstants(list, sharpness);
+  solidCells_ = &solidCells;
   items_.clear();
   cells_.clear();
   strips_.clear();
@@ -67,33 +60,33 @@ void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::ve
   upload(GL_ARRAY_BUFFER, curveBuffer_, strips_, GL_STREAM_DRAW);
 }
 
-Cells SolidPainter::markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside) {
-  tiles_->mark(bounds);
-  return cutIntoCells(bounds.clipped(list_->camera.size_px), inside);
-}
-
 template <typename Vertex>
 void SolidPainter::copySeams(Item& item, std::vector<Vertex>& vertices, GLsizei group) {
   item.seamFirst = static_cast<GLint>(vertices.size());
-  if (!seams_->any()) return;
+  if (!solidCells_->anyShared()) return;
   for (GLint i = item.first; i < item.first + item.fullCount; i += group) {
     PixelBounds bounds;
     for (GLint k = i; k < i + group; ++k) bounds.include(positionOf(vertices[static_cast<std::size_t>(k)]));
-    if (!seams_->shared(bounds)) continue;
+    if (!solidCells_->shared(bounds)) continue;
     for (GLint k = i; k < i + group; ++k) vertices.push_back(vertices[static_cast<std::size_t>(k)]);
     item.seamCount += group;
   }
 }
 
-void SolidPainter::addItem(Kind kind, const Cells& cells, std::function<void(const ShaderProgram&)> setUniforms) {
-  const float solid = seams_->nextSolid();
-  const auto mark = [&](const std::vector<glm::vec2>& triangles) {
+template <typename Outline>
+Cells SolidPainter::cellsWithin(const Outline& outline) const {
+  return cutIntoCells(outline.bounds.clipped(list_->camera.size_px),
+                      [&](glm::vec2 p) { return outline.inside(p); });
+}
+
+void SolidPainter::addItem(Kind kind, const Cells& cells, Constants own) {
+  const auto mark = [&](const std::vector<glm::vec2>& triangles, SolidReach reach) {
     for (std::size_t i = 0; i < triangles.size(); i += 6)
-      seams_->mark({triangles[i].x, triangles[i].y, triangles[i + 4].x, triangles[i + 5].y});
+      solidCells_->mark({triangles[i].x, triangles[i].y, triangles[i + 4].x, triangles[i + 5].y}, reach);
   };
-  mark(cells.edge);
-  mark(cells.full);
-  items_.push_back({kind, solid, std::move(setUniforms), static_cast<GLint>(cells_.size()),
+  mark(cells.edge, SolidReach::kEdges);
+  mark(cells.full, SolidReach::kInside);
+  items_.push_back({kind, std::move(own), static_cast<GLint>(cells_.size()),
                     static_cast<GLsizei>(cells.edge.size()),
                     static_cast<GLsizei>(cells.edge.size() + cells.full.size())});
   cells_.insert(cells_.end(), cells.edge.begin(), cells.edge.end());
@@ -105,33 +98,30 @@ void SolidPainter::prepareEllipsoid(const draw::Camera& camera, const draw::Elli
   const glm::mat3 semiAxes_C = glm::transpose(camera.R_WC) * e.semiAxes_W;
   if (!inFront(camera, centre_C, semiAxes_C)) return;
   const ScreenEllipse outline = ellipseOutline(camera, centre_C, semiAxes_C);
-  const Cells cells = markedCells(outline.bounds, [&](glm::vec2 p) { return outline.inside(p); });
-  addItem(kEllipsoid, cells, [=](const ShaderProgram& program) {
-    program.set("centre_C", centre_C);
-    program.set("toUnitSphere", glm::mat3(glm::inverse(glm::dmat3(semiAxes_C))));
-    program.set("outlineCentre_px", outline.centre_px);
-    program.set("outlineForm", outline.form);
-    program.set("marking", glm::vec4(e.markingColor, e.marking_px));
-    setMaterial(program, e.material);
-  });
+  const Cells cells = cellsWithin(outline);
+  const float solid = solidCells_->nextSolid();
+  Constants own;
+  append(own, ellipsoidRays(camera, centre_C, semiAxes_C, outline.centre_px), outline);
+  own.emplace_back(solid, e.material.gloss, 0, 0);
+  own.emplace_back(e.material.color, 0);
+  own.emplace_back(e.markingColor, e.marking_px);
+  addItem(kEllipsoid, cells, std::move(own));
 }
 
 void SolidPainter::prepareFrustum(const draw::Camera& camera, const draw::Frustum& f) {
   const FrustumOutline outline = frustumOutline(camera, f);
   if (outline.bounds.empty()) return;
-  const Cells cells = markedCells(outline.bounds, [&](glm::vec2 p) { return outline.inside(p); });
-  addItem(kFrustum, cells, [=](const ShaderProgram& program) {
-    program.set("from_C", outline.from_C);
-    program.set("axis_C", outline.axis_C);
-    program.set("radii",
-                glm::vec4(f.fromRadius, f.toRadius, outline.height, (f.toRadius - f.fromRadius) / outline.height));
-    program.set("discCentres_px", glm::vec4(outline.first.centre_px, outline.second.centre_px));
-    program.set("firstForm", outline.first.form);
-    program.set("secondForm", outline.second.form);
-    program.set("sides", asVector(outline.sides));
-    program.set("visibleCap", outline.visibleCap);
-    setMaterial(program, f.material);
-  });
+  const Cells cells = cellsWithin(outline);
+  const float solid = solidCells_->nextSolid();
+  Constants own{{outline.from_C, solid},
+                {outline.axis_C, outline.visibleCap},
+                {f.fromRadius, f.toRadius, outline.height, (f.toRadius - f.fromRadius) / outline.height},
+                {outline.first.centre_px, outline.second.centre_px},
+                {outline.first.form, f.material.gloss},
+                {outline.second.form, 0},
+                {f.material.color, 0}};
+  for (const glm::vec3& side : outline.sides) own.emplace_back(side, 0);
+  addItem(kFrustum, cells, std::move(own));
 }
 
 void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike) {
@@ -143,24 +133,24 @@ void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const dra
   }
   const draw::Curve& style = alike.front();
   const bool tube = style.radius_W > 0;
-  const float solid = tube ? seams_->nextSolid() : SeamMask::noSolid();
+  const float solid = tube ? solidCells_->nextSolid() : SolidCells::noSolid();
   for (std::size_t i = first; i + 2 < strips_.size(); i += 3) {
-    PixelBounds bounds;
-    for (std::size_t k = i; k < i + 3; ++k) bounds.include(strips_[k].position_px);
-    tiles_->mark(bounds);
-    if (tube) seams_->mark({strips_[i].position_px, strips_[i + 1].position_px, strips_[i + 2].position_px});
+    const std::array triangle{strips_[i].position_px, strips_[i + 1].position_px, strips_[i + 2].position_px};
+    if (tube)
+      solidCells_->mark(triangle, SolidReach::kEdges);
+    else
+      solidCells_->markFlat(triangle);
   }
   const auto count = static_cast<GLsizei>(strips_.size() - first);
-  const auto setUniforms = [material = style.material, lift = style.lift_W](const ShaderProgram& program) {
-    setMaterial(program, material);
-    program.set("lift", lift);
-  };
-  items_.push_back({tube ? kTube : kFlatCurve, solid, setUniforms, static_cast<GLint>(first), count, count});
+  items_.push_back({tube ? kTube : kFlatCurve,
+                    {{style.material.color, style.material.gloss}, {solid, style.lift_W, 0, 0}},
+                    static_cast<GLint>(first),
+                    count,
+                    count});
 }
 
 void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
   const Programs& programs = programs_[static_cast<std::size_t>(pass)];
-  for (const ShaderProgram& program : programs) setPicture(program, *list_, sharpness_);
   bindInputs(inputs);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -171,9 +161,7 @@ void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
     if (count == 0) continue;
     const bool curve = item.kind == kFlatCurve || item.kind == kTube;
     glBindVertexArray(curve ? curveVertices_.id() : cellVertices_.id());
-    programs[item.kind].use();
-    item.setUniforms(programs[item.kind]);
-    programs[item.kind].set("solid", item.solid);
+    useForSolid(programs[item.kind], ofPicture_, item.own);
     glDrawArrays(GL_TRIANGLES, seams ? item.seamFirst : item.first, count);
   }
   glDisable(GL_DEPTH_TEST);

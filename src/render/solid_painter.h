@@ -9,9 +9,8 @@
 #include "gl/shader_program.h"
 #include "render/cells.h"
 #include "render/curve_strip.h"
-#include "render/seam_mask.h"
+#include "render/solid_cells.h"
 #include "render/solid_pass.h"
-#include "render/tile_mask.h"
 
 namespace poinsot::render {
 
@@ -20,11 +19,11 @@ class SolidPainter {
  public:
   SolidPainter();
 
-  /// Works out outlines and strips of this list, once for all passes, and marks the tiles that they may touch. The
-  /// solids that are not drawn here are in the mask of seams already.
+  /// Works out outlines and strips of this list, once for all passes, and marks the cells that they may
+  /// touch. The solids that are not drawn here are marked already.
   /// @param meshEdges  drawn with the list's own curves; those of one mesh are alike but for their points
   void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges, float sharpness,
-               TileMask& tiles, SeamMask& seams);
+               SolidCells& solidCells);
 
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
   /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a
@@ -35,11 +34,10 @@ class SolidPainter {
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
   using Programs = std::vector<gl::ShaderProgram>;  // by Kind
 
-  /// One draw call: its uniforms and its triangles, those of the edge passes first; those of the seams are apart.
+  /// One draw call: its constants and its triangles, those of the edge passes first; those of the seams are apart.
   struct Item {
     Kind kind;
-    float solid;
-    std::function<void(const gl::ShaderProgram&)> setUniforms;
+    Constants own;
     GLint first = 0;
     GLsizei edgeCount = 0, fullCount = 0;
     GLint seamFirst = 0;
@@ -50,8 +48,9 @@ class SolidPainter {
   void prepareEllipsoid(const draw::Camera& camera, const draw::Ellipsoid& ellipsoid);
   void prepareFrustum(const draw::Camera& camera, const draw::Frustum& frustum);
   void prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike);
-  void addItem(Kind kind, const Cells& cells, std::function<void(const gl::ShaderProgram&)> setUniforms);
-  Cells markedCells(const PixelBounds& bounds, const std::function<bool(glm::vec2)>& inside);
+  void addItem(Kind kind, const Cells& cells, Constants own);
+  template <typename Outline>
+  Cells cellsWithin(const Outline& outline) const;
 
   /// Copies an item's triangles that may touch another solid; each `group` vertices go together.
   template <typename Vertex>
@@ -65,9 +64,8 @@ class SolidPainter {
 
   // Of the list last prepared.
   const draw::DrawList* list_ = nullptr;
-  float sharpness_ = 1;
-  TileMask* tiles_ = nullptr;
-  SeamMask* seams_ = nullptr;
+  Constants ofPicture_;
+  SolidCells* solidCells_ = nullptr;
   std::vector<Item> items_;
   std::vector<glm::vec2> cells_;
   std::vector<StripVertex> strips_;

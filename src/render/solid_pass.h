@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "draw/draw_list.h"
 #include "gl/shader_program.h"
+#include "render/constants.h"
 
 /// What the painters of solids share.
 namespace poinsot::render {
@@ -25,12 +25,10 @@ void bindInputs(const PassInputs& inputs);
 
 /// A program for one pass, from files of shaders/.
 gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
-                               const std::string& defines = "");
+                               std::size_t ownConstants, const std::string& defines = "");
 
-/// What all shaders are told about the picture. Takes the program into use.
-void setPicture(const gl::ShaderProgram& program, const draw::DrawList& list, float sharpness);
-
-void setMaterial(const gl::ShaderProgram& program, const draw::Material& material);
+/// Takes it into use for a draw call whose inputs are bound.
+void useForSolid(const gl::ShaderProgram& program, const Constants& ofPicture, const Constants& own);
 
 /// Describes `components` floats of each vertex in the bound buffer.
 void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset);

@@ -6,7 +6,6 @@
 
 #include "render/cells.h"
 #include "render/frustum_outline.h"
-#include "render/tile_mask.h"
 
 namespace poinsot::render {
 namespace {
@@ -75,21 +74,6 @@ TEST(Cells, CoverTheBoundsOnceAndTellInsideFromEdge) {
   EXPECT_DOUBLE_EQ(area(cells.edge) + area(cells.full), 200 * 120);
   EXPECT_GT(area(cells.full), 0.4 * std::numbers::pi * 55 * 55);
   for (const vec2& p : cells.full) EXPECT_TRUE(inside(p));
-}
-
-TEST(TileMask, MarksWhatABoundsTouches) {
-  TileMask mask(vec2(200, 100));
-  EXPECT_EQ(mask.columns(), 4);
-  EXPECT_EQ(mask.rows(), 2);
-  EXPECT_FALSE(mask.any());
-  mask.mark({60, 10, 70, 20});
-  mask.mark({-50, -50, -10, -10});  // outside the picture
-  EXPECT_TRUE(mask.marked(0, 0));
-  EXPECT_TRUE(mask.marked(1, 0));
-  EXPECT_FALSE(mask.marked(2, 0));
-  EXPECT_FALSE(mask.marked(0, 1));
-  EXPECT_EQ(mask.tile(3, 1).right, 200);
-  EXPECT_EQ(mask.tile(3, 1).bottom, 100);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/constants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "render/shader_source.h"
+
+namespace poinsot::render {
+namespace {
+
+// llvmpipe has 31 varyings beside the position, and curves have two of their own. Further constants are slower.
+constexpr std::size_t kMostHandedOn = 28;
+constexpr std::size_t kOfPicture = 3;
+
+}  // namespace
+
+Constants pictureConstants(const draw::DrawList& list, float sharpness) {
+  const draw::Camera& camera = list.camera;
+  return {{camera.centre_px, 1 / camera.focal_px(), camera.orthographic ? 1 : 0},
+          {camera.size_px, camera.near, 1 / (camera.far - camera.near)},
+          {glm::normalize(list.lightDirection_C), sharpness}};
+}
+
+gl::ShaderProgram programWithConstants(const std::string& vertexFile, const std::string& fragmentFile,
+                                       std::size_t own, const std::string& defines) {
+  const std::size_t count = kOfPicture + own;
+  const auto stage = [&](bool vertex) {
+    return fmt::format("#define VERTEX {:d}\n#define CONSTANTS {}\n#define HANDED_ON {}\n", vertex, count,
+                       std::min(count, kMostHandedOn));
+  };
+  return {fragmentFile, shaderSource(vertexFile, stage(true)), shaderSource(fragmentFile, stage(false) + defines)};
+}
+
+void useWith(const gl::ShaderProgram& program, const Constants& ofPicture, const Constants& own) {
+  Constants all = ofPicture;
+  all.insert(all.end(), own.begin(), own.end());
+  program.use();
+  program.set("constants", all);
+}
+
+}  // namespace poinsot::render

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/constants.h"
+#include "render/sheets.h"
+
+/// The constants of one sheet, as sheet_*.glsl take them.
+namespace poinsot::render {
+
+inline constexpr std::size_t kEllipsoidConstants = 12, kPlaneConstants = 10, kConeConstants = 9;
+constexpr std::size_t polygonConstants(std::size_t sides) { return 5 + sides + (sides + 3) / 4; }
+
+void append(Constants& to, const draw::GlassEllipsoid& ellipsoid, const EllipsoidSheet& sheet);
+void append(Constants& to, const draw::GridPlane& plane, const PlaneSheet& sheet);
+void append(Constants& to, const draw::GlassCone& cone, const ConeSheet& sheet);
+/// @param sides  that the program has room for
+void append(Constants& to, const draw::GlassPolygon& polygon, const PolygonSheet& sheet, std::size_t sides);
+
+}  // namespace poinsot::render
