@@ -33,8 +33,6 @@ GLuint compile(GLenum stage, const std::string& label, const std::string& source
   return shader;
 }
 
-GLsizei count(std::size_t n) { return static_cast<GLsizei>(n); }
-
 }  // namespace
 
 ShaderProgram::ShaderProgram(const std::string& label, const std::string& vertexSource,
@@ -50,31 +48,9 @@ ShaderProgram::ShaderProgram(const std::string& label, const std::string& vertex
 }
 
 void ShaderProgram::set(const char* name, int value) const { glUniform1i(location(name), value); }
-void ShaderProgram::set(const char* name, float value) const { glUniform1f(location(name), value); }
-void ShaderProgram::set(const char* name, const glm::vec2& value) const {
-  glUniform2fv(location(name), 1, glm::value_ptr(value));
-}
-void ShaderProgram::set(const char* name, const glm::vec3& value) const {
-  glUniform3fv(location(name), 1, glm::value_ptr(value));
-}
-void ShaderProgram::set(const char* name, const glm::vec4& value) const {
-  glUniform4fv(location(name), 1, glm::value_ptr(value));
-}
-void ShaderProgram::set(const char* name, const glm::mat3& value) const {
-  glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-}
-void ShaderProgram::set(const char* name, const std::vector<glm::vec2>& values) const {
-  if (!values.empty()) glUniform2fv(location(name), count(values.size()), glm::value_ptr(values[0]));
-}
-void ShaderProgram::set(const char* name, const std::vector<glm::vec3>& values) const {
-  if (!values.empty()) glUniform3fv(location(name), count(values.size()), glm::value_ptr(values[0]));
-}
 void ShaderProgram::set(const char* name, const std::vector<glm::vec4>& values) const {
-  if (!values.empty()) glUniform4fv(location(name), count(values.size()), glm::value_ptr(values[0]));
-}
-void ShaderProgram::set(const char* name, const std::vector<glm::mat3>& values) const {
   if (!values.empty())
-    glUniformMatrix3fv(location(name), count(values.size()), GL_FALSE, glm::value_ptr(values[0]));
+    glUniform4fv(location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
 }
 
 }  // namespace poinsot::gl

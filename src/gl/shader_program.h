@@ -22,15 +22,7 @@ class ShaderProgram {
   void use() const { glUseProgram(program_.id()); }
   // These act on the program, which must be in use.
   void set(const char* name, int value) const;
-  void set(const char* name, float value) const;
-  void set(const char* name, const glm::vec2& value) const;
-  void set(const char* name, const glm::vec3& value) const;
-  void set(const char* name, const glm::vec4& value) const;
-  void set(const char* name, const glm::mat3& value) const;
-  void set(const char* name, const std::vector<glm::vec2>& values) const;
-  void set(const char* name, const std::vector<glm::vec3>& values) const;
   void set(const char* name, const std::vector<glm::vec4>& values) const;
-  void set(const char* name, const std::vector<glm::mat3>& values) const;
 
  private:
   GLint location(const char* name) const { return glGetUniformLocation(program_.id(), name); }
