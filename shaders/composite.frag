@@ -3,17 +3,18 @@
 // edges, and every translucent sheet, which is solved for here. Each fragment is dimmed by those in front of it;
 // no order of drawing exists, so none can be wrong. Linear light until the last line.
 //
-// Made for one kind of place: SOLIDS is 0 where no solid is, 1 inside one and 2 where one may end; OUTLINES is 0 where
-// every sheet that is drawn fills the place.
+// Made for one kind of place: SOLIDS is 0 where no solid is, 1 inside one, 2 where one may end in a pixel and 3 where two
+// may; OUTLINES is 0 where every sheet that is drawn fills the place.
 #if SOLIDS > 0
 uniform sampler2DRect solidColor, solidDepth;
 #endif
 #if SOLIDS > 1
-uniform sampler2DRect edgeColor, edgeDepth, nextEdgeColor, nextEdgeDepth;
-const int kEdges = 2;
-#else
-const int kEdges = 0;
+uniform sampler2DRect edgeColor, edgeDepth;
 #endif
+#if SOLIDS > 2
+uniform sampler2DRect nextEdgeColor, nextEdgeDepth;
+#endif
+const int kEdges = SOLIDS > 1 ? SOLIDS - 1 : 0;
 
 #include "constants.glsl"
 #include "camera.glsl"
@@ -93,6 +94,8 @@ void main() {
 #endif
 #if SOLIDS > 1
   addEdge(0, edgeColor, edgeDepth, texel, depth);
+#endif
+#if SOLIDS > 2
   addEdge(1, nextEdgeColor, nextEdgeDepth, texel, depth);
 #endif
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "render/cells.h"
@@ -58,8 +59,9 @@ const gl::ShaderProgram& Compositor::program(const Variant& variant) {
       "#define CONES {}\n#define POLYGONS {}\n#define SIDES {}\n",
       transparent, reach, outlines, sheets.ellipsoids, sheets.planes, sheets.cones, sheets.polygons,
       sheets.polygonSides);
-  gl::ShaderProgram made = programWithConstants("tiles.vert", "composite.frag", 1 + sheets.constants(),
-                                                defines + unrolled(sheets, solids == SolidReach::kEdges ? 2 : 0));
+  gl::ShaderProgram made =
+      programWithConstants("tiles.vert", "composite.frag", 1 + sheets.constants(),
+                           defines + unrolled(sheets, static_cast<std::size_t>(std::max(reach - 1, 0))));
   return programs_.emplace(variant, std::move(made)).first->second;
 }
 

@@ -15,19 +15,25 @@ Eraser::Eraser() : program_(programWithConstants("tiles.vert", "erase.frag", 0, 
 void Eraser::prepare(const SolidCells& cells, const Constants& ofPicture) {
   ofPicture_ = ofPicture;
   std::vector<glm::vec2> triangles;
-  for (const PixelBounds& part : cells.markedAndBeside()) addRectangle(triangles, part);
-  count_ = static_cast<GLsizei>(triangles.size());
+  const auto add = [&](std::size_t layer, SolidReach least, bool beside) {
+    for (const PixelBounds& part : cells.partsWith(least, beside)) addRectangle(triangles, part);
+    starts_[layer + 1] = static_cast<GLint>(triangles.size());
+  };
+  add(0, SolidReach::kInside, true);  // of this layer neighbouring pixels are read too
+  add(1, SolidReach::kOneEdge, false);
+  add(2, SolidReach::kTwoEdges, false);
   upload(GL_ARRAY_BUFFER, buffer_, triangles, GL_STREAM_DRAW);
 }
 
-void Eraser::erase() const {
-  if (count_ == 0) return;
+void Eraser::erase(std::size_t layer) const {
+  const GLint first = starts_[layer], count = starts_[layer + 1] - first;
+  if (count == 0) return;
   useWith(program_, ofPicture_, {});
   glBindVertexArray(vertices_.id());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_ALWAYS);
   glDepthRange(1, 1);
-  glDrawArrays(GL_TRIANGLES, 0, count_);
+  glDrawArrays(GL_TRIANGLES, first, count);
   glDepthRange(0, 1);
   glDisable(GL_DEPTH_TEST);
 }

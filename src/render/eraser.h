@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "gl/shader_program.h"
 #include "render/constants.h"
 #include "render/solid_cells.h"
@@ -11,16 +13,16 @@ namespace poinsot::render {
 class Eraser {
  public:
   Eraser();
-  /// The places to clear: the cells that are marked, and those next to them, for neighbouring pixels are read too.
+  /// The places to clear, for each layer: where solids are, where edges, where two of them may be in a pixel.
   void prepare(const SolidCells& cells, const Constants& ofPicture);
-  /// Makes the bound framebuffer's colour 0 and its depth 1 there.
-  void erase() const;
+  /// Makes the bound framebuffer's colour 0 and its depth 1 there. `layer` is 0 to 2 in that order.
+  void erase(std::size_t layer) const;
 
  private:
   gl::ShaderProgram program_;
   gl::VertexArrayName vertices_ = gl::VertexArrayName::make();
   gl::BufferName buffer_ = gl::BufferName::make();
-  GLsizei count_ = 0;
+  std::array<GLint, 4> starts_{};  // of the layers' vertices, and their end
   Constants ofPicture_;
 };
 

@@ -21,11 +21,29 @@ void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
       marks.markSegment(glm::dvec2(screen.vertices[e.from]), glm::dvec2(screen.vertices[e.to]));
 }
 
-void markCells(const ScreenMesh& screen, SolidCells& cells) {
+void markFaces(const ScreenMesh& screen, SolidCells& cells) {
   for (std::size_t f = 0; f < screen.front.size(); ++f) {
     if (!screen.front[f]) continue;
     const auto t = screen.triangle(f);
-    cells.mark({glm::vec2(t[0]), glm::vec2(t[1]), glm::vec2(t[2])}, SolidReach::kInside);
+    DepthRange depths;
+    for (const glm::dvec3& v : t) depths.include(static_cast<float>(v.z));
+    cells.markSolid({glm::vec2(t[0]), glm::vec2(t[1]), glm::vec2(t[2])}, depths);
+  }
+}
+
+void markPixel(const ResolvedPixel& pixel, SolidCells& cells) {
+  const glm::vec2 p(pixel.place);
+  cells.markEdge(PixelBounds{p.x - 0.25f, p.y - 0.25f, p.x + 0.25f, p.y + 0.25f});
+}
+
+// Edges of one mesh may be behind one another; they are one strand but where they are in one pixel.
+void markResolved(const ResolvedPixels& resolved, SolidCells& cells) {
+  cells.nextStrand();
+  for (const ResolvedPixel& pixel : resolved.full) markPixel(pixel, cells);
+  for (std::size_t i = 0; i < resolved.partial.size(); ++i) {
+    const bool second = i > 0 && glm::vec2(resolved.partial[i].place) == glm::vec2(resolved.partial[i - 1].place);
+    if (second) cells.nextStrand();
+    markPixel(resolved.partial[i], cells);
   }
 }
 
@@ -103,7 +121,7 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
     ScreenMesh screen = screenMesh(list.camera, mesh, own.topology);
     if (screen.bounds.empty()) continue;
     solids_.push_back(solidCells.nextSolid());
-    markCells(screen, solidCells);
+    markFaces(screen, solidCells);
     lines.push_back(meshEdgeLines(list.camera, screen));
     screens_.push_back(std::move(screen));
     screensKept_.push_back(&own);
@@ -117,8 +135,7 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
   }
   marks_.finish();
   resolved_ = resolveMeshes(screens_, marks_, list.camera);
-  for (const ResolvedPixel& pixel : resolved_.partial) solidCells.markEdge(glm::vec2(pixel.place));
-  for (const ResolvedPixel& pixel : resolved_.full) solidCells.markEdge(glm::vec2(pixel.place));
+  markResolved(resolved_, solidCells);
   uploadMarks();
   uploadPixels();
   return lines;

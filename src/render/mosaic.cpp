@@ -50,7 +50,7 @@ class MosaicCutter {
 
   /// As many alike as can be, for each is a shader to compile: with edges, a few more sums do not count.
   Content contentOf(SolidReach solids, SheetChoice chosen) const {
-    if (solids == SolidReach::kEdges && !chosen.empty()) chosen.outlines = true;
+    if (solids >= SolidReach::kOneEdge && !chosen.empty()) chosen.outlines = true;
     if (chosen.outlines) sheets_.addPlanesTo(chosen);
     return {solids, std::move(chosen)};
   }

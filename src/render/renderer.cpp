@@ -167,16 +167,18 @@ struct Renderer::Passes {
 
   void drawSolids(const SolidCells& cells) {
     if (!cells.any()) return;
-    const auto pass = [&](const gl::Framebuffer& target, SolidPass which, const PassInputs& inputs) {
+    const auto begin = [&](const gl::Framebuffer& target, std::size_t layer) {
       target.bind();
-      eraser.erase();
-      drawPass(which, inputs);
+      eraser.erase(layer);
     };
-    pass(buffers->full, SolidPass::kFull, {});
-    pass(buffers->edge, SolidPass::kEdges, {});
+    begin(buffers->full, 0);
+    drawPass(SolidPass::kFull, {});
+    begin(buffers->edge, 1);
+    drawPass(SolidPass::kEdges, {});
     // A seam is like an edge. One behind an edge is left out: a second pass would cost more than it shows.
     if (cells.anyShared()) drawPass(SolidPass::kSeams, {0, buffers->full.color(0), buffers->full.depth()});
-    pass(buffers->nextEdge, SolidPass::kEdges, {buffers->edge.depth()});
+    begin(buffers->nextEdge, 2);
+    drawPass(SolidPass::kEdges, {buffers->edge.depth()});
   }
 
   void drawPass(SolidPass which, const PassInputs& inputs) {

@@ -15,17 +15,24 @@ int cellsFor(float length_px) { return (static_cast<int>(length_px) + kSide_px -
 
 }  // namespace
 
+// What comes forward beside a seam is an edge like others.
+SolidReach SolidCells::Cell::reach() const {
+  const int edges = (strand != 0 ? 1 : 0) + (manyStrands ? 1 : 0) + (shared ? 1 : 0);
+  if (edges > 0) return edges > 1 ? SolidReach::kTwoEdges : SolidReach::kOneEdge;
+  return solids[0].number != 0 ? SolidReach::kInside : SolidReach::kNone;
+}
+
 SolidCells::SolidCells(glm::vec2 size_px)
     : size_px_(size_px),
       columns_(cellsFor(size_px.x)),
       rows_(cellsFor(size_px.y)),
-      solids_(static_cast<std::size_t>(columns_ * rows_)),
-      reaches_(solids_.size()) {}
+      cells_(static_cast<std::size_t>(columns_ * rows_)) {}
 
 float SolidCells::nextSolid() {
   // Should there be so many solids that numbers come again, those alike have no seam: that is all.
-  last_ = last_ + 1 < kShared ? static_cast<std::uint16_t>(last_ + 1) : static_cast<std::uint16_t>(kNone + 1);
-  return shown(last_);
+  solid_ = solid_ < 0xFFFF ? static_cast<std::uint16_t>(solid_ + 1) : static_cast<std::uint16_t>(kNoSolid + 1);
+  nextStrand();
+  return shown(solid_);
 }
 
 template <typename Use>
@@ -39,7 +46,7 @@ void SolidCells::forEachCell(const PixelBounds& bounds, Use use) const {
 }
 
 template <typename Use>
-void SolidCells::forEachCell(const std::array<glm::vec2, 3>& t, Use use) const {
+void SolidCells::forEachCell(const Triangle& t, Use use) const {
   PixelBounds bounds;
   for (const glm::vec2& p : t) bounds.include(p);
   const PixelBounds b = bounds.clipped(size_px_);
@@ -61,41 +68,54 @@ void SolidCells::forEachCell(const std::array<glm::vec2, 3>& t, Use use) const {
   }
 }
 
-void SolidCells::reachCell(std::size_t cell, SolidReach reach) {
-  reaches_[cell] = std::max(reaches_[cell], reach);
+void SolidCells::addSolid(Cell& cell, const DepthRange& depths) {
   any_ = true;
+  Solid* own = nullptr;
+  for (Solid& solid : cell.solids) {
+    if (solid.number == 0 || solid.number == solid_) {
+      own = &solid;
+      break;
+    }
+    cell.shared = cell.shared || solid.depths.overlaps(depths);
+  }
+  cell.shared = cell.shared || own == nullptr;  // too many to tell
+  anyShared_ = anyShared_ || cell.shared;
+  if (own == nullptr) return;
+  // Those behind the own one in the list were there before its further marks.
+  for (const Solid* other = own + 1; other != cell.solids.end(); ++other)
+    cell.shared = cell.shared || (other->number != 0 && other->depths.overlaps(depths));
+  anyShared_ = anyShared_ || cell.shared;
+  own->number = solid_;
+  own->depths.include(depths.near);
+  own->depths.include(depths.far);
 }
 
-void SolidCells::markCell(std::size_t cell, SolidReach reach) {
-  const bool taken = solids_[cell] != 0 && solids_[cell] != last_;
-  solids_[cell] = taken ? kShared : last_;
-  anyShared_ = anyShared_ || taken;
-  reachCell(cell, taken ? SolidReach::kEdges : reach);
+void SolidCells::addEdge(Cell& cell) {
+  any_ = true;
+  cell.manyStrands = cell.manyStrands || (cell.strand != 0 && cell.strand != strand_);
+  cell.strand = strand_;
 }
 
-void SolidCells::mark(const PixelBounds& bounds, SolidReach reach) {
-  forEachCell(bounds, [&](int, int, std::size_t i) { markCell(i, reach); });
+void SolidCells::markSolid(const PixelBounds& bounds, const DepthRange& depths) {
+  forEachCell(bounds, [&](int, int, std::size_t i) { addSolid(cells_[i], depths); });
 }
 
-void SolidCells::mark(const std::array<glm::vec2, 3>& triangle, SolidReach reach) {
-  forEachCell(triangle, [&](int, int, std::size_t i) { markCell(i, reach); });
+void SolidCells::markSolid(const Triangle& triangle, const DepthRange& depths) {
+  forEachCell(triangle, [&](int, int, std::size_t i) { addSolid(cells_[i], depths); });
 }
 
-void SolidCells::markFlat(const std::array<glm::vec2, 3>& triangle) {
-  forEachCell(triangle, [&](int, int, std::size_t i) { reachCell(i, SolidReach::kEdges); });
+void SolidCells::markEdge(const PixelBounds& bounds) {
+  forEachCell(bounds, [&](int, int, std::size_t i) { addEdge(cells_[i]); });
 }
 
-void SolidCells::markEdge(glm::vec2 p) {
-  forEachCell(PixelBounds{p.x, p.y, p.x + 0.5f, p.y + 0.5f},
-              [&](int, int, std::size_t i) { reachCell(i, SolidReach::kEdges); });
+void SolidCells::markEdge(const Triangle& triangle) {
+  forEachCell(triangle, [&](int, int, std::size_t i) { addEdge(cells_[i]); });
 }
-
-bool SolidCells::shared(const PixelBounds& bounds) const { return !sharedPart(bounds).empty(); }
 
 PixelBounds SolidCells::sharedPart(const PixelBounds& bounds) const {
   PixelBounds part;
   forEachCell(bounds, [&](int column, int row, std::size_t i) {
-    if (solids_[i] != kShared) return;
+    if (!cells_[i].shared) return;
     part.include(glm::vec2(column, row) * kCell_px);
     part.include(glm::vec2(column + 1, row + 1) * kCell_px);
   });
@@ -103,28 +123,31 @@ PixelBounds SolidCells::sharedPart(const PixelBounds& bounds) const {
 }
 
 std::array<SolidReach, 2> SolidCells::reach(const PixelBounds& bounds) const {
-  std::array range{SolidReach::kEdges, SolidReach::kNone};
+  std::array range{SolidReach::kTwoEdges, SolidReach::kNone};
   forEachCell(bounds, [&](int, int, std::size_t i) {
-    range[0] = std::min(range[0], reaches_[i]);
-    range[1] = std::max(range[1], reaches_[i]);
+    const SolidReach here = cells_[i].reach();
+    range[0] = std::min(range[0], here);
+    range[1] = std::max(range[1], here);
   });
   return range;
 }
 
-bool SolidCells::anyAround(int column, int row) const {
-  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows_ - 1); ++y)
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns_ - 1); ++x)
-      if (reaches_[static_cast<std::size_t>(y * columns_ + x)] != SolidReach::kNone) return true;
-  return false;
+SolidReach SolidCells::mostAround(int column, int row, int reach) const {
+  SolidReach most = SolidReach::kNone;
+  for (int y = std::max(row - reach, 0); y <= std::min(row + reach, rows_ - 1); ++y)
+    for (int x = std::max(column - reach, 0); x <= std::min(column + reach, columns_ - 1); ++x)
+      most = std::max(most, cells_[static_cast<std::size_t>(y * columns_ + x)].reach());
+  return most;
 }
 
-std::vector<PixelBounds> SolidCells::markedAndBeside() const {
+std::vector<PixelBounds> SolidCells::partsWith(SolidReach least, bool beside) const {
+  const auto wanted = [&](int column, int row) { return mostAround(column, row, beside ? 1 : 0) >= least; };
   std::vector<PixelBounds> parts;
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
-      if (!anyAround(column, row)) continue;
+      if (!wanted(column, row)) continue;
       const int first = column;
-      while (column + 1 < columns_ && anyAround(column + 1, row)) ++column;
+      while (column + 1 < columns_ && wanted(column + 1, row)) ++column;
       const glm::vec2 from = kCell_px * glm::vec2(first, row), to = kCell_px * glm::vec2(column + 1, row + 1);
       parts.push_back({from.x, from.y, std::min(to.x, size_px_.x), std::min(to.y, size_px_.y)});
     }

@@ -51,26 +51,35 @@ void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::ve
   for (const draw::Curve& c : list.curves) prepareCurves(list.camera, {&c, 1});
   for (const auto& lines : meshEdges) prepareCurves(list.camera, lines);
   for (Item& item : items_) {
-    if (item.kind == kTube)
-      copySeams(item, strips_, 3);
-    else if (item.kind != kFlatCurve)
-      copySeams(item, cells_, 6);
+    if (isCurve(item.kind))
+      copyParts(item, strips_, 3);
+    else
+      copyParts(item, cells_, 6);
   }
   upload(GL_ARRAY_BUFFER, cellBuffer_, cells_, GL_STREAM_DRAW);
   upload(GL_ARRAY_BUFFER, curveBuffer_, strips_, GL_STREAM_DRAW);
 }
 
-template <typename Vertex>
-void SolidPainter::copySeams(Item& item, std::vector<Vertex>& vertices, GLsizei group) {
-  item.seamFirst = static_cast<GLint>(vertices.size());
-  if (!solidCells_->anyShared()) return;
-  for (GLint i = item.first; i < item.first + item.fullCount; i += group) {
+template <typename Vertex, typename Wanted>
+SolidPainter::Range SolidPainter::copied(const Range& range, std::vector<Vertex>& vertices, GLsizei group,
+                                         Wanted wanted) {
+  Range copy{static_cast<GLint>(vertices.size()), 0};
+  for (GLint i = range.first; i < range.first + range.count; i += group) {
     PixelBounds bounds;
     for (GLint k = i; k < i + group; ++k) bounds.include(positionOf(vertices[static_cast<std::size_t>(k)]));
-    if (!solidCells_->shared(bounds)) continue;
+    if (!wanted(bounds)) continue;
     for (GLint k = i; k < i + group; ++k) vertices.push_back(vertices[static_cast<std::size_t>(k)]);
-    item.seamCount += group;
+    copy.count += group;
   }
+  return copy;
+}
+
+template <typename Vertex>
+void SolidPainter::copyParts(Item& item, std::vector<Vertex>& vertices, GLsizei group) {
+  const auto twoEdges = [&](const PixelBounds& b) { return solidCells_->twoEdges(b); };
+  const auto shared = [&](const PixelBounds& b) { return solidCells_->shared(b); };
+  item.nextEdges = copied(item.edges, vertices, group, twoEdges);
+  if (item.kind != kFlatCurve && solidCells_->anyShared()) item.seams = copied(item.full, vertices, group, shared);
 }
 
 template <typename Outline>
@@ -79,16 +88,19 @@ Cells SolidPainter::cellsWithin(const Outline& outline) const {
                       [&](glm::vec2 p) { return outline.inside(p); });
 }
 
-void SolidPainter::addItem(Kind kind, const Cells& cells, Constants own) {
-  const auto mark = [&](const std::vector<glm::vec2>& triangles, SolidReach reach) {
+void SolidPainter::addItem(Kind kind, const Cells& cells, const DepthRange& depths, Constants own) {
+  const auto forEach = [](const std::vector<glm::vec2>& triangles, auto use) {
     for (std::size_t i = 0; i < triangles.size(); i += 6)
-      solidCells_->mark({triangles[i].x, triangles[i].y, triangles[i + 4].x, triangles[i + 5].y}, reach);
+      use(PixelBounds{triangles[i].x, triangles[i].y, triangles[i + 4].x, triangles[i + 5].y});
   };
-  mark(cells.edge, SolidReach::kEdges);
-  mark(cells.full, SolidReach::kInside);
-  items_.push_back({kind, std::move(own), static_cast<GLint>(cells_.size()),
-                    static_cast<GLsizei>(cells.edge.size()),
-                    static_cast<GLsizei>(cells.edge.size() + cells.full.size())});
+  const auto markSolid = [&](const PixelBounds& b) { solidCells_->markSolid(b, depths); };
+  forEach(cells.edge, markSolid);
+  forEach(cells.full, markSolid);
+  forEach(cells.edge, [&](const PixelBounds& b) { solidCells_->markEdge(b); });
+  const auto first = static_cast<GLint>(cells_.size());
+  const auto edges = static_cast<GLsizei>(cells.edge.size()),
+             all = edges + static_cast<GLsizei>(cells.full.size());
+  items_.push_back({kind, std::move(own), {first, all}, {first, edges}, {}, {}});
   cells_.insert(cells_.end(), cells.edge.begin(), cells.edge.end());
   cells_.insert(cells_.end(), cells.full.begin(), cells.full.end());
 }
@@ -105,7 +117,9 @@ void SolidPainter::prepareEllipsoid(const draw::Camera& camera, const draw::Elli
   own.emplace_back(solid, e.material.gloss, 0, 0);
   own.emplace_back(e.material.color, 0);
   own.emplace_back(e.markingColor, e.marking_px);
-  addItem(kEllipsoid, cells, std::move(own));
+  DepthRange depths;
+  depths.include(-centre_C.z, glm::length(glm::vec3(semiAxes_C[0].z, semiAxes_C[1].z, semiAxes_C[2].z)));
+  addItem(kEllipsoid, cells, depths, std::move(own));
 }
 
 void SolidPainter::prepareFrustum(const draw::Camera& camera, const draw::Frustum& f) {
@@ -121,32 +135,53 @@ void SolidPainter::prepareFrustum(const draw::Camera& camera, const draw::Frustu
                 {outline.second.form, 0},
                 {f.material.color, 0}};
   for (const glm::vec3& side : outline.sides) own.emplace_back(side, 0);
-  addItem(kFrustum, cells, std::move(own));
+  DepthRange depths;
+  depths.include(-outline.from_C.z, f.fromRadius);
+  depths.include(-(outline.from_C + outline.height * outline.axis_C).z, f.toRadius);
+  addItem(kFrustum, cells, depths, std::move(own));
 }
 
 void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike) {
   if (alike.empty()) return;
-  const std::size_t first = strips_.size();
-  for (const draw::Curve& curve : alike) {
-    const CurveStrip strip = makeCurveStrip(camera, curve);
-    strips_.insert(strips_.end(), strip.triangles.begin(), strip.triangles.end());
-  }
   const draw::Curve& style = alike.front();
   const bool tube = style.radius_W > 0;
   const float solid = tube ? solidCells_->nextSolid() : SolidCells::noSolid();
-  for (std::size_t i = first; i + 2 < strips_.size(); i += 3) {
-    const std::array triangle{strips_[i].position_px, strips_[i + 1].position_px, strips_[i + 2].position_px};
-    if (tube)
-      solidCells_->mark(triangle, SolidReach::kEdges);
-    else
-      solidCells_->markFlat(triangle);
+  const std::size_t first = strips_.size();
+  for (const draw::Curve& curve : alike) {
+    const CurveStrip strip = makeCurveStrip(camera, curve);
+    markStrip(strip.triangles, tube);
+    strips_.insert(strips_.end(), strip.triangles.begin(), strip.triangles.end());
   }
-  const auto count = static_cast<GLsizei>(strips_.size() - first);
+  const Range all{static_cast<GLint>(first), static_cast<GLsizei>(strips_.size() - first)};
   items_.push_back({tube ? kTube : kFlatCurve,
                     {{style.material.color, style.material.gloss}, {solid, style.lift_W, 0, 0}},
-                    static_cast<GLint>(first),
-                    count,
-                    count});
+                    all,
+                    all,
+                    {},
+                    {}});
+}
+
+void SolidPainter::markStrip(const std::vector<StripVertex>& triangles, bool tube) {
+  glm::vec2 begin(0), before(0);  // directions
+  for (std::size_t i = 0; i + 5 < triangles.size(); i += 6) {
+    const auto at = [&](std::size_t k) { return triangles[i + k].position_px; };
+    // While a strand goes on in one direction, more or less, it does not come back.
+    const glm::vec2 along = (at(2) + at(5)) - (at(0) + at(1));
+    if (i == 0 || glm::dot(along, begin) < 0 || glm::dot(along, before) < 0) {
+      solidCells_->nextStrand();
+      begin = along;
+    }
+    before = along;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{3}}) {
+      const SolidCells::Triangle triangle{at(k), at(k + 1), at(k + 2)};
+      solidCells_->markEdge(triangle);
+      if (!tube) continue;
+      DepthRange depths;
+      for (std::size_t m = k; m < k + 3; ++m)
+        depths.include(triangles[i + m].across.w, triangles[i + m].tangent_C.w);
+      solidCells_->markSolid(triangle, depths);
+    }
+  }
 }
 
 void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
@@ -156,15 +191,25 @@ void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
   for (const Item& item : items_) {
-    const bool seams = pass == SolidPass::kSeams;
-    const GLsizei count = seams ? item.seamCount : pass == SolidPass::kFull ? item.fullCount : item.edgeCount;
-    if (count == 0) continue;
-    const bool curve = item.kind == kFlatCurve || item.kind == kTube;
-    glBindVertexArray(curve ? curveVertices_.id() : cellVertices_.id());
+    const Range range = rangeOf(item, pass, inputs);
+    if (range.count == 0) continue;
+    glBindVertexArray(isCurve(item.kind) ? curveVertices_.id() : cellVertices_.id());
     useForSolid(programs[item.kind], ofPicture_, item.own);
-    glDrawArrays(GL_TRIANGLES, seams ? item.seamFirst : item.first, count);
+    glDrawArrays(GL_TRIANGLES, range.first, range.count);
   }
   glDisable(GL_DEPTH_TEST);
+}
+
+SolidPainter::Range SolidPainter::rangeOf(const Item& item, SolidPass pass, const PassInputs& inputs) {
+  switch (pass) {
+    case SolidPass::kFull:
+      return item.full;
+    case SolidPass::kEdges:
+      return inputs.edgeBefore == 0 ? item.edges : item.nextEdges;
+    case SolidPass::kSeams:
+      return item.seams;
+  }
+  return {};
 }
 
 }  // namespace poinsot::render

@@ -34,27 +34,36 @@ class SolidPainter {
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
   using Programs = std::vector<gl::ShaderProgram>;  // by Kind
 
-  /// One draw call: its constants and its triangles, those of the edge passes first; those of the seams are apart.
+  /// Of vertices.
+  struct Range {
+    GLint first = 0;
+    GLsizei count = 0;
+  };
+
+  /// One draw call: its constants and its triangles: all, and of them those of the edge pass; then copies of those
+  /// that the next edge pass looks at, and of those that may touch another solid.
   struct Item {
     Kind kind;
     Constants own;
-    GLint first = 0;
-    GLsizei edgeCount = 0, fullCount = 0;
-    GLint seamFirst = 0;
-    GLsizei seamCount = 0;
+    Range full, edges, nextEdges, seams;
   };
 
   static Programs makePrograms(SolidPass pass);
   void prepareEllipsoid(const draw::Camera& camera, const draw::Ellipsoid& ellipsoid);
   void prepareFrustum(const draw::Camera& camera, const draw::Frustum& frustum);
   void prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike);
-  void addItem(Kind kind, const Cells& cells, Constants own);
+  void addItem(Kind kind, const Cells& cells, const DepthRange& depths, Constants own);
+  void markStrip(const std::vector<StripVertex>& triangles, bool tube);
   template <typename Outline>
   Cells cellsWithin(const Outline& outline) const;
 
-  /// Copies an item's triangles that may touch another solid; each `group` vertices go together.
+  /// Copies those of a range that are wanted, as their bounds tell; each `group` vertices go together.
+  template <typename Vertex, typename Wanted>
+  static Range copied(const Range& range, std::vector<Vertex>& vertices, GLsizei group, Wanted wanted);
   template <typename Vertex>
-  void copySeams(Item& item, std::vector<Vertex>& vertices, GLsizei group);
+  void copyParts(Item& item, std::vector<Vertex>& vertices, GLsizei group);
+  static bool isCurve(Kind kind) { return kind == kFlatCurve || kind == kTube; }
+  static Range rangeOf(const Item& item, SolidPass pass, const PassInputs& inputs);
 
   std::array<Programs, 3> programs_;
   gl::VertexArrayName cellVertices_ = gl::VertexArrayName::make();
