@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "physics/polhode.h"
 #include "stage/to_picture.h"
@@ -31,24 +32,48 @@ PolhodeFigure::PolhodeFigure(const Setting& setting)
       scale_(setting.construction->scale()),
       period_s_(std::numeric_limits<double>::infinity()) {
   if (!motion_.isFree()) return;
-  const physics::Polhode polhode(motion_.moments(), motion_.liveliest().omega_P);
-  free_P_ = pointsOf(polhode);
-  period_s_ = polhode.period() / std::max(std::abs(motion_.speed()), std::numeric_limits<double>::min());
+  const PathPoint& start = motion_.liveliest();
+  const physics::Polhode polhode(motion_.moments(), start.omega_P);
+  const double speed = std::max(std::abs(motion_.speed()), std::numeric_limits<double>::min());
+  period_s_ = polhode.period() / speed;
+  for (const auto& sample : polhode.samples(kPolhodePoints))
+    free_.push_back({start.played_s + std::copysign(sample.t_s / speed, motion_.speed()), sample.omega_P});
 }
 
 void PolhodeFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   if (state.atRest()) return;
-  addWhole(canvas, state);
   const Trail trail = motion_.trail(filmTime_s, motion_.longestPath_s());
   const double from = std::max({trail.from, trail.now - period_s_, trail.now - motion_.longestPath_s()});
+  addUntravelled(canvas, state, trail.now, from);
   std::vector<Vector3d> points;
   for (const PathPoint& p : motion_.path(from, trail.now)) points.push_back(p.omega_P);
   addTube(canvas, state, points, false, kTravelledRadius, canvas.colors.polhode);
 }
 
-void PolhodeFigure::addWhole(const Canvas& canvas, const PictureState& state) const {
+std::vector<Vector3d> PolhodeFigure::untravelled(double now_s, double from_s) const {
+  std::vector<Vector3d> points;
+  if (!(period_s_ > 0 && std::isfinite(period_s_))) {
+    for (const Sample& sample : free_) points.push_back(sample.omega_P);
+    return points;
+  }
+  // By the time from now on at which the motion comes there, at one or the other place of it.
+  std::map<double, Vector3d> coming;
+  for (const Sample& sample : free_) {
+    const double turns = (sample.played_s - now_s) / period_s_;
+    coming.emplace((turns - std::floor(turns)) * period_s_, sample.omega_P);
+  }
+  points.push_back(motion_.pathPoint(now_s).omega_P);
+  for (const auto& [s, omega_P] : coming)
+    if (s < period_s_ - (now_s - from_s)) points.push_back(omega_P);
+  if (points.size() == 1) return {};
+  points.push_back(motion_.pathPoint(from_s).omega_P);
+  return points;
+}
+
+void PolhodeFigure::addUntravelled(const Canvas& canvas, const PictureState& state, double now_s,
+                                   double from_s) const {
   if (motion_.isFree())
-    return addTube(canvas, state, free_P_, std::isfinite(period_s_), kWholeRadius, canvas.colors.futurePolhode);
+    return addTube(canvas, state, untravelled(now_s, from_s), false, kWholeRadius, canvas.colors.futurePolhode);
   const physics::Polhode polhode(motion_.moments(), state.omega_P);
   addTube(canvas, state, pointsOf(polhode), std::isfinite(polhode.period()), kWholeRadius,
           canvas.colors.futurePolhode);

@@ -8,9 +8,9 @@
 /// @pre of each: the setting has a construction.
 namespace poinsot::stage {
 
-/// On the body: the whole closed curve, faint, and over it what was travelled in the last period. Where something
-/// acts, the curve is the one that the motion would follow from now on if nothing did, and all that was travelled
-/// is shown.
+/// On the body: the closed curve, what was travelled of it in the last period and, faint, the rest. Where
+/// something acts, the curve is the one that the motion would follow from now on if nothing did, and all that was
+/// travelled is shown.
 class PolhodeFigure final : public Actor {
  public:
   explicit PolhodeFigure(const Setting& setting);
@@ -19,14 +19,21 @@ class PolhodeFigure final : public Actor {
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
  private:
-  void addWhole(const Canvas& canvas, const PictureState& state) const;
+  struct Sample {
+    double played_s;
+    Eigen::Vector3d omega_P;  // rad/s
+  };
+
+  /// Of a closed curve, what was not travelled from `from_s` to now; of another all.
+  std::vector<Eigen::Vector3d> untravelled(double now_s, double from_s) const;
+  void addUntravelled(const Canvas& canvas, const PictureState& state, double now_s, double from_s) const;
   void addTube(const Canvas& canvas, const PictureState& state, const std::vector<Eigen::Vector3d>& omega_P,
                bool closed, double radius, const draw::Color& color) const;
 
   const PictureMotion& motion_;
   double scale_;
-  std::vector<Eigen::Vector3d> free_P_;  // of free motion: the closed curve, rad/s
-  double period_s_;                      // of played time; infinite where the curve does not close
+  std::vector<Sample> free_;  // of free motion: the curve, over one period
+  double period_s_;           // of played time; infinite where the curve does not close
 };
 
 /// On the plane: what was travelled, its last second strong; what is to come, faint. In a film of very many turns,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where solids are, and where they may cut each other: cells 16 pixels wide that two of them touch.
+// Where solids are, where they may cut each other, and where edges may be behind one another: cells 16 pixels
+// wide.
 #include "render/solid_cells.h"
 
 #include <gtest/gtest.h>
@@ -7,19 +8,23 @@
 namespace poinsot::render {
 namespace {
 
+constexpr DepthRange kNear{1, 3}, kMiddle{2, 5}, kFar{4, 6};
+
 PixelBounds cell(int column, int row) {
   const auto x = 16.0f * static_cast<float>(column), y = 16.0f * static_cast<float>(row);
   return {x, y, x + 16, y + 16};
 }
 
+SolidReach reachOf(const SolidCells& cells, int column, int row) { return cells.reach(cell(column, row))[1]; }
+
 TEST(SolidCellsTest, ACellIsSharedByTwoSolidsNotByOneTwice) {
   SolidCells cells({100, 60});
   cells.nextSolid();
-  cells.mark(PixelBounds{0, 0, 40, 20}, SolidReach::kInside);
-  cells.mark(PixelBounds{0, 0, 40, 20}, SolidReach::kInside);
+  cells.markSolid(PixelBounds{0, 0, 40, 20}, kNear);
+  cells.markSolid(PixelBounds{0, 0, 40, 20}, kNear);
   EXPECT_FALSE(cells.anyShared());
   cells.nextSolid();
-  cells.mark(PixelBounds{33, 17, 90, 50}, SolidReach::kInside);
+  cells.markSolid(PixelBounds{33, 17, 90, 50}, kMiddle);
   EXPECT_TRUE(cells.anyShared());
   EXPECT_TRUE(cells.shared(cell(2, 1)));
   EXPECT_FALSE(cells.shared(cell(1, 1)));
@@ -28,13 +33,36 @@ TEST(SolidCellsTest, ACellIsSharedByTwoSolidsNotByOneTwice) {
   EXPECT_EQ(part.asVec4(), cell(2, 1).asVec4());
 }
 
+// One behind the other has no seam with it, until either of them reaches farther.
+TEST(SolidCellsTest, ACellIsSharedWhereDepthsMeet) {
+  SolidCells cells({100, 60});
+  cells.nextSolid();
+  cells.markSolid(cell(0, 0), kNear);
+  cells.nextSolid();
+  cells.markSolid(cell(0, 0), kFar);
+  EXPECT_FALSE(cells.anyShared());
+  cells.markSolid(cell(0, 0), kMiddle);
+  EXPECT_TRUE(cells.shared(cell(0, 0)));
+
+  cells = SolidCells({100, 60});
+  const std::array depths{DepthRange{1, 2}, DepthRange{3, 4}, DepthRange{5, 6}, DepthRange{7, 8}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    cells.nextSolid();
+    cells.markSolid(cell(0, 0), depths[i]);
+  }
+  EXPECT_FALSE(cells.anyShared());
+  cells.nextSolid();
+  cells.markSolid(cell(0, 0), depths[3]);  // more than are told apart
+  EXPECT_TRUE(cells.anyShared());
+}
+
 // Along a diagonal the cells beside it stay free.
 TEST(SolidCellsTest, ATriangleTouchesWhatItCrossesOnly) {
   SolidCells cells({160, 160});
   cells.nextSolid();
-  cells.mark(PixelBounds{0, 0, 160, 160}, SolidReach::kInside);
+  cells.markSolid(PixelBounds{0, 0, 160, 160}, kNear);
   cells.nextSolid();
-  cells.mark({glm::vec2(2, 2), glm::vec2(158, 155), glm::vec2(158, 158)}, SolidReach::kInside);
+  cells.markSolid({glm::vec2(2, 2), glm::vec2(158, 155), glm::vec2(158, 158)}, kNear);
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(cells.shared(cell(i, i))) << i;
   EXPECT_FALSE(cells.shared(cell(8, 1)));
   EXPECT_FALSE(cells.shared(cell(1, 8)));
@@ -44,9 +72,11 @@ TEST(SolidCellsTest, WhatIsOutsideThePictureIsNotMarked) {
   SolidCells cells({100, 60});
   for (int i = 0; i < 2; ++i) {
     cells.nextSolid();
-    cells.mark(PixelBounds{-50, -50, -10, -10}, SolidReach::kInside);
-    cells.mark({glm::vec2(200, 10), glm::vec2(300, 10), glm::vec2(250, 50)}, SolidReach::kInside);
+    cells.markSolid(PixelBounds{-50, -50, -10, -10}, kNear);
+    cells.markSolid({glm::vec2(200, 10), glm::vec2(300, 10), glm::vec2(250, 50)}, kNear);
+    cells.markEdge({glm::vec2(200, 10), glm::vec2(300, 10), glm::vec2(250, 50)});
   }
+  EXPECT_FALSE(cells.any());
   EXPECT_FALSE(cells.anyShared());
 }
 
@@ -58,30 +88,50 @@ TEST(SolidCellsTest, NumbersDifferAndAreNotThatOfALine) {
   EXPECT_GT(SolidCells::noSolid(), 0);
 }
 
-// Inside a solid there is no edge; where it ends, where another one joins it and where a line runs there may be.
-TEST(SolidCellsTest, TellInsidesFromEdges) {
+// Inside a solid there is no edge; two strands may be in one pixel, and so may an edge and a seam.
+TEST(SolidCellsTest, TellInsidesFromEdgesAndTheseFromTwo) {
   SolidCells cells({160, 160});
-  EXPECT_FALSE(cells.any());
-  const auto at = [&](int column, int row) { return cells.reach(cell(column, row))[1]; };
   cells.nextSolid();
-  cells.mark(PixelBounds{0, 0, 160, 80}, SolidReach::kInside);
-  cells.mark(PixelBounds{0, 80, 160, 90}, SolidReach::kEdges);
-  EXPECT_TRUE(cells.any());
-  EXPECT_EQ(at(3, 3), SolidReach::kInside);
-  EXPECT_EQ(at(3, 5), SolidReach::kEdges);
-  EXPECT_EQ(at(3, 6), SolidReach::kNone);
-  cells.markFlat({glm::vec2(2, 2), glm::vec2(14, 2), glm::vec2(2, 14)});
-  EXPECT_EQ(at(0, 0), SolidReach::kEdges);
+  cells.markSolid(PixelBounds{0, 0, 160, 90}, kNear);
+  cells.markEdge(PixelBounds{0, 80, 160, 90});
+  EXPECT_EQ(reachOf(cells, 3, 3), SolidReach::kInside);
+  EXPECT_EQ(reachOf(cells, 3, 5), SolidReach::kOneEdge);
+  EXPECT_EQ(reachOf(cells, 3, 6), SolidReach::kNone);
+  cells.nextStrand();
+  cells.markEdge({glm::vec2(2, 2), glm::vec2(14, 2), glm::vec2(2, 14)});
+  EXPECT_EQ(reachOf(cells, 0, 0), SolidReach::kOneEdge);
+  cells.markEdge(PixelBounds{2, 82, 14, 84});
+  EXPECT_EQ(reachOf(cells, 0, 5), SolidReach::kTwoEdges);
+  EXPECT_TRUE(cells.twoEdges({0, 70, 20, 90}));
+  EXPECT_FALSE(cells.twoEdges({20, 0, 160, 160}));
   EXPECT_FALSE(cells.anyShared());
-  cells.markEdge({25, 5});
-  EXPECT_EQ(at(1, 0), SolidReach::kEdges);
-  EXPECT_EQ(at(2, 0), SolidReach::kInside);
+
   cells.nextSolid();
-  cells.mark(PixelBounds{66, 2, 70, 4}, SolidReach::kInside);
-  EXPECT_EQ(at(4, 0), SolidReach::kEdges);
+  cells.markSolid(PixelBounds{66, 2, 70, 4}, kNear);
+  EXPECT_EQ(reachOf(cells, 4, 0), SolidReach::kOneEdge) << "a seam";
+  cells.markEdge(PixelBounds{66, 2, 70, 4});
+  EXPECT_EQ(reachOf(cells, 4, 0), SolidReach::kTwoEdges);
   const auto range = cells.reach({0, 0, 160, 160});
   EXPECT_EQ(range[0], SolidReach::kNone);
-  EXPECT_EQ(range[1], SolidReach::kEdges);
+  EXPECT_EQ(range[1], SolidReach::kTwoEdges);
+}
+
+TEST(SolidCellsTest, PartsAreTheCellsThatHoldEnoughAndThoseBeside) {
+  SolidCells cells({100, 60});
+  cells.nextSolid();
+  cells.markSolid(PixelBounds{33, 17, 60, 20}, kNear);
+  cells.markEdge(PixelBounds{33, 17, 36, 20});
+  const auto solid = cells.partsWith(SolidReach::kInside, false);
+  ASSERT_EQ(solid.size(), 1u);
+  EXPECT_EQ(solid[0].asVec4(), glm::vec4(32, 16, 64, 32));
+  const auto edges = cells.partsWith(SolidReach::kOneEdge, false);
+  ASSERT_EQ(edges.size(), 1u);
+  EXPECT_EQ(edges[0].asVec4(), cell(2, 1).asVec4());
+  EXPECT_TRUE(cells.partsWith(SolidReach::kTwoEdges, true).empty());
+  const auto beside = cells.partsWith(SolidReach::kInside, true);
+  ASSERT_EQ(beside.size(), 3u);
+  EXPECT_EQ(beside[0].asVec4(), glm::vec4(16, 0, 80, 16));
+  EXPECT_EQ(beside[2].asVec4(), glm::vec4(16, 32, 80, 48));
 }
 
 }  // namespace
