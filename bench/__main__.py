@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`./poinsot bench`: measures the program. README.md of this folder tells how."""
+import argparse
+import os
+import pathlib
+import signal
+import sys
+import tempfile
+
+import jobs
+import machine
+import peers
+import scaling
+from measurement import Failure
+from standard import Program
+
+DISTURBED = 0.05  # of a core, used by others: more, and a run is not to be relied on
+
+
+def main():
+    options = parsed()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # so that temporary files go
+    try:
+        text = report(options)
+        if options.markdown:
+            options.markdown.write_text(text + '\n')
+    except ValueError as error:
+        fail(error, 2)
+    except Failure as error:
+        fail(error, 3)
+    except OSError as error:
+        fail(error, 4)
+    print(text)
+
+
+def parsed():
+    parser = argparse.ArgumentParser(prog='poinsot bench', allow_abbrev=False, description='measure the program',
+                                     epilog='poinsot bench --micro [options] runs the small benchmarks instead.')
+    parser.add_argument('--program', type=pathlib.Path, required=True, help=argparse.SUPPRESS)
+    modes = parser.add_mutually_exclusive_group()
+    modes.add_argument('--jobs', metavar='J1,J2,...', help='only these of J1 to J5 and T (default: all)')
+    modes.add_argument('--peers', dest='mode', action='store_const', const=peers.measured, default=jobs.measured,
+                       help='instead: VTK, Matplotlib and the encoder alone, in turn with this program')
+    modes.add_argument('--scaling', dest='mode', action='store_const', const=scaling.measured,
+                       help='instead: by workers, frames and pixels')
+    parser.add_argument('--long', action='store_true', help='with --scaling: a film of 10 000 frames, too')
+    parser.add_argument('--runs', type=int, metavar='N', help='of each; medians are told (default: 3)')
+    parser.add_argument('--quick', action='store_true', help='two frames, one run, nothing cached: does it work?')
+    parser.add_argument('--markdown', type=pathlib.Path, metavar='FILE', help='write the tables to a file, too')
+    options = parser.parse_args()
+    if options.runs is None:
+        options.runs = 1 if options.quick else 3
+    if options.runs < 1:
+        parser.error('--runs must be at least 1')
+    return options
+
+
+def report(options):
+    with tempfile.TemporaryDirectory(prefix='poinsot-bench-') as folder:
+        if not options.quick:  # a cache of our own: figures do not depend on what ran here before
+            os.environ['XDG_CACHE_HOME'] = f'{folder}/cache'
+        facts = machine.facts(options.program) | {'runs': f'{options.runs}; medians'}
+        if options.mode is peers.measured:
+            facts |= machine.peer_facts(peers.PYTHON)
+        tables, results = options.mode(options, Program(options.program.resolve()), pathlib.Path(folder))
+    return '\n\n'.join(['\n'.join(f'- {name}: {value}' for name, value in facts.items()), *tables,
+                        *disturbance(results)])
+
+
+def disturbance(results):
+    worst = max(result.foreign_share for result in results)
+    if worst < DISTURBED:
+        return []
+    return [f'Other processes took up to {worst:.0%} of a core meanwhile: measure again on a quiet machine.']
+
+
+def fail(error, status):
+    print(f'poinsot bench: error: {error}', file=sys.stderr)
+    sys.exit(status)
+
+
+if __name__ == '__main__':
+    main()

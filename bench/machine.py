@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What figures depend on: the machine, the versions, the commit, the day."""
+import datetime
+import os
+import pathlib
+import re
+import subprocess
+
+
+def cores():
+    """CPUs that this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
+def facts(program):
+    """Name and value of each, to be printed above the figures."""
+    return {
+        'date': datetime.datetime.now(datetime.timezone.utc).strftime('%Y-%m-%d %H:%M UTC'),
+        'commit': _first(r'(.+)', 'git', '-C', pathlib.Path(__file__).parent, 'describe', '--always', '--dirty'),
+        'CPU': f'{_cpu_model()}, {cores()} cores',
+        'poinsot': _first(r'poinsot (.+)', program, '--version'),
+        'x264': _first(r'x264 (.+)', program, '--version'),
+        'OpenGL': _first(r'works +(.+)', program, 'backends'),
+    }
+
+
+def peer_facts(python):
+    return {
+        'VTK': _first(r'(.+)', python, '-c', 'import vtk; print(vtk.vtkVersion().GetVTKVersion())'),
+        'Matplotlib': _first(r'(.+)', python, '-c', 'import matplotlib; print(matplotlib.__version__)'),
+        'ffmpeg': _first(r'ffmpeg version (\S+)', 'ffmpeg', '-version'),
+    }
+
+
+def _cpu_model():
+    match = re.search(r'^model name\s*: (.+)', pathlib.Path('/proc/cpuinfo').read_text(), re.MULTILINE)
+    return match[1] if match else os.uname().machine
+
+
+def _first(pattern, *command):
+    """What the pattern's group matches first in what the command prints; "unknown" where there is nothing."""
+    try:
+        printed = subprocess.run(command, capture_output=True, text=True).stdout
+    except OSError:
+        return 'unknown'
+    match = re.search(pattern, printed)
+    return match[1].strip() if match else 'unknown'

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`poinsot bench --peers`: what a user would take instead, and the encoder alone, in turn with this program."""
+from job import Job, run_all
+from measurement import measure
+from standard import FPS, HERE
+from table import mebibytes, milliseconds, ratio, seconds, table
+
+PYTHON = '/usr/bin/python3'  # Debian's, which has Debian's VTK and Matplotlib
+WIDTH, HEIGHT = 1920, 1080
+FILM, PICTURES, FEW = 300, 60, 60  # frames; few: of Matplotlib, which takes as long for each
+FFMPEG = ['ffmpeg', '-nostdin', '-y', '-loglevel', 'error']
+
+
+def measured(options, program, folder):
+    """Tables and results."""
+    frames, pictures, few = (2, 2, 2) if options.quick else (FILM, PICTURES, FEW)
+    rgb, yuv = raw_frames(program, frames, folder)
+    films = [
+        Job('poinsot', 'poinsot', frames, program.film()),
+        Job('RGB to x264', 'x264 alone, from RGB', frames, encoder(rgb, 'rgb24')),
+        Job('YUV to x264', 'x264 alone, from YUV', frames, encoder(yuv, 'yuv420p')),
+        Job('VTK', 'VTK, 4x MSAA', frames, vtk('film.mp4', 'msaablend')),
+        Job('VTK, peeling', 'VTK, depth peeling, FXAA', frames, vtk('film.mp4', 'peel')),
+        Job('Matplotlib', 'Matplotlib', few, matplotlib()),
+    ]
+    sequences = [
+        Job('poinsot, PNG', 'poinsot', pictures, program.pictures()),
+        Job('VTK, PNG', 'VTK, 4x MSAA', pictures, vtk('.', 'msaablend')),
+        Job('VTK, peeling, PNG', 'VTK, depth peeling, FXAA', pictures, vtk('.', 'peel')),
+    ]
+    results = run_all(films + sequences, options.runs, warm_up=not options.quick)
+    film_results, sequence_results = results[:len(films)], results[len(films):]
+    return [against('film (J1)', film_results), against('PNG (J2)', sequence_results)], results
+
+
+def raw_frames(program, frames, folder):
+    """Files of the film's pixels before the encoder, as RGB and as YUV; the system keeps them in memory."""
+    measure(program.pictures(folder)(frames))
+    rgb, yuv = folder / 'film.rgb', folder / 'film.yuv'
+    pictures = [*FFMPEG, '-i', folder / 'frame_%05d.png', '-f', 'rawvideo', '-pix_fmt']
+    measure([*pictures, 'rgb24', rgb])
+    measure([*pictures, 'yuv420p', yuv])
+    return rgb, yuv
+
+
+def encoder(raw, pixels):
+    """Of ffmpeg's command line, with the settings of the program's films and all cores."""
+    return lambda frames: [*FFMPEG, '-f', 'rawvideo', '-pix_fmt', pixels, '-s', f'{WIDTH}x{HEIGHT}', '-r', FPS, '-i', raw,
+                           '-frames:v', frames, '-c:v', 'libx264', '-crf', '18', '-preset', 'medium',
+                           '-pix_fmt', 'yuv420p', 'film.mp4']
+
+
+def vtk(output, smoothing):
+    return lambda frames: ['xvfb-run', '-a', '-s', f'-screen 0 {WIDTH}x{HEIGHT}x24',
+                           PYTHON, '-B', HERE / 'vtk_peer.py', output, frames, smoothing]
+
+
+def matplotlib():
+    return lambda frames: [PYTHON, '-B', HERE / 'matplotlib_peer.py', 'film.mp4', frames]
+
+
+def against(job, results):
+    """Each beside the first, this program."""
+    ours = results[0]
+    return table([job, 'frames', 'wall', 'frames/s', 'CPU per frame', 'peak memory', "poinsot's frames/s to its",
+                  "poinsot's CPU to its"],
+                 [[result.job.what, str(result.job.frames), seconds(result.wall_s), f'{result.rate_hz:.1f}',
+                   milliseconds(result.cpu_per_frame_s), mebibytes(result.memory_mib),
+                   ratio(ours.rate_hz / result.rate_hz), ratio(ours.cpu_per_frame_s / result.cpu_per_frame_s)]
+                  for result in results])

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the CPU time of a render goes, step by step: read from what `--stats` prints."""
+import dataclasses
+import re
+import statistics
+
+LINE = re.compile(r'^ +(?P<step>\S.*?) +(?P<ms>[\d.]+) ms CPU per (?P<unit>frame|worker)', re.MULTILINE)
+SUM = 'in all'
+
+
+@dataclasses.dataclass(frozen=True)
+class Split:
+    per_frame_ms: dict  # step: CPU time, of the frames after each worker's first
+    per_worker_ms: dict  # step: CPU time, once
+
+
+def split_of(stderr):
+    steps = {'frame': {}, 'worker': {}}
+    for line in LINE.finditer(stderr):
+        if line['step'] != SUM:
+            steps[line['unit']][line['step']] = float(line['ms'])
+    return Split(steps['frame'], steps['worker'])
+
+
+def median_split(splits):
+    def medians(tables):
+        return {step: statistics.median(table[step] for table in tables) for step in tables[0]}
+    return Split(medians([split.per_frame_ms for split in splits]), medians([split.per_worker_ms for split in splits]))

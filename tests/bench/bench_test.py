@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`poinsot bench --quick`: every job has figures; what goes wrong is said, and nothing is left behind.
+
+    bench_test.py BENCH PROGRAM
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BENCH, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
+
+
+def bench(*options, program=PROGRAM):
+    """What it did, with a temporary folder of its own that must be empty in the end."""
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run([sys.executable, '-B', BENCH, '--program', program, *options], capture_output=True,
+                             text=True, env=os.environ | {'TMPDIR': folder})
+        run.left = os.listdir(folder)
+    return run
+
+
+def rows(report):
+    """The tables' rows, by what stands before the first colon of their first cells."""
+    cells = [[cell.strip() for cell in line.strip('|').split('|')] for line in report.splitlines() if line[:1] == '|']
+    return {row[0].split(':')[0]: row[1:] for row in cells}
+
+
+class Bench(unittest.TestCase):
+    def test_every_job_has_figures(self):
+        with tempfile.TemporaryDirectory() as folder:
+            markdown = pathlib.Path(folder, 'figures.md')
+            run = bench('--quick', '--markdown', markdown)
+            self.assertEqual((run.returncode, run.left), (0, []), run.stderr)
+            self.assertEqual(markdown.read_text(), run.stdout)
+        found = rows(run.stdout)
+        for job in ('J1', 'J2', 'J3', 'J3 cold', 'J4', 'J5', 'T'):
+            figures = [float(cell.split()[0]) for cell in found[job]]
+            self.assertEqual(len(figures), 5)
+            self.assertTrue(all(figure > 0 for figure in figures), (job, figures))
+        steps = found['render, per frame']
+        self.assertTrue(float(steps[0]) > 0, steps)
+
+    def test_a_command_that_fails(self):
+        run = bench('--jobs', 'T', program='/bin/false')
+        self.assertEqual((run.returncode, run.stdout, run.left), (3, '', []))
+        self.assertIn('poinsot bench: error: status 1: ', run.stderr)
+        self.assertIn('/false trajectory', run.stderr)
+
+    def test_a_job_that_there_is_not(self):
+        run = bench('--jobs', 'J1,J9')
+        self.assertEqual((run.returncode, run.stdout), (2, ''))
+        self.assertIn("there is no job 'J9', only J1, J2, J3, J4, J5, T", run.stderr)
+
+
+if __name__ == '__main__':
+    unittest.main()
