@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What one command costs: wall time, CPU time and memory of all its descendants."""
+import contextlib
 import ctypes
 import dataclasses
 import os
@@ -37,7 +38,7 @@ def measure(command, environment=None):
     adopt_orphans()
     with tempfile.TemporaryDirectory(prefix='poinsot-bench-') as folder:
         changes = {name: value.format(folder=folder) for name, value in (environment or {}).items()}
-        return _measured([str(word) for word in command], folder, os.environ | changes)
+        return _measured([str(word) for word in command], folder, os.environ | {'TMPDIR': folder} | changes)
 
 
 def adopt_orphans():
@@ -59,7 +60,8 @@ def _measured(command, folder, environment):
             wall_s = time.monotonic() - started
             status, usages = _reaped(child)
         except BaseException:
-            os.killpg(child.pid, signal.SIGKILL)
+            with contextlib.suppress(ProcessLookupError):  # all have ended
+                os.killpg(child.pid, signal.SIGKILL)
             child.wait()
             raise
         busy_s = _busy_s() - busy_before

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The standard scene's motion (standard.toml) as a user of SciPy would compute it, for vtk_peer.py and matplotlib_peer.py.
+"""The motion of standard.toml as a user of SciPy would compute it, for vtk_peer.py and matplotlib_peer.py.
 
 I' omega = -omega x (I omega) in body axes and q' = q (0, omega) / 2, by DOP853; L points down.
 """

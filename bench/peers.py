@@ -7,7 +7,7 @@ from table import mebibytes, milliseconds, ratio, seconds, table
 
 PYTHON = '/usr/bin/python3'  # Debian's, which has Debian's VTK and Matplotlib
 WIDTH, HEIGHT = 1920, 1080
-FILM, PICTURES, FEW = 300, 60, 60  # frames; few: of Matplotlib, which takes as long for each
+FILM, PICTURES, FEW = 300, 60, 60  # frames; few: of Matplotlib, whose frames all take equally long
 FFMPEG = ['ffmpeg', '-nostdin', '-y', '-loglevel', 'error']
 
 
@@ -45,8 +45,8 @@ def raw_frames(program, frames, folder):
 
 def encoder(raw, pixels):
     """Of ffmpeg's command line, with the settings of the program's films and all cores."""
-    return lambda frames: [*FFMPEG, '-f', 'rawvideo', '-pix_fmt', pixels, '-s', f'{WIDTH}x{HEIGHT}', '-r', FPS, '-i', raw,
-                           '-frames:v', frames, '-c:v', 'libx264', '-crf', '18', '-preset', 'medium',
+    return lambda frames: [*FFMPEG, '-f', 'rawvideo', '-pix_fmt', pixels, '-s', f'{WIDTH}x{HEIGHT}', '-r', FPS,
+                           '-i', raw, '-frames:v', frames, '-c:v', 'libx264', '-crf', '18', '-preset', 'medium',
                            '-pix_fmt', 'yuv420p', 'film.mp4']
 
 

@@ -2,6 +2,7 @@
 """`poinsot bench --scaling`: what more workers, more frames and more pixels cost."""
 from job import Job, run_all
 from machine import cores
+from split import DRAWING
 from table import mebibytes, milliseconds, ratio, seconds, table
 
 SIZES = {'720p': (1280, 720), '1080p': (1920, 1080), '1440p': (2560, 1440), '4K': (3840, 2160)}
@@ -53,7 +54,7 @@ def by_length(results):
 
 def by_size(results):
     """The start is left out: it does not depend on the size, and would flatter the large ones."""
-    return table(['size, one worker', 'megapixels', 'CPU per frame', 'per megapixel', 'render, per megapixel',
+    return table(['size, one worker', 'megapixels', 'CPU per frame', 'per megapixel', f'{DRAWING}, per megapixel',
                   'peak memory'], [_size_row(result) for result in results])
 
 
@@ -62,4 +63,4 @@ def _size_row(result):
     megapixels, steps_ms = width * height / 1e6, result.split.per_frame_ms
     frame_s = sum(steps_ms.values()) / 1e3
     return [result.job.what, ratio(megapixels), milliseconds(frame_s), milliseconds(frame_s / megapixels),
-            milliseconds(steps_ms['render'] / 1e3 / megapixels), mebibytes(result.memory_mib)]
+            milliseconds(steps_ms[DRAWING] / 1e3 / megapixels), mebibytes(result.memory_mib)]
