@@ -27,18 +27,23 @@ Json toJson(const RecordedFile& file) {
 }
 
 Json toJson(const RenderSummary& summary) {
+  using core::Step;
   const Statistics& s = summary.spent;
+  Json steps = Json::object();
+  for (std::size_t i = 0; i < core::kSteps; ++i)
+    steps[core::nameOf(static_cast<Step>(i))] = s.steps[static_cast<Step>(i)];
   return {{"wall_s", summary.wall_s},
           {"cpu_s", s.cpu_s},
           {"workers", s.workers},
           {"frames_made", s.frames},
           {"frames_reused", summary.reused},
-          {"compose_s", s.making.compose_s},
-          {"render_s", s.making.render_s},
-          {"read_s", s.making.read_s},
-          {"text_s", s.making.text_s},
-          {"convert_s", s.convert_s},
-          {"encode_s", s.encode_s},
+          {"compose_s", s.steps.sum_s(Step::kSimulate, Step::kCompose)},
+          {"render_s", s.steps.sum_s(Step::kDraw, Step::kResolve)},
+          {"read_s", s.steps[Step::kRead]},
+          {"text_s", s.steps[Step::kText]},
+          {"convert_s", s.steps[Step::kConvert]},
+          {"encode_s", s.steps.sum_s(Step::kEncode, Step::kWrite)},
+          {"steps_s", steps},
           {"peak_memory_bytes", s.peakMemory_bytes}};
 }
 

@@ -52,6 +52,7 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
       segments_(segmentsOf(request_.shard.value_or(Shard()), segmentsOf(request_.frames, request_.segmentFrames))),
       waiting_(segments_.begin(), segments_.end()) {
   POINSOT_EXPECT(request_.jobs > 0);
+  if (request_.trace) trace_.emplace(*request_.trace, folder_.path());
   if (request_.job) writeJobFile(folder_.path(), *request_.job);
   if (request_.target.stream) stream_.emplace(request_.target, *request_.job, folder_.path());
 }
@@ -63,15 +64,26 @@ RenderSummary RenderJob::run() {
     summary_.reused = request_.frames.count();
     if (!request_.job->subtitles.empty()) writeSubtitles(request_.job->subtitles, request_.target.path);
   } else {
-    startWorkers();
-    while (!workers_.empty()) awaitReports();
-    publish();
+    make();
   }
   summary_.wall_s = elapsed_s();
   if (request_.manifest)
     writeManifest(*request_.manifest, folder_.path(), *request_.job, request_.target.path, summary_);
+  if (trace_) trace_->commit();
   if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
+}
+
+void RenderJob::make() {
+  traced("start workers", [this] { startWorkers(); });
+  while (!workers_.empty()) awaitReports();
+  traced("assemble", [this] { publish(); });
+}
+
+void RenderJob::traced(const char* name, const std::function<void()>& work) {
+  const std::int64_t begin_ns = core::monotonic_ns();
+  work();
+  if (trace_) trace_->add(kParentProcess, {name, begin_ns, core::monotonic_ns()});
 }
 
 /// A render that was stopped while it put its things away has nothing more to make. A manifest is of the segments.
@@ -91,9 +103,10 @@ void RenderJob::startWorkers() {
   job.segmentFrames = request_.segmentFrames;
   job.resume = request_.resume || request_.shard;
   if (request_.job) job.job = request_.job->job;
+  job.trace = trace_.has_value();
   for (int i = 0; i < count; ++i) {
     throwIfInterrupted();
-    workers_.push_back(std::make_unique<WorkerProcess>(job));
+    workers_.push_back(std::make_unique<WorkerProcess>(job, i + 1));
     handOut(*workers_.back());
   }
 }
@@ -121,9 +134,11 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   }
   if (const auto* done = std::get_if<SegmentDone>(&report)) {
     segmentFramesDone_ += done->frames.count();
-    if (stream_) sendOn(done->frames);
+    if (stream_) traced("send on", [&] { sendOn(done->frames); });
     handOut(worker);
   }
+  if (const auto* done = std::get_if<SpansDone>(&report))
+    for (const core::Span& span : done->spans) trace_->add(worker.number(), span);
   if (const auto* finished = std::get_if<WorkerFinished>(&report)) {
     summary_.spent += finished->spent;
     worker.setFinished();

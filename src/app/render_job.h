@@ -11,6 +11,7 @@
 #include "app/render_request.h"
 #include "app/render_summary.h"
 #include "app/segment_stream.h"
+#include "app/trace_file.h"
 #include "app/work_folder.h"
 #include "app/worker_process.h"
 #include "app/worker_protocol.h"
@@ -43,6 +44,9 @@ class RenderJob {
 
  private:
   bool isFinished() const;
+  void make();
+  /// Calls it, and puts it into the trace as work of this process.
+  void traced(const char* name, const std::function<void()>& work);
   void startWorkers();
   void awaitReports();
   void handle(WorkerProcess& worker, const WorkerReport& report);
@@ -56,6 +60,7 @@ class RenderJob {
   FrameListener listener_;
   std::chrono::steady_clock::time_point start_;
   WorkFolder folder_;
+  std::optional<TraceFile> trace_;
   std::optional<SegmentStream> stream_;  ///< where the target is one
   std::vector<FrameRange> segments_;
   std::deque<FrameRange> waiting_;

@@ -28,6 +28,7 @@ struct RenderRequest {
   bool keepWork = false;                               ///< leaves the segments when all is done
   std::optional<Shard> shard = {};                     ///< only its segments, and no film of them
   std::optional<std::filesystem::path> manifest = {};  ///< of a film or a sequence
+  std::optional<std::filesystem::path> trace = {};     ///< TraceFile of it
   std::optional<JobFile> job = {};                     ///< jobFileOf() this, of a film and a sequence
 };
 

@@ -2,23 +2,23 @@
 #include "app/scene_frames.h"
 
 #include "app/frame_clock.h"
-#include "app/statistics.h"
 #include "output/figure_alpha.h"
 
 namespace poinsot::app {
 
 SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
                          const PictureForm& form, std::optional<output::FigureMedium> medium,
-                         const std::string& settings)
+                         const std::string& settings, core::StepLedger* steps)
     : size_{scene.output.width, scene.output.height},
       fps_(scene.time.fps),
       time_s_(time_s),
       form_(form),
       medium_(medium),
-      stage_(scene),
-      renderer_(context),
+      stage_(scene, steps),
+      renderer_(context, steps),
       rendererName_(context.renderer()),
-      digestOf_(settings, rendererName_) {}
+      digestOf_(settings, rendererName_),
+      steps_(steps) {}
 
 core::Digest SceneFrames::digest(std::int64_t k) {
   compose(k);
@@ -39,18 +39,12 @@ image::AnyImage SceneFrames::frame(std::int64_t k) {
 
 void SceneFrames::compose(std::int64_t k) {
   if (composed_ == k) return;
-  const double before_s = processCpu_s();
+  const core::StepScope timing(steps_, core::Step::kCompose);
   const double time_s = time_s_.value_or(filmTime_s(k, fps_));
   const glm::ivec2 size_px(size_.width, size_.height);
   picture_ = form_.print ? stage_.compose(time_s, size_px, stage::printSizing(form_.print->dpi))
                          : stage_.compose(time_s, size_px);
   composed_ = k;
-  compose_s_ += processCpu_s() - before_s;
-}
-
-FrameTimes SceneFrames::times() const {
-  const render::RenderTimes& spent = renderer_.times();
-  return {compose_s_, spent.draw_s, spent.read_s, spent.text_s};
 }
 
 }  // namespace poinsot::app

@@ -20,16 +20,16 @@ class SceneFrames : public FrameSource {
   /// @param time_s  film time of every frame, in place of its own: for a still between two frames.
   /// @param medium  of a figure: a frame is then only what the figure holds as an image.
   /// @param settings  renderSettings(), of which digests are.
+  /// @param steps  where the time is entered.
   /// @throws core::Error(kPhysics, kGraphics)
   SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
               const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
-              const std::string& settings = "");
+              const std::string& settings = "", core::StepLedger* steps = nullptr);
 
   image::AnyImage frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
   /// What the last frame was drawn from, whole.
   const draw::Picture& picture() const { return picture_; }
-  FrameTimes times() const override;
   /// GL_RENDERER of what draws.
   const std::string& renderer() const { return rendererName_; }
 
@@ -48,7 +48,7 @@ class SceneFrames : public FrameSource {
   render::Renderer renderer_;
   std::string rendererName_;
   FrameDigester digestOf_;
-  double compose_s_ = 0;
+  core::StepLedger* steps_;
 };
 
 }  // namespace poinsot::app

@@ -13,36 +13,20 @@
 namespace poinsot::app {
 namespace {
 
-/// A segment of film, which times itself.
-class FilmSegment : public output::FrameSink {
- public:
-  FilmSegment(const std::filesystem::path& file, const scene::Scene& scene, const output::FilmFormat& format,
-              std::int64_t first, EncodingTimes& times)
-      : writer_(file, {scene.output.width, scene.output.height}, scene.time.fps, format, first), times_(times) {}
-
-  void write(const image::AnyImage& picture, std::int64_t k) override { writer_.write(picture, k); }
-
-  void finish() override {
-    writer_.finish();
-    times_.convert_s += writer_.spent().convert_s;
-    times_.encode_s += writer_.spent().encode_s;
-  }
-
- private:
-  output::VideoSegmentWriter writer_;
-  EncodingTimes& times_;
-};
-
 /// The one file of a single picture.
 class SinglePicture : public output::FrameSink {
  public:
   SinglePicture(std::filesystem::path target, std::vector<image::PngText> texts, double dpi,
-                output::FrameDigestText digestOf)
-      : target_(std::move(target)), texts_(std::move(texts)), dpi_(dpi), digestOf_(std::move(digestOf)) {}
+                output::FrameDigestText digestOf, core::StepLedger& steps)
+      : target_(std::move(target)),
+        texts_(std::move(texts)),
+        dpi_(dpi),
+        digestOf_(std::move(digestOf)),
+        steps_(steps) {}
   void write(const image::AnyImage& picture, std::int64_t k) override {
     std::vector<image::PngText> texts = texts_;
     texts.push_back(output::digestText(digestOf_(k)));
-    output::writePng(target_, picture, texts, dpi_);
+    output::writePng(target_, picture, texts, dpi_, &steps_);
   }
   void finish() override {}
 
@@ -51,14 +35,17 @@ class SinglePicture : public output::FrameSink {
   std::vector<image::PngText> texts_;
   double dpi_;
   output::FrameDigestText digestOf_;
+  core::StepLedger& steps_;
 };
 
 /// A picture that is more than its pixels.
 class SingleFigure : public output::FrameSink {
  public:
-  SingleFigure(std::filesystem::path target, output::FigureOptions options, const SceneFrames& frames)
-      : target_(std::move(target)), options_(std::move(options)), frames_(frames) {}
+  SingleFigure(std::filesystem::path target, output::FigureOptions options, const SceneFrames& frames,
+               core::StepLedger& steps)
+      : target_(std::move(target)), options_(std::move(options)), frames_(frames), steps_(steps) {}
   void write(const image::AnyImage& imagePart, std::int64_t) override {
+    const core::StepScope timing(&steps_, core::Step::kEncode);
     output::writeFigure(target_, frames_.picture(), std::get<image::Image>(imagePart), options_);
   }
   void finish() override {}
@@ -67,60 +54,39 @@ class SingleFigure : public output::FrameSink {
   std::filesystem::path target_;
   output::FigureOptions options_;
   const SceneFrames& frames_;
-};
-
-/// Pictures, timed from outside.
-class TimedPictures : public output::FrameSink {
- public:
-  TimedPictures(std::unique_ptr<output::FrameSink> sink, EncodingTimes& times)
-      : sink_(std::move(sink)), times_(times) {}
-
-  bool has(std::int64_t k) const override { return sink_->has(k); }
-  void write(const image::AnyImage& picture, std::int64_t k) override {
-    timed([&] { sink_->write(picture, k); });
-  }
-  void finish() override {
-    timed([&] { sink_->finish(); });
-  }
-
- private:
-  template <class Step>
-  void timed(Step step) {
-    const double before_s = processCpu_s();
-    step();
-    times_.encode_s += processCpu_s() - before_s;
-  }
-
-  std::unique_ptr<output::FrameSink> sink_;
-  EncodingTimes& times_;
+  core::StepLedger& steps_;
 };
 
 std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene::Scene& scene,
-                                               SceneFrames& frames) {
+                                               SceneFrames& frames, core::StepLedger& steps) {
   const auto& path = job.target.path;
   const auto [title, description] = pictureWords(scene);
   const PrintSize print = job.form.print.value_or(PrintSize{});
   if (job.target.kind == OutputKind::kFigure)
-    return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames);
+    return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames,
+                                          steps);
   auto texts = output::pngTexts(title, description);
   auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
   if (job.target.kind == OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});
   if (job.target.kind == OutputKind::kPicture)
-    return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0, digestOf);
+    return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0, digestOf,
+                                           steps);
   // What is said of the whole film is not said by its frames: they stay as they are when it changes.
-  return std::make_unique<output::PngSequence>(output::FramePattern(path.string()),
-                                               output::SequenceOptions{{}, digestOf, job.resume, job.workFolder});
+  return std::make_unique<output::PngSequence>(
+      output::FramePattern(path.string()),
+      output::SequenceOptions{{}, digestOf, job.resume, job.workFolder, &steps});
 }
 
 }  // namespace
 
-SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames, EncodingTimes& times) {
+SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames,
+                    core::StepLedger& steps) {
   return [&](const FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
-    if (job.target.kind != OutputKind::kFilm)
-      return std::make_unique<TimedPictures>(pictureSink(job, scene, frames), times);
+    if (job.target.kind != OutputKind::kFilm) return pictureSink(job, scene, frames, steps);
     const output::FilmFormat format = filmFormat(job.target, scene.output, job.form);
-    return std::make_unique<FilmSegment>(segmentFile(job.workFolder, format.container, segment), scene, format,
-                                         segment.first, times);
+    const image::PixelSize size{scene.output.width, scene.output.height};
+    return std::make_unique<output::VideoSegmentWriter>(segmentFile(job.workFolder, format.container, segment),
+                                                        size, scene.time.fps, format, segment.first, &steps);
   };
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include <algorithm>
 #include <iterator>
@@ -14,27 +13,18 @@ namespace {
 const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
 
 /// What no step accounts for.
-double otherCpu_s(const Statistics& sum) {
-  return std::max(0.0, sum.cpu_s - sum.first_s - sum.making.sum_s() - sum.convert_s - sum.encode_s);
-}
+double otherCpu_s(const Statistics& sum) { return std::max(0.0, sum.cpu_s - sum.first_s - sum.steps.sum_s()); }
 
 }  // namespace
+
 Statistics& Statistics::operator+=(const Statistics& other) {
   frames += other.frames;
   workers += other.workers;
   first_s += other.first_s;
-  making += other.making;
-  convert_s += other.convert_s;
-  encode_s += other.encode_s;
+  steps += other.steps;
   cpu_s += other.cpu_s;
   peakMemory_bytes += other.peakMemory_bytes;
   return *this;
-}
-
-double processCpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double processPeakMemory_bytes() {
@@ -53,13 +43,12 @@ std::string statisticsText(const Statistics& sum, double wall_s) {
   const auto line = [&](const char* step, double milliseconds, const char* unit = "ms CPU per frame") {
     fmt::format_to(std::back_inserter(text), "  {:<20}{:>9.2f} {}\n", step, milliseconds, unit);
   };
-  const std::int64_t later = sum.frames - sum.workers;
-  line("simulate + compose", perFrame(sum.making.compose_s, later));
-  line("render", perFrame(sum.making.render_s, later));
-  line("read", perFrame(sum.making.read_s, later));
-  line("text", perFrame(sum.making.text_s, later));
-  line("convert", perFrame(sum.convert_s, sum.frames));
-  line("encode + write", perFrame(sum.encode_s, sum.frames));
+  for (std::size_t i = 0; i < core::kSteps; ++i) {
+    const auto step = static_cast<core::Step>(i);
+    // A worker's first frame is told apart, but not what was done with it.
+    const auto frames = step <= core::Step::kText ? sum.frames - sum.workers : sum.frames;
+    line(core::nameOf(step), perFrame(sum.steps[step], frames));
+  }
   line("first frame", perFrame(sum.first_s, sum.workers), "ms CPU per worker, shaders compiled");
   line("start and other", perFrame(otherCpu_s(sum), sum.workers), "ms CPU per worker");
   line("in all", perFrame(sum.cpu_s, sum.frames));

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/frame_source.h"
+#include "core/step_times.h"
 
 namespace poinsot::app {
 
@@ -13,17 +13,14 @@ struct Statistics {
   std::int64_t frames = 0;
   std::int64_t workers = 0;
   double first_s = 0;           ///< CPU: making each worker's first frame, in which the driver compiles shaders
-  FrameTimes making;            ///< of all other frames
-  double convert_s = 0;         ///< CPU: RGB to the encoder's pixels
-  double encode_s = 0;          ///< CPU: encoder, or PNG compression and writing
+  core::StepTimes steps;        ///< of all else; those that make pictures, of all other frames
   double cpu_s = 0;             ///< CPU of the processes in all, start-up included
   double peakMemory_bytes = 0;  ///< summed over processes, each at its own peak
 
   Statistics& operator+=(const Statistics& other);
 };
 
-/// CPU seconds and peak memory of this process so far.
-double processCpu_s();
+/// Of this process so far.
 double processPeakMemory_bytes();
 
 /// A table of CPU milliseconds per frame by step, frames per second and memory; lines end with a newline.

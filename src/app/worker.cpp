@@ -30,25 +30,57 @@ void reportReused(const FrameRange& segment, int reports) {
   for (std::int64_t k = segment.first; k <= segment.last; ++k) report(reports, FrameDone{k, true});
 }
 
-void makeFrame(std::int64_t k, FrameSource& source, output::FrameSink& sink, Statistics& spent) {
-  const image::AnyImage picture = source.frame(k);
-  if (spent.frames++ == 0) spent.making -= source.times();  // told apart from the other frames
-  sink.write(picture, k);
+void reportSpans(core::StepLedger& steps, int reports) {
+  auto spans = steps.takeSpans();
+  if (!spans.empty()) report(reports, SpansDone{std::move(spans)});
 }
 
-void makeSegment(const FrameRange& segment, int reports, FrameSource& source, output::FrameSink& sink,
-                 const SegmentKeeper* keeper, Statistics& spent) {
-  std::vector<std::string> digests;
-  for (std::int64_t k = segment.first; k <= segment.last; ++k) {
-    throwIfInterrupted();
-    if (keeper) digests.push_back(core::toHex(source.digest(k)));
-    const bool there = sink.has(k);
-    if (!there) makeFrame(k, source, sink, spent);
-    report(reports, FrameDone{k, there});
+/// Makes segments, and keeps the account of it.
+class SegmentMaker {
+ public:
+  SegmentMaker(int reports, FrameSource& source, core::StepLedger& steps, const SegmentKeeper* keeper)
+      : reports_(reports), source_(source), steps_(steps), keeper_(keeper) {}
+
+  void make(const FrameRange& segment, output::FrameSink& sink) {
+    std::vector<std::string> digests;
+    for (std::int64_t k = segment.first; k <= segment.last; ++k) {
+      throwIfInterrupted();
+      steps_.setFrame(k);
+      if (keeper_) digests.push_back(core::toHex(source_.digest(k)));
+      const bool there = sink.has(k);
+      if (!there) makeFrame(k, sink);
+      reportSpans(steps_, reports_);
+      report(reports_, FrameDone{k, there});
+    }
+    steps_.setFrame(std::nullopt);
+    sink.finish();
+    if (keeper_) keeper_->keep(segment, std::move(digests));
   }
-  sink.finish();
-  if (keeper) keeper->keep(segment, std::move(digests));
-}
+
+  Statistics spent() const {
+    Statistics spent;
+    spent.frames = frames_;
+    spent.workers = 1;
+    spent.first_s = first_.sum_s();
+    spent.steps = steps_.times();
+    spent.steps -= first_;
+    return spent;
+  }
+
+ private:
+  void makeFrame(std::int64_t k, output::FrameSink& sink) {
+    const image::AnyImage picture = source_.frame(k);
+    if (frames_++ == 0) first_ = steps_.times();  // told apart from the other frames
+    sink.write(picture, k);
+  }
+
+  int reports_;
+  FrameSource& source_;
+  core::StepLedger& steps_;
+  const SegmentKeeper* keeper_;
+  core::StepTimes first_;
+  std::int64_t frames_ = 0;
+};
 
 /// Mesa reads its environment once, at the first context.
 void pin(const WorkerJob& job) {
@@ -73,15 +105,15 @@ void work(LineReader& jobs, int reports) {
   const std::string settings = renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, scene);
   expectSameScene(job, scene, settings);
   const auto context = gl::openContext(job.backend);
-  SceneFrames frames(scene, *context, job.time_s, job.form, output::figureMedium(job.target.path), settings);
-  EncodingTimes encoding;
+  core::StepLedger steps;
+  if (job.trace) steps.trace();
+  SceneFrames frames(scene, *context, job.time_s, job.form, output::figureMedium(job.target.path), settings,
+                     &steps);
   const bool keeps = !job.job.empty();
   const SegmentKeeper keeper(job, context->renderer());
   Statistics spent =
-      makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, encoding), keeps ? &keeper : nullptr);
-  spent.convert_s = encoding.convert_s;
-  spent.encode_s = encoding.encode_s;
-  spent.cpu_s = processCpu_s();
+      makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, steps), steps, keeps ? &keeper : nullptr);
+  spent.cpu_s = core::processCpu_s();
   spent.peakMemory_bytes = processPeakMemory_bytes();
   report(reports, WorkerFinished{spent});
 }
@@ -94,21 +126,21 @@ int failed(int reports, core::ErrorKind kind, const std::string& message) {
 }  // namespace
 
 Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
-                        const SegmentKeeper* keeper) {
-  Statistics spent;
-  spent.workers = 1;
+                        core::StepLedger& steps, const SegmentKeeper* keeper) {
+  SegmentMaker maker(reports, source, steps, keeper);
   while (const auto line = jobs.wait()) {
     const FrameRange segment = segmentFromLine(*line);
+    const std::int64_t begin_ns = core::monotonic_ns();
     if (keeper && keeper->has(segment, source))
       reportReused(segment, reports);
     else
-      makeSegment(segment, reports, source, *sinkOf(segment), keeper, spent);
+      maker.make(segment, *sinkOf(segment));
     malloc_trim(0);  // an encoder's large blocks leave holes that the next one does not fit into
+    steps.add({"segment", begin_ns, core::monotonic_ns(), segment.first});
+    reportSpans(steps, reports);
     report(reports, SegmentDone{segment});
   }
-  spent.first_s = -spent.making.sum_s();
-  spent.making += source.times();
-  return spent;
+  return maker.spent();
 }
 
 int runWorker(int jobs, int reports) {

@@ -62,7 +62,7 @@ std::string inWords(int status) {
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const WorkerJob& job) {
+WorkerProcess::WorkerProcess(const WorkerJob& job, int number) : number_(number) {
   Pipe jobs = makePipe(), reports = makePipe();
   const pid_t parent = getpid();
   pid_ = fork();

@@ -18,7 +18,8 @@ namespace poinsot::app {
 class WorkerProcess {
  public:
   /// @throws core::Error(kGraphics) if no process can be started.
-  explicit WorkerProcess(const WorkerJob& job);
+  /// `number`: to tell it from others.
+  WorkerProcess(const WorkerJob& job, int number);
   ~WorkerProcess();
   WorkerProcess(WorkerProcess&&) = delete;
 
@@ -26,6 +27,8 @@ class WorkerProcess {
   void give(const FrameRange& segment);
   void giveNoMore();
   const std::optional<FrameRange>& segment() const { return segment_; }
+
+  int number() const { return number_; }
 
   /// For poll(): readable when a report came, or the end.
   int reportsFd() const { return reports_.get(); }
@@ -43,6 +46,7 @@ class WorkerProcess {
   void kill();
 
  private:
+  int number_;
   pid_t pid_ = -1;
   core::FileHandle jobs_, reports_;
   LineReader reader_{-1};

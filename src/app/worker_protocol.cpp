@@ -47,16 +47,35 @@ PictureForm formOf(const Json& json) {
 
 // In the order of the fields, so that the two functions below stay readable side by side.
 Json toJson(const Statistics& s) {
-  return Json{s.frames,          s.workers,       s.first_s,         s.making.compose_s,
-              s.making.render_s, s.making.read_s, s.making.text_s,   s.convert_s,
-              s.encode_s,        s.cpu_s,         s.peakMemory_bytes};
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < core::kSteps; ++i) steps.push_back(s.steps[static_cast<core::Step>(i)]);
+  return Json{s.frames, s.workers, s.first_s, steps, s.cpu_s, s.peakMemory_bytes};
 }
 
 Statistics statisticsOf(const Json& json) {
   const auto count = [&](std::size_t i) { return json.at(i).get<std::int64_t>(); };
   const auto number = [&](std::size_t i) { return json.at(i).get<double>(); };
-  return {count(0),  count(1),  number(2), {number(3), number(4), number(5), number(6)},
-          number(7), number(8), number(9), number(10)};
+  core::StepTimes steps;
+  for (std::size_t i = 0; i < core::kSteps; ++i)
+    steps[static_cast<core::Step>(i)] = json.at(3).at(i).get<double>();
+  return {count(0), count(1), number(2), steps, number(4), number(5)};
+}
+
+Json toJson(const std::vector<core::Span>& spans) {
+  Json json = Json::array();
+  for (const core::Span& span : spans)
+    json.push_back({span.name, span.begin_ns, span.end_ns, span.frame ? Json(*span.frame) : Json()});
+  return json;
+}
+
+std::vector<core::Span> spansOf(const Json& json) {
+  std::vector<core::Span> spans;
+  for (const Json& span : json) {
+    spans.push_back(
+        {span.at(0).get<std::string>(), span.at(1).get<std::int64_t>(), span.at(2).get<std::int64_t>()});
+    if (!span.at(3).is_null()) spans.back().frame = span.at(3).get<std::int64_t>();
+  }
+  return spans;
 }
 
 template <class... Each>
@@ -79,6 +98,7 @@ std::string toLine(const WorkerJob& job) {
       {"segment_frames", job.segmentFrames},
       {"resume", job.resume},
       {"job", job.job},
+      {"trace", job.trace},
       {"form", toJson(job.form)}}
       .dump();
 }
@@ -97,7 +117,8 @@ WorkerJob jobFromLine(std::string_view line) {
           formOf(json.at("form")),
           json.at("segment_frames").get<std::int64_t>(),
           json.at("resume").get<bool>(),
-          json.at("job").get<std::string>()};
+          json.at("job").get<std::string>(),
+          json.at("trace").get<bool>()};
 }
 
 std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
@@ -111,6 +132,9 @@ std::string toLine(const WorkerReport& report) {
                  },
                  [](const SegmentDone& done) {
                    return Json{{"segment", toJson(done.frames)}};
+                 },
+                 [](const SpansDone& done) {
+                   return Json{{"spans", toJson(done.spans)}};
                  },
                  [](const WorkerFinished& finished) {
                    return Json{{"finished", toJson(finished.spent)}};
@@ -127,6 +151,7 @@ WorkerReport reportFromLine(std::string_view line) {
   if (json.contains("frame"))
     return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>()};
   if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
+  if (json.contains("spans")) return SpansDone{spansOf(json.at("spans"))};
   if (json.contains("finished")) return WorkerFinished{statisticsOf(json.at("finished"))};
   return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed"))};
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "app/frame_plan.h"
 #include "app/output_target.h"
@@ -34,6 +35,7 @@ struct WorkerJob {
   std::int64_t segmentFrames = kSegmentFrames;
   bool resume = false;   ///< what is there and is the same is not made again
   std::string job = {};  ///< jobDigest() of a film or a sequence, of the scene as the render read it
+  bool trace = false;    ///< reports spans
 };
 
 struct FrameDone {
@@ -44,6 +46,10 @@ struct FrameDone {
 struct SegmentDone {
   FrameRange frames;
 };
+/// What it has done since the last such report.
+struct SpansDone {
+  std::vector<core::Span> spans;
+};
 struct WorkerFinished {
   Statistics spent;
 };
@@ -51,7 +57,7 @@ struct WorkerFailed {
   core::ErrorKind kind = core::ErrorKind::kGraphics;
   std::string message;
 };
-using WorkerReport = std::variant<FrameDone, SegmentDone, WorkerFinished, WorkerFailed>;
+using WorkerReport = std::variant<FrameDone, SegmentDone, SpansDone, WorkerFinished, WorkerFailed>;
 
 /// Lines, without their newline. Reading one that the other side did not write is a broken contract.
 std::string toLine(const WorkerJob& job);

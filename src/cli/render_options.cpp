@@ -93,6 +93,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("STYLE")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
   command.add_flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
+  command
+      .add_option("--trace", options.trace,
+                  "besides, a JSON file of what each worker did when, for chrome://tracing or ui.perfetto.dev")
+      ->type_name("FILE")
+      ->check(notEmpty());
 }
 
 image::PixelSize parseSize(const std::string& text) {

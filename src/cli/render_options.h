@@ -15,7 +15,7 @@ namespace poinsot::cli {
 
 /// Words of the command line common to `render` and `still`, as typed.
 struct RenderOptions : SceneOptions {
-  std::string output, size, quality, fps;
+  std::string output, size, quality, fps, trace;
   int jobs = 0;
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";

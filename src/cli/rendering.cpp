@@ -38,6 +38,13 @@ void checkTargets(const RenderOptions& options, const app::OutputTarget& target,
   output::checkSequence(output::FramePattern(target.path.string()), frames.first, frames.last, options.force);
 }
 
+void checkTrace(const RenderOptions& options, const app::OutputTarget& target) {
+  if (options.trace.empty()) return;
+  if (std::filesystem::path(options.trace).lexically_normal() == target.path.lexically_normal())
+    throw core::Error(core::ErrorKind::kUsage, "--trace: is a file of its own; -o has this name already");
+  output::checkTarget(options.trace, options.force || output::beginsWith(options.trace, app::traceMark()));
+}
+
 void checkStandardOutput() {
   if (isatty(STDOUT_FILENO) != 0)
     throw core::Error(core::ErrorKind::kUsage,
@@ -174,6 +181,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
     render.reproducible = true;  // the machines of a cluster differ
   }
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
+  checkTrace(options, target);
   if (scene.time.loop && !options.quiet && options.progress != "json")
     writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (options.dryRun) return describe(render, scene);
@@ -181,6 +189,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   if (target.stream) render.target.path = parked.emplace().path() / target.path;
   prepareFolder(render.target);
   if (!parts.manifest.empty()) render.manifest = parts.manifest;
+  if (!options.trace.empty()) render.trace = options.trace;
   if (isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));

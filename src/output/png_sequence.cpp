@@ -26,8 +26,9 @@ void createFolder(const std::filesystem::path& folder) {
                                                       core::printable(folder.native()), failure.message()));
 }
 
-std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<image::PngText>& texts,
-                                  double dpi = 0) {
+std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<image::PngText>& texts, double dpi,
+                                  core::StepLedger* steps) {
+  const core::StepScope timing(steps, core::Step::kEncode);
   return std::visit([&](const auto& picture) { return image::encodePng(picture, texts, dpi); }, any);
 }
 
@@ -36,8 +37,10 @@ std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<
 image::PngText digestText(const std::string& digest) { return {kDigestKey, digest}; }
 
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
-              const std::vector<image::PngText>& texts, double dpi) {
-  writeFileAtomically(target, encoded(picture, texts, dpi));
+              const std::vector<image::PngText>& texts, double dpi, core::StepLedger* steps) {
+  const auto bytes = encoded(picture, texts, dpi, steps);
+  const core::StepScope timing(steps, core::Step::kWrite);
+  writeFileAtomically(target, bytes);
 }
 
 PngSequence::PngSequence(FramePattern pattern, SequenceOptions options)
@@ -58,14 +61,17 @@ void PngSequence::write(const image::AnyImage& picture, std::int64_t k) {
   const auto target = pattern_.path(k);
   std::vector<image::PngText> texts = options_.texts;
   if (options_.digestOf) texts.push_back(digestText(options_.digestOf(k)));
+  const auto bytes = encoded(picture, texts, 0, options_.steps);
+  const core::StepScope timing(options_.steps, core::Step::kWrite);
   AtomicFile file(target, options_.temporaryFolder);
-  file.write(encoded(picture, texts));
+  file.write(bytes);
   file.commit(Durability::kRenamed);
   unsynced_.push_back(target);
 }
 
 void PngSequence::finish() {
   if (unsynced_.empty()) return;
+  const core::StepScope timing(options_.steps, core::Step::kWrite);
   for (const auto& file : unsynced_) syncFile(file);
   syncFolderOf(unsynced_.front());  // all frames share one folder
   unsynced_.clear();

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "core/step_times.h"
 #include "image/png_file.h"
 #include "output/frame_pattern.h"
 #include "output/frame_sink.h"
 
 namespace poinsot::output {
 
-/// One picture, atomic and durable; `dpi` as in encodePng. @throws core::Error(kIo).
+/// One picture, atomic and durable; `dpi` as in encodePng. `steps`: where the time is entered. @throws
+/// core::Error(kIo).
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
-              const std::vector<image::PngText>& texts = {}, double dpi = 0);
+              const std::vector<image::PngText>& texts = {}, double dpi = 0, core::StepLedger* steps = nullptr);
 
 /// What a frame's file says of its own digest: hexadecimal.
 image::PngText digestText(const std::string& digest);
@@ -27,6 +29,7 @@ struct SequenceOptions {
   FrameDigestText digestOf;               ///< each frame's file carries it; empty: none
   bool resume = false;                    ///< a whole file with the frame's digest is the frame
   std::filesystem::path temporaryFolder;  ///< for what is not complete; empty: beside the frames
+  core::StepLedger* steps = nullptr;      ///< where the time is entered
 };
 
 /// Frames as numbered PNG files of 8 or 16 bits a sample, each appearing under its name only when complete.

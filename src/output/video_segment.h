@@ -6,16 +6,11 @@
 #include <memory>
 
 #include "core/rational.h"
+#include "core/step_times.h"
 #include "output/film_format.h"
 #include "output/frame_sink.h"
 
 namespace poinsot::output {
-
-/// CPU seconds of the calling thread.
-struct EncodingSpent {
-  double convert_s = 0;  ///< RGB to what the encoder takes
-  double encode_s = 0;   ///< the encoder, the container and the disk
-};
 
 /// A piece of film: consecutive frames, encoded by an encoder of its own into a small file that begins with a key
 /// frame and refers to nothing outside. Segments made with the same settings make the film (film.h), so who made
@@ -23,9 +18,10 @@ struct EncodingSpent {
 class VideoSegmentWriter : public FrameSink {
  public:
   /// @param firstFrame  the k of the first write; the next ones follow without gaps.
+  /// @param steps  where the time is entered.
   /// @throws core::Error(kUsage) as checkFormat(), or for a rate below 1/60000 in an MP4; kEncode; kIo.
   VideoSegmentWriter(const std::filesystem::path& target, image::PixelSize size, const core::Rational& fps,
-                     const FilmFormat& format, std::int64_t firstFrame);
+                     const FilmFormat& format, std::int64_t firstFrame, core::StepLedger* steps = nullptr);
   ~VideoSegmentWriter() override;
 
   /// @pre the constructor's size, 8 bits a sample.
@@ -33,14 +29,11 @@ class VideoSegmentWriter : public FrameSink {
   /// @pre at least one frame was written.
   void finish() override;
 
-  EncodingSpent spent() const { return spent_; }
-
  private:
   struct Parts;  // keeps libav's headers out of this one
   std::unique_ptr<Parts> parts_;
   image::PixelSize size_;
   std::int64_t nextFrame_ = 0;
-  EncodingSpent spent_;
 };
 
 }  // namespace poinsot::output

@@ -2,10 +2,10 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <ctime>
 #include <deque>
 
 #include "core/expect.h"
+#include "core/step_times.h"
 #include "gl/framebuffer.h"
 #include "render/compositor.h"
 #include "render/eraser.h"
@@ -16,25 +16,6 @@
 
 namespace poinsot::render {
 namespace {
-
-double cpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Adds the CPU time of a scope to a total.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total), start_(cpuSeconds()) {}
-  ~Stopwatch() { total_ += cpuSeconds() - start_; }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& total_;
-  double start_;
-};
 
 /// What OpenGL is told of pictures of a kind of sample.
 struct Formats {
@@ -157,7 +138,9 @@ struct Renderer::Passes {
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
-  RenderTimes times;
+  core::StepLedger* steps;
+
+  explicit Passes(core::StepLedger* ledger) : steps(ledger) {}
 
   void beginPicture() {
     meshes.beginPicture();
@@ -186,16 +169,21 @@ struct Renderer::Passes {
     meshes.draw(which, inputs);
   }
 
-  /// Leaves the picture in its buffer where the mosaic that it returns covers it.
-  template <typename Sample>
-  Mosaic draw(const draw::DrawList& list, glm::ivec2 size, const RenderOptions& options) {
-    buffers = &shelf.of(size, formatsOf<Sample>());
-    glViewport(0, 0, size.x, size.y);
+  /// Outlines, and what fills each pixel. Returns the cells that solids lie in.
+  SolidCells draw(const draw::DrawList& list, const RenderOptions& options) {
+    const core::StepScope timing(steps, core::Step::kDraw);
     SolidCells cells(list.camera.size_px);
     const auto meshEdges = meshes.prepare(list, options.sharpness, cells);
     solids.prepare(list, meshEdges, options.sharpness, cells);
     eraser.prepare(cells, pictureConstants(list, options.sharpness));
     drawSolids(cells);
+    glFinish();  // so that the passes count here
+    return cells;
+  }
+
+  /// Leaves the picture in its buffer where the mosaic that it returns covers it.
+  Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const RenderOptions& options) {
+    const core::StepScope timing(steps, core::Step::kResolve);
     const Sheets sheets(list);
     Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, cells);
     buffers->picture.bind();
@@ -209,19 +197,21 @@ struct Renderer::Passes {
   template <typename Sample>
   image::BasicImage<Sample> panel(const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
-    image::BasicImage<Sample> picture;
-    Mosaic mosaic;
-    {
-      const Stopwatch watch(times.draw_s);
-      mosaic = draw<Sample>(list, size, options);
-    }
-    {
-      const Stopwatch watch(times.read_s);
-      picture = readBack<Sample>({size.x, size.y}, mosaic, list.background, options.transparent);
-    }
-    const Stopwatch watch(times.text_s);
+    buffers = &shelf.of(size, formatsOf<Sample>());
+    glViewport(0, 0, size.x, size.y);
+    const SolidCells cells = draw(list, options);
+    const Mosaic mosaic = resolve(list, cells, options);
+    auto picture = read<Sample>({size.x, size.y}, mosaic, list.background, options);
+    const core::StepScope timing(steps, core::Step::kText);
     text.paint(list.texts, picture);
     return picture;
+  }
+
+  template <typename Sample>
+  image::BasicImage<Sample> read(image::PixelSize size, const Mosaic& mosaic, const draw::Color& background,
+                                 const RenderOptions& options) {
+    const core::StepScope timing(steps, core::Step::kRead);
+    return readBack<Sample>(size, mosaic, background, options.transparent);
   }
 
   template <typename Sample>
@@ -240,7 +230,7 @@ struct Renderer::Passes {
     expectWithin(picture);
     beginPicture();
     auto made = panels<Sample>(picture, options);
-    const Stopwatch watch(times.text_s);
+    const core::StepScope timing(steps, core::Step::kText);
     flat.paint(picture, made);
     text.paint(picture.texts, made);
     return made;
@@ -258,7 +248,7 @@ struct Renderer::Passes {
   }
 };
 
-Renderer::Renderer(gl::OffscreenContext&) : passes_(std::make_unique<Passes>()) {}
+Renderer::Renderer(gl::OffscreenContext&, core::StepLedger* steps) : passes_(std::make_unique<Passes>(steps)) {}
 Renderer::~Renderer() = default;
 
 image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options) {
@@ -274,7 +264,5 @@ image::Image Renderer::render(const draw::Picture& picture, const RenderOptions&
 image::DeepImage Renderer::renderDeep(const draw::Picture& picture, const RenderOptions& options) {
   return passes_->whole<std::uint16_t>(picture, options);
 }
-
-const RenderTimes& Renderer::times() const { return passes_->times; }
 
 }  // namespace poinsot::render

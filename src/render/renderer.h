@@ -3,18 +3,12 @@
 
 #include <memory>
 
+#include "core/step_times.h"
 #include "draw/picture.h"
 #include "gl/offscreen_context.h"
 #include "image/image.h"
 
 namespace poinsot::render {
-
-/// Seconds of CPU spent by the last render() calls, for --stats.
-struct RenderTimes {
-  double draw_s = 0;
-  double read_s = 0;
-  double text_s = 0;  ///< with areas and strokes
-};
 
 struct RenderOptions {
   bool transparent = false;  ///< RGBA with the background's alpha 0, else RGB
@@ -24,8 +18,9 @@ struct RenderOptions {
 /// Draws pictures. Owns every GL object; the context it is given must outlive it and stay current.
 class Renderer {
  public:
+  /// @param steps  where the time is entered; must outlive it.
   /// @throws core::Error(kGraphics) when a shader does not compile.
-  explicit Renderer(gl::OffscreenContext& context);
+  explicit Renderer(gl::OffscreenContext& context, core::StepLedger* steps = nullptr);
   ~Renderer();
 
   /// One view that fills the picture.
@@ -39,8 +34,6 @@ class Renderer {
   image::Image render(const draw::Picture& picture, const RenderOptions& options = {});
   /// The same with 16 bits a sample, of light that was kept as floats: 1.6 times the memory.
   image::DeepImage renderDeep(const draw::Picture& picture, const RenderOptions& options = {});
-
-  const RenderTimes& times() const;
 
  private:
   struct Passes;

@@ -6,6 +6,7 @@
 
 #include "stage/note_rows.h"
 #include "stage/picture_motion.h"
+#include "stage/timed_motion.h"
 
 namespace poinsot::stage {
 namespace {
@@ -112,7 +113,7 @@ void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& fr
 
 }  // namespace
 
-Stage::Stage(scene::Scene scene) : Stage(scene, drawnMotion(scene)) {}
+Stage::Stage(scene::Scene scene, core::StepLedger* steps) : Stage(scene, timed(drawnMotion(scene), steps)) {}
 
 Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion)
     : scene_(std::move(scene)),

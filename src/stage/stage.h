@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/step_times.h"
 #include "draw/picture.h"
 #include "scene/scene.h"
 #include "stage/caption_strip.h"
@@ -26,7 +27,8 @@ class Stage {
  public:
   /// @throws core::Error(kPhysics) where the scene asks for something its motion does not have
   /// (the invariable plane of a body at rest).
-  explicit Stage(scene::Scene scene);
+  /// @param steps  where the time of the motion is entered; then it is of one thread.
+  explicit Stage(scene::Scene scene, core::StepLedger* steps = nullptr);
 
   /// What the picture shows at film time `filmTime_s`, for a picture of `size_px` (width, height).
   draw::Picture compose(double filmTime_s, glm::ivec2 size_px) const;

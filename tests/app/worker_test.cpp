@@ -15,13 +15,13 @@ struct GreySource : FrameSource {
   image::AnyImage frame(std::int64_t k) override {
     image::Image picture({1, 1}, 3);
     picture.pixels.assign(3, static_cast<std::uint8_t>(k));
-    ++made;
+    // Each frame costs 1 and 4 s.
+    steps.add(core::Step::kSimulate, 1);
+    steps.add(core::Step::kText, 4);
     return picture;
   }
   core::Digest digest(std::int64_t k) override { return core::sha256(std::to_string(k)); }
-  /// Each frame costs 1, 2, 3 and 4 s.
-  FrameTimes times() const override { return {made * 1.0, made * 2.0, made * 3.0, made * 4.0}; }
-  int made = 0;
+  core::StepLedger steps;
 };
 
 using Written = std::vector<std::pair<std::int64_t, int>>;  // k and grey value, -1 for finish()
@@ -54,24 +54,30 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   LineReader lines(jobs.read.get());
   GreySource source;
   Written written;
-  const auto spent = makeSegments(lines, reports.write.get(), source,
-                                  [&](const FrameRange&) { return std::make_unique<RecordingSink>(written); });
+  source.steps.trace();
+  const auto spent = makeSegments(
+      lines, reports.write.get(), source,
+      [&](const FrameRange&) { return std::make_unique<RecordingSink>(written); }, source.steps);
   EXPECT_EQ(written, (Written{{3, 3}, {4, 4}, {0, -1}, {60, 60}, {0, -1}}));
   EXPECT_EQ(spent.frames, 3);
   EXPECT_EQ(spent.workers, 1);
-  EXPECT_EQ(spent.first_s, 10);       // 1 + 2 + 3 + 4
-  EXPECT_EQ(spent.making.text_s, 8);  // of the two others
+  EXPECT_EQ(spent.first_s, 5);                       // 1 + 4
+  EXPECT_EQ(spent.steps[core::Step::kSimulate], 2);  // of the two others
+  EXPECT_EQ(spent.steps[core::Step::kText], 8);
 
   reports.write.reset();
   LineReader told(reports.read.get());
-  std::vector<std::int64_t> frames, segmentStarts;
+  std::vector<std::int64_t> frames, segmentStarts, tracedSegments;
   while (const auto line = told.wait()) {
     const auto report = reportFromLine(*line);
     if (const auto* done = std::get_if<FrameDone>(&report)) frames.push_back(done->k);
     if (const auto* done = std::get_if<SegmentDone>(&report)) segmentStarts.push_back(done->frames.first);
+    if (const auto* done = std::get_if<SpansDone>(&report))
+      for (const core::Span& span : done->spans) tracedSegments.push_back(span.frame.value());
   }
   EXPECT_EQ(frames, (std::vector<std::int64_t>{3, 4, 60}));
   EXPECT_EQ(segmentStarts, (std::vector<std::int64_t>{3, 60}));
+  EXPECT_EQ(tracedSegments, segmentStarts);
 }
 
 TEST(WorkerProtocol, CarriesAJobUnchanged) {
@@ -88,7 +94,8 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
                       {PrintSize{86.25, 599.9}, true, 16},
                       7,
                       true,
-                      "0123"};
+                      "0123",
+                      true};
   const std::string line = toLine(job);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const WorkerJob read = jobFromLine(line);
@@ -112,6 +119,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_EQ(read.segmentFrames, 7);
   EXPECT_TRUE(read.resume);
   EXPECT_EQ(read.job, job.job);
+  EXPECT_TRUE(read.trace);
 }
 
 TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
@@ -128,19 +136,30 @@ TEST(WorkerProtocol, CarriesReports) {
       std::get<WorkerFailed>(reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "disk\nfull"})));
   EXPECT_EQ(failed.kind, core::ErrorKind::kIo);
   EXPECT_EQ(failed.message, "disk\nfull");
-  const Statistics spent{7, 3, 0.9, {0.1, 0.2, 0.3, 0.4}, 0.5, 0.6, 0.7, 8};
+  Statistics spent{7, 3, 0.9, {}, 0.7, 8};
+  for (std::size_t i = 0; i < core::kSteps; ++i)
+    spent.steps[static_cast<core::Step>(i)] = 0.1 * static_cast<double>(i);
   const auto back = std::get<WorkerFinished>(reportFromLine(toLine(WorkerFinished{spent}))).spent;
   EXPECT_EQ(back.frames, 7);
   EXPECT_EQ(back.workers, 3);
   EXPECT_EQ(back.first_s, 0.9);
-  EXPECT_EQ(back.making.compose_s, 0.1);
-  EXPECT_EQ(back.making.render_s, 0.2);
-  EXPECT_EQ(back.making.read_s, 0.3);
-  EXPECT_EQ(back.making.text_s, 0.4);
-  EXPECT_EQ(back.convert_s, 0.5);
-  EXPECT_EQ(back.encode_s, 0.6);
+  for (std::size_t i = 0; i < core::kSteps; ++i)
+    EXPECT_EQ(back.steps[static_cast<core::Step>(i)], spent.steps[static_cast<core::Step>(i)]) << i;
   EXPECT_EQ(back.cpu_s, 0.7);
   EXPECT_EQ(back.peakMemory_bytes, 8);
+}
+
+TEST(WorkerProtocol, CarriesSpansToTheNanosecond) {
+  const std::int64_t late_ns =
+      9'000'000'000'000'000'001;  // 285 years after the machine's start: no double holds it
+  const SpansDone done{{{"draw", late_ns, late_ns + 1, 7}, {"write", 2, 3, std::nullopt}}};
+  const auto back = std::get<SpansDone>(reportFromLine(toLine(done))).spans;
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[0].name, "draw");
+  EXPECT_EQ(back[0].begin_ns, late_ns);
+  EXPECT_EQ(back[0].end_ns, late_ns + 1);
+  EXPECT_EQ(back[0].frame, 7);
+  EXPECT_EQ(back[1].frame, std::nullopt);
 }
 
 }  // namespace

@@ -5,8 +5,12 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "cli/program_run.h"
@@ -205,8 +209,90 @@ TEST_F(RenderCommand, ProgressAsJsonIsOneObjectALine) {
 
 TEST_F(RenderCommand, StatsAreToldPerStep) {
   const auto result = good({"render", "a.toml", "--stats", "--frames", "0-9", "-o", "a.mp4"});
-  for (const char* said : {"10 frames in", "simulate + compose", "render", "convert", "encode", "peak memory"})
+  for (const char* said : {"10 frames in", "simulate", "compose", "draw", "resolve", "read", "text", "convert",
+                           "encode", "write", "peak memory"})
     EXPECT_THAT(result.err, HasSubstr(said));
+}
+
+struct TracedSpan {
+  double begin_us, end_us;
+  std::string name;
+  int frame;  // -1 of none
+};
+
+/// Those of one row of one process, in order; what lies around others before them.
+using TracedRows = std::map<std::pair<int, int>, std::vector<TracedSpan>>;
+
+TracedRows rowsOf(const nlohmann::json& trace) {
+  TracedRows rows;
+  for (const auto& event : trace.at("traceEvents")) {
+    if (event.at("ph") != "X") continue;
+    const double begin_us = event.at("ts"), end_us = begin_us + event.at("dur").get<double>();
+    rows[{event.at("pid"), event.at("tid")}].push_back(
+        {begin_us, end_us, event.at("name"), event.at("args").value("frame", -1)});
+  }
+  for (auto& [key, row] : rows)
+    std::ranges::sort(row, [](const TracedSpan& a, const TracedSpan& b) {
+      return std::pair(a.begin_us, -a.end_us) < std::pair(b.begin_us, -b.end_us);
+    });
+  return rows;
+}
+
+/// Adds up what lies in no other span, and expects the others to lie within.
+double outermost_us(const std::vector<TracedSpan>& row) {
+  constexpr double kRounding_us = 1e-3;
+  double sum_us = 0, end_us = 0;
+  for (const TracedSpan& span : row) {
+    if (span.begin_us < end_us - kRounding_us) {
+      EXPECT_LE(span.end_us, end_us + kRounding_us) << span.name << " of frame " << span.frame;
+      continue;
+    }
+    sum_us += span.end_us - span.begin_us;
+    end_us = span.end_us;
+  }
+  return sum_us;
+}
+
+TEST_F(RenderCommand, TracesEveryFrameOfEveryWorker) {
+  const std::vector<std::string> arguments{"render", "a.toml", "--frames", "0-11", "--segment", "3", "-j", "2"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), arguments.begin(), arguments.end());
+    good(more);
+  };
+  with({"-o", "plain.mp4"});
+  with({"-o", "a.mp4", "--trace", "trace.json"});
+  EXPECT_TRUE(bytes("plain.mp4") == bytes("a.mp4"));
+  const auto text = bytes("trace.json");
+  const auto trace = nlohmann::json::parse(text.begin(), text.end());
+  std::map<std::string, std::multiset<int>> framesOf;
+  double wall_us = 0;
+  const TracedRows rows = rowsOf(trace);
+  for (const auto& [key, row] : rows)
+    for (const TracedSpan& span : row) {
+      wall_us = std::max(wall_us, span.end_us);
+      if (span.frame >= 0) framesOf[span.name].insert(span.frame);
+    }
+  std::multiset<int> all;
+  for (int k = 0; k < 12; ++k) all.insert(k);
+  for (const char* step : {"simulate", "compose", "draw", "resolve", "read", "text", "convert", "encode"})
+    EXPECT_EQ(framesOf[step], all) << step;
+  EXPECT_EQ(framesOf["segment"], (std::multiset<int>{0, 3, 6, 9}));
+  for (const auto& [key, row] : rows) EXPECT_LE(outermost_us(row), wall_us) << key.first << " " << key.second;
+  EXPECT_EQ(rows.at({0, 1}).back().name, "assemble");
+  EXPECT_TRUE(rows.contains({1, 2}) && rows.contains({2, 2}));
+}
+
+TEST_F(RenderCommand, ATraceThatCannotBeIsRefusedFirst) {
+  folder_.put("mine.json", "{}");
+  const auto refused = [&](const std::string& trace, int exitCode, const std::string& said) {
+    const auto result = run(folder_, {"render", "a.toml", "-o", "a.mp4", "--trace", trace});
+    EXPECT_EQ(result.exitCode, exitCode) << trace;
+    EXPECT_THAT(result.err, HasSubstr(said));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4"));
+  };
+  refused("none/trace.json", 4, "none: no such folder");
+  refused("mine.json", 4, "was not written by poinsot");
+  refused("./a.mp4", 2, "--trace");
 }
 
 TEST_F(RenderCommand, AnEditedSceneDoesNotMix) {

@@ -123,11 +123,13 @@ TEST_F(VideoSegmentTest, NamesThePathItCannotWrite) {
 }
 
 TEST_F(VideoSegmentTest, TellsWhatItSpent) {
-  VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0);
+  core::StepLedger steps;
+  VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0, &steps);
   for (int k = 0; k < 5; ++k) segment.write(movingDisc(kSize, k), k);
   segment.finish();
-  EXPECT_GT(segment.spent().convert_s, 0);
-  EXPECT_GT(segment.spent().encode_s, segment.spent().convert_s);
+  EXPECT_GT(steps.times()[core::Step::kConvert], 0);
+  EXPECT_GT(steps.times()[core::Step::kEncode], steps.times()[core::Step::kConvert]);
+  EXPECT_GT(steps.times()[core::Step::kWrite], 0);
 }
 
 }  // namespace
