@@ -6,7 +6,7 @@ import statistics
 
 LINE = re.compile(r'^ +(?P<step>\S.*?) +(?P<ms>[\d.]+) ms CPU per (?P<unit>frame|worker)', re.MULTILINE)
 SUM = 'in all'
-DRAWING = 'render'
+DRAWING = ('draw', 'resolve')
 
 
 @dataclasses.dataclass(frozen=True)
