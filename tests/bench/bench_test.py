@@ -40,8 +40,9 @@ class Bench(unittest.TestCase):
             figures = [float(cell.split()[0]) for cell in found[job]]
             self.assertEqual(len(figures), 5)
             self.assertTrue(all(figure > 0 for figure in figures), (job, figures))
-        steps = found['render, per frame']
-        self.assertTrue(float(steps[0]) > 0, steps)
+        for step in ('simulate', 'compose', 'draw', 'resolve', 'read', 'text', 'convert', 'encode'):
+            spent = float(found[f'{step}, per frame'][0])
+            self.assertTrue(spent > 0, (step, spent))
 
     def test_a_command_that_fails(self):
         run = bench('--jobs', 'T', program='/bin/false')
