@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // C: camera axes, x right, y up, looking along -z. Pixels count from the top left corner, y down, and row 0 of the
 // framebuffer is the top row, so that nothing is flipped on read-back.
+
 // The ray through a pixel: x_C = rayFrom + t * rayThrough, t being the distance along the view.
 vec3 rayThrough(vec2 p_px) {
   vec2 q = (p_px - opticalCentre_px) * (pixelAtOne * (1.0 - orthographic));

@@ -44,9 +44,9 @@ float depths[kFragments + 1];
 #include "sheet_polygon.glsl"
 #endif
 
-// Where the constants of each kind begin; a vector of the paper's colour is before them.
-const int kEllipsoids = 1, kPlanes = kEllipsoids + 12 * ELLIPSOIDS, kCones = kPlanes + 10 * PLANES;
-const int kPolygons = kCones + 9 * CONES, kOfPolygon = 5 + SIDES + (SIDES + 3) / 4;
+// Where the constants of each kind begin, of which one takes OF_...; a vector of the paper's colour is before them.
+const int kEllipsoids = 1, kPlanes = kEllipsoids + OF_ELLIPSOID * ELLIPSOIDS;
+const int kCones = kPlanes + OF_PLANE * PLANES, kPolygons = kCones + OF_CONE * CONES;
 
 out vec4 pixel;
 
@@ -73,10 +73,10 @@ vec2 solidSlope(ivec2 texel, float depth) { return vec2(dFdx(depth), dFdy(depth)
 void main() {
   vec2 p_px = gl_FragCoord.xy;
   vec3 ray = rayThrough(p_px);
-#define ADD_ELLIPSOID(k) addEllipsoid(kEllipsoids + 12 * k, kEdges + 2 * k, p_px, ray);
-#define ADD_PLANE(k) addPlane(kPlanes + 10 * k, kFirstPlane + k, p_px);
-#define ADD_CONE(k) addCone(kCones + 9 * k, kFirstCone + 3 * k, p_px, ray);
-#define ADD_POLYGON(k) addPolygon(kPolygons + kOfPolygon * k, kFirstPolygon + k, p_px, ray);
+#define ADD_ELLIPSOID(k) addEllipsoid(kEllipsoids + OF_ELLIPSOID * k, kEdges + 2 * k, p_px, ray);
+#define ADD_PLANE(k) addPlane(kPlanes + OF_PLANE * k, kFirstPlane + k, p_px);
+#define ADD_CONE(k) addCone(kCones + OF_CONE * k, kFirstCone + 3 * k, p_px, ray);
+#define ADD_POLYGON(k) addPolygon(kPolygons + OF_POLYGON * k, kFirstPolygon + k, p_px, ray);
   EACH_ELLIPSOID(ADD_ELLIPSOID)
   EACH_PLANE(ADD_PLANE)
   EACH_CONE(ADD_CONE)

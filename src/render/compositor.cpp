@@ -9,6 +9,7 @@
 #include "render/cells.h"
 #include "render/constants.h"
 #include "render/mosaic.h"
+#include "render/sheet_constants.h"
 #include "render/solid_pass.h"
 
 namespace poinsot::render {
@@ -26,6 +27,15 @@ void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
     glBindTexture(GL_TEXTURE_RECTANGLE, textures[i].second);
     program.set(textures[i].first, static_cast<int>(i));
   }
+}
+
+/// How many there are of each kind of sheet, and of how many constants each is.
+std::string kindsOf(const SheetCounts& sheets) {
+  return fmt::format(
+      "#define ELLIPSOIDS {}\n#define OF_ELLIPSOID {}\n#define PLANES {}\n#define OF_PLANE {}\n"
+      "#define CONES {}\n#define OF_CONE {}\n#define POLYGONS {}\n#define OF_POLYGON {}\n#define SIDES {}\n",
+      sheets.ellipsoids, kEllipsoidConstants, sheets.planes, kPlaneConstants, sheets.cones, kConeConstants,
+      sheets.polygons, polygonConstants(sheets.polygonSides), sheets.polygonSides);
 }
 
 /// #define EACH_name(f) f(from) ... f(to - 1)
@@ -53,15 +63,11 @@ const gl::ShaderProgram& Compositor::program(const Variant& variant) {
   if (const auto known = programs_.find(variant); known != programs_.end()) return known->second;
   const auto& [transparent, solids, outlines, sheets] = variant;
   const int reach = static_cast<int>(solids);
-  const std::string defines = fmt::format(
-      "#define TRANSPARENT {:d}\n#define SOLIDS {}\n#define OUTLINES {:d}\n#define ELLIPSOIDS {}\n#define PLANES "
-      "{}\n"
-      "#define CONES {}\n#define POLYGONS {}\n#define SIDES {}\n",
-      transparent, reach, outlines, sheets.ellipsoids, sheets.planes, sheets.cones, sheets.polygons,
-      sheets.polygonSides);
-  gl::ShaderProgram made =
-      programWithConstants("tiles.vert", "composite.frag", 1 + sheets.constants(),
-                           defines + unrolled(sheets, static_cast<std::size_t>(std::max(reach - 1, 0))));
+  const std::string defines = fmt::format("#define TRANSPARENT {:d}\n#define SOLIDS {}\n#define OUTLINES {:d}\n",
+                                          transparent, reach, outlines);
+  gl::ShaderProgram made = programWithConstants(
+      "tiles.vert", "composite.frag", 1 + sheets.constants(),
+      defines + kindsOf(sheets) + unrolled(sheets, static_cast<std::size_t>(std::max(reach - 1, 0))));
   return programs_.emplace(variant, std::move(made)).first->second;
 }
 

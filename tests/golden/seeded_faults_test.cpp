@@ -28,7 +28,7 @@ const Fault kFaults[] = {
     {"RaysHalfAPixelOff", "camera.glsl", "(p_px - opticalCentre_px) * (pixelAtOne * (1.0",
      "(p_px + 0.5 - opticalCentre_px) * (pixelAtOne * (1.0"},
     {"GammaOfAnotherCurve", "srgb.glsl", "sqrt(sqrt(c))", "sqrt(sqrt(0.95 * c))"},
-    {"ConstantsOfTheFirst", "composite.frag", "kCones + 9 * k", "kCones"},
+    {"ConstantsOfTheFirst", "composite.frag", "kCones + OF_CONE * k", "kCones"},
     {"OpacityTwice", "sheet.glsl", "return over + under", "return over * over.a + under"},
     {"HighlightLost", "shading.glsl", "0.45 * m.gloss", "0.0 * m.gloss"},
     {"HighlightOfTheOtherSide", "shading.glsl", "lightDirection_C + towardEye_C",
