@@ -41,10 +41,12 @@ class ShaderCache : public testing::Test {
 
 TEST_F(ShaderCache, ChangesNoByteWhetherColdOrWarm) {
   EXPECT_EQ(filmWith(kept_), without_);
-  const auto files = filesBeneath(kept_);
-  EXPECT_GT(files.size(), 10u);
+  EXPECT_GT(filesBeneath(kept_).size(), 10u);
+  // The last ones are not on disk yet when a process ends: 2 of 56 on a quiet machine, 8 on a busy one. The second
+  // finds the others and leaves fewer.
   EXPECT_EQ(filmWith(kept_), without_);
-  // Nearly all were found: the last two of 43 are not on disk yet when the first process ends.
+  const auto files = filesBeneath(kept_);
+  EXPECT_EQ(filmWith(kept_), without_);
   EXPECT_LE(filesBeneath(kept_).size(), files.size() + 5);
 }
 
