@@ -127,7 +127,7 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
     screensKept_.push_back(&own);
   }
   if (screens_.empty()) return lines;
-  marks_.reset(glm::ivec2(list.camera.size_px));
+  resetMarks(glm::ivec2(list.camera.size_px));
   for (const ScreenMesh& screen : screens_) {
     if (hardEdges(sharpness)) break;
     markEdges(screen, marks_);
@@ -141,11 +141,29 @@ std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList&
   return lines;
 }
 
+void MeshPainter::resetMarks(glm::ivec2 size_px) {
+  const bool resized = size_px != marks_.size_px();
+  PixelBounds part;
+  for (const ScreenMesh& screen : screens_) {
+    part.include({screen.bounds.left, screen.bounds.top}, 1);  // marks have a margin
+    part.include({screen.bounds.right, screen.bounds.bottom}, 1);
+  }
+  marks_.reset(size_px, part);
+  if (!resized) return;
+  glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_R8, size_px.x, size_px.y, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+}
+
+// What is beside the part is of pictures before, and not read.
 void MeshPainter::uploadMarks() {
-  const glm::ivec2 size = marks_.size_px();
+  const PixelBounds& part = marks_.part();
+  const glm::ivec2 from(part.left, part.top), to(part.right, part.bottom);
   glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, marks_.bytes());
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, marks_.size_px().x);
+  glTexSubImage2D(GL_TEXTURE_RECTANGLE, 0, from.x, from.y, to.x - from.x, to.y - from.y, GL_RED, GL_UNSIGNED_BYTE,
+                  marks_.bytes());
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 void MeshPainter::uploadPixels() {

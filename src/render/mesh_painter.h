@@ -48,6 +48,7 @@ class MeshPainter {
 
   static Kept keep(const draw::Mesh& mesh);
   const Kept& kept(const draw::Mesh& mesh);
+  void resetMarks(glm::ivec2 size_px);
   void uploadMarks();
   void uploadPixels();
   void drawFaces(SolidPass pass) const;

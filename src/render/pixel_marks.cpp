@@ -13,27 +13,33 @@ constexpr double kMargin_px = 1.0 / 128;
 
 }  // namespace
 
-void PixelMarks::reset(glm::ivec2 size_px) {
-  size_px_ = size_px;
-  marks_.assign(static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y), 0);
+void PixelMarks::reset(glm::ivec2 size_px, const PixelBounds& part) {
+  if (size_px == size_px_) {  // all but the last part is empty
+    for (int row = top(); row < bottom(); ++row)
+      std::memset(&marks_[indexOf(left(), row)], 0, static_cast<std::size_t>(right() - left()));
+  } else {
+    size_px_ = size_px;
+    marks_.assign(static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y), 0);
+  }
+  part_ = part.clipped(size_px);
+  if (part_.empty()) part_ = {0, 0, 0, 0};
   columns_.clear();
   rowStarts_.assign(static_cast<std::size_t>(size_px.y) + 1, 0);
 }
 
 void PixelMarks::markRow(int row, double left_px, double right_px) {
-  const double last = size_px_.x - 1;
-  const double from = std::max(std::floor(left_px), 0.0), to = std::min(std::floor(right_px), last);
+  const double from = std::max<double>(std::floor(left_px), left()),
+               to = std::min<double>(std::floor(right_px), right() - 1);
   if (from > to) return;
-  std::uint8_t* begin = marks_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(size_px_.x);
-  std::memset(begin + static_cast<std::size_t>(from), kMarked, static_cast<std::size_t>(to - from) + 1);
+  std::memset(&marks_[indexOf(static_cast<int>(from), row)], kMarked, static_cast<std::size_t>(to - from) + 1);
 }
 
 void PixelMarks::markSegment(glm::dvec2 a, glm::dvec2 b) {
   if (a.y > b.y) std::swap(a, b);
-  const double top = std::max(std::floor(a.y - kMargin_px), 0.0);
-  const double bottom = std::min(std::floor(b.y + kMargin_px), size_px_.y - 1.0);
+  const double first = std::max<double>(std::floor(a.y - kMargin_px), top());
+  const double last = std::min<double>(std::floor(b.y + kMargin_px), bottom() - 1);
   const double slope = b.y - a.y > 1e-9 ? (b.x - a.x) / (b.y - a.y) : 0;
-  for (double row = top; row <= bottom; ++row) {
+  for (double row = first; row <= last; ++row) {
     // The part of the segment within this row of pixels.
     const bool level = b.y - a.y <= 1e-9;
     const double x0 = level ? a.x : a.x + slope * (std::clamp(row - kMargin_px, a.y, b.y) - a.y);
@@ -44,20 +50,20 @@ void PixelMarks::markSegment(glm::dvec2 a, glm::dvec2 b) {
 
 void PixelMarks::mark(const PixelBounds& bounds) {
   const PixelBounds b = bounds.clipped(size_px_);
-  for (float row = b.top; row < b.bottom; ++row)
+  for (float row = std::max(b.top, part_.top); row < std::min(b.bottom, part_.bottom); ++row)
     markRow(static_cast<int>(row), static_cast<double>(b.left), static_cast<double>(b.right) - 1);
 }
 
 void PixelMarks::finish() {
   columns_.clear();
-  const std::uint8_t* row = marks_.data();
-  for (int y = 0; y < size_px_.y; ++y, row += size_px_.x) {
+  for (int y = top(); y < bottom(); ++y) {
     rowStarts_[static_cast<std::size_t>(y)] = columns_.size();
-    const std::uint8_t *end = row + size_px_.x, *at = row;
+    const std::uint8_t* row = &marks_[indexOf(0, y)];
+    const std::uint8_t *end = row + right(), *at = row + left();
     while ((at = static_cast<const std::uint8_t*>(std::memchr(at, kMarked, static_cast<std::size_t>(end - at)))))
       columns_.push_back(static_cast<std::uint16_t>(at++ - row));
   }
-  rowStarts_.back() = columns_.size();
+  std::fill(rowStarts_.begin() + bottom(), rowStarts_.end(), columns_.size());
 }
 
 }  // namespace poinsot::render

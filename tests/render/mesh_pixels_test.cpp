@@ -117,7 +117,7 @@ TEST(PixelMarks, HoldEveryPixelOfASegmentAndFewOthers) {
   Random random;
   for (int trial = 0; trial < 300; ++trial) {
     PixelMarks marks;
-    marks.reset({40, 30});
+    marks.reset({40, 30}, {0, 0, 40, 30});
     const dvec2 a(random.in(-10, 50), random.in(-10, 40)), b(random.in(-10, 50), random.in(-10, 40));
     marks.markSegment(a, b);
     marks.finish();
@@ -140,7 +140,7 @@ TEST(PixelMarks, HoldEveryPixelOfASegmentAndFewOthers) {
 
 TEST(PixelMarks, AreNumberedRowByRow) {
   PixelMarks marks;
-  marks.reset({8, 4});
+  marks.reset({8, 4}, {0, 0, 8, 4});
   marks.markSegment({1.5, 1.5}, {3.5, 1.5});
   marks.markSegment({6.5, 3.5}, {6.5, 9});
   marks.finish();
@@ -151,6 +151,25 @@ TEST(PixelMarks, AreNumberedRowByRow) {
   EXPECT_EQ(marks.firstOfRow(4), 4);
   EXPECT_EQ(marks.columns()[2], 3);
   EXPECT_EQ(marks.columns()[3], 6);
+}
+
+TEST(PixelMarks, KeepToTheirPart) {
+  PixelMarks marks;
+  marks.reset({8, 6}, {0, 0, 8, 6});
+  marks.mark({0, 0, 8, 6});
+  marks.reset({8, 6}, {2.5, 1, 5, 4});  // columns 2 to 4
+  EXPECT_EQ(marks.bytes()[0], 0);       // nothing of the marks before
+  marks.markSegment({-9, 2.5}, {20, 2.5});
+  marks.mark({3, 3, 4, 9});
+  marks.finish();
+  ASSERT_EQ(marks.count(), 4);
+  EXPECT_EQ(marks.firstOfRow(2), 0);
+  EXPECT_EQ(marks.firstOfRow(3), 3);
+  EXPECT_EQ(marks.firstOfRow(6), 4);
+  EXPECT_EQ(marks.columns()[0], 2);
+  EXPECT_EQ(marks.columns()[3], 3);
+  EXPECT_EQ(marks.bytes()[8 + 0], PixelMarks::kMarked);  // column 2 of row 2
+  EXPECT_EQ(marks.bytes()[8 + 3], 0);
 }
 
 }  // namespace
