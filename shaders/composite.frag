@@ -55,7 +55,7 @@ out vec4 pixel;
 #if SOLIDS > 1
 void addEdge(int slot, sampler2DRect edgeColors, sampler2DRect edgeDepths, ivec2 texel, float depth) {
   depths[slot] = texelFetch(edgeDepths, texel).r;
-  colors[slot] = premultiplied(texelFetch(edgeColors, texel)) * float(depths[slot] <= depth);
+  colors[slot] = premultiplied(texelFetch(edgeColors, texel)) * float(depths[slot] <= depth && depths[slot] < 1.0);
 }
 
 // How the solids' depth grows to the right and down, from the flatter side: not across an outline.
@@ -88,7 +88,7 @@ void main() {
   float depth = texelFetch(solidDepth, texel).r;
   vec2 slope = solidSlope(texel, depth);
   solid = texelFetch(solidColor, texel);
-  solid.a = float(solid.a > 0.0);  // it holds the solid's number
+  solid.a = float(depth < 1.0);  // else the colour is of a picture before
 #define CUT(i) colors[i] *= glassBefore(depth - depths[i], slope - vec2(dFdx(depths[i]), dFdy(depths[i])));
   EACH_SHEET(CUT)
 #endif

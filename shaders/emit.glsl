@@ -18,12 +18,17 @@ const float kNumber = 1.0 / 65535.0;
 
 bool isSame(float a, float b) { return abs(a - b) < 0.5 * kNumber; }
 
+// Whether that solid is there; where the depth is 1 nothing is, and the colour is of a picture before.
+bool isThere(ivec2 texel, float depth, float number) {
+  return depth < 1.0 && isSame(texelFetch(fullColor, texel).a, number);
+}
+
 // How the depth of the solid in front grows in the direction of `step`, as far as that solid reaches.
 float slopeInFront(ivec2 texel, ivec2 step, float depth, float number) {
-  float before = depth - texelFetch(fullDepth, texel - step).r;
-  float after = texelFetch(fullDepth, texel + step).r - depth;
-  bool isBefore = isSame(texelFetch(fullColor, texel - step).a, number);
-  bool isAfter = isSame(texelFetch(fullColor, texel + step).a, number);
+  float depthBefore = texelFetch(fullDepth, texel - step).r, depthAfter = texelFetch(fullDepth, texel + step).r;
+  float before = depth - depthBefore, after = depthAfter - depth;
+  bool isBefore = isThere(texel - step, depthBefore, number);
+  bool isAfter = isThere(texel + step, depthAfter, number);
   float flatter = abs(before) < abs(after) ? before : after;
   return isBefore ? (isAfter ? flatter : before) : (isAfter ? after : 0.0);
 }
@@ -37,7 +42,7 @@ void emit(float solid, vec3 color, float coverage, float depth) {
   vec2 slope = vec2(dFdx(depth), dFdy(depth));
   ivec2 texel = ivec2(gl_FragCoord.xy);
   float number = texelFetch(fullColor, texel).a, inFront = texelFetch(fullDepth, texel).r;
-  if (coverage < 0.998 || number < 1.5 * kNumber || isSame(number, solid)) discard;
+  if (coverage < 0.998 || inFront == 1.0 || number < 1.5 * kNumber || isSame(number, solid)) discard;
   vec2 other = vec2(slopeInFront(texel, ivec2(1, 0), inFront, number), slopeInFront(texel, ivec2(0, 1), inFront, number));
   float share = shareBefore(inFront - depth, other - slope);
   if (share < 0.002) discard;
