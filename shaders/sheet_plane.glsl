@@ -8,6 +8,9 @@ float gridLines(float c, vec2 width_px) {
   return faintLine(abs(c - round(c)) * spacing_px, width_px.x) * fade;
 }
 
+// Of the shadow's share: beyond, there is none.
+const float kShadowEnd = 1.0 / 512.0;
+
 // A rectangle with a grid, a border and a soft shadow. Its coordinates (in spacings) and its depth are quotients of
 // what changes evenly over the picture.
 void addPlane(int i, int slot, vec2 p_px) {
@@ -19,7 +22,7 @@ void addPlane(int i, int slot, vec2 p_px) {
   vec4 shadow = vec4(fourthsOf(i + 4), own(i + 7).w);  // centre, 1 / radius, opacity
 
   vec2 fromShadow = (uv - shadow.xy) * shadow.z;
-  float dark = shadow.w * exp2(-2.0 * dot(fromShadow, fromShadow));
+  float dark = shadow.w * max(exp2(-2.0 * dot(fromShadow, fromShadow)) - kShadowEnd, 0.0);
   vec4 color = layOver(premultiplied(vec3(0.02), dark), premultiplied(own(i + 8)));
   float lines = max(gridLines(uv.x, lineWidth_px), gridLines(uv.y, lineWidth_px));
 #if OUTLINES

@@ -12,8 +12,8 @@ namespace poinsot::app {
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  /// @throws core::Error
-  virtual image::AnyImage frame(std::int64_t k) = 0;
+  /// Good until the next frame is asked for. @throws core::Error
+  virtual const image::AnyImage& frame(std::int64_t k) = 0;
   /// Of all that decides the frame's bytes; far cheaper than the frame. @throws core::Error
   virtual core::Digest digest(std::int64_t k) = 0;
 };

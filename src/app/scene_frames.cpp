@@ -25,16 +25,16 @@ core::Digest SceneFrames::digest(std::int64_t k) {
   return digestOf_(picture_);
 }
 
-image::AnyImage SceneFrames::frame(std::int64_t k) {
+const image::AnyImage& SceneFrames::frame(std::int64_t k) {
   compose(k);
   render::RenderOptions options;
   options.transparent = form_.transparent;
-  const auto finished = [&](auto image) -> image::AnyImage {
-    if (form_.transparent) output::fitAlpha(image, picture_.background);
-    return image;
-  };
-  if (form_.bits == 16) return finished(renderer_.renderDeep(picture_, options));
-  return finished(renderer_.render(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, options));
+  const image::AnyImage& drawn =
+      renderer_.frame(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, form_.bits, options);
+  if (!form_.transparent) return drawn;
+  fitted_ = drawn;
+  std::visit([&](auto& image) { output::fitAlpha(image, picture_.background); }, fitted_);
+  return fitted_;
 }
 
 void SceneFrames::compose(std::int64_t k) {

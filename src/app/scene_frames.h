@@ -26,7 +26,7 @@ class SceneFrames : public FrameSource {
               const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
               const std::string& settings = "", core::StepLedger* steps = nullptr);
 
-  image::AnyImage frame(std::int64_t k) override;
+  const image::AnyImage& frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
   /// What the last frame was drawn from, whole.
   const draw::Picture& picture() const { return picture_; }
@@ -46,6 +46,7 @@ class SceneFrames : public FrameSource {
   std::optional<std::int64_t> composed_;  // whose picture that is
   stage::Stage stage_;
   render::Renderer renderer_;
+  image::AnyImage fitted_;  // of the last transparent frame
   std::string rendererName_;
   FrameDigester digestOf_;
   core::StepLedger* steps_;

@@ -146,7 +146,9 @@ struct GridPlane {
   Color lineColor{0};
   float lineOpacity = 0.5f;
   float lineWidth_px = 1.5f;
-  // A soft dark spot under what rests on the plane: depth 0 is none.
+  // A soft dark spot under what rests on the plane: at r radii from its centre opacity · (2^(-2 r²) - kShadowEnd),
+  // where that is more than nothing; beyond, a picture of 8 bits would not show it.
+  static constexpr float kShadowEnd = 1.0f / 512, kShadowReach = 2.1213204f;  // sqrt(4.5)
   glm::vec3 shadowCentre_W{0};
   float shadowRadius_W = 0;
   float shadowOpacity = 0;

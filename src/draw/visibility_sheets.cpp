@@ -76,7 +76,8 @@ class PlaneSheet : public Sheet {
   SheetHit shaded(double t, const glm::dvec3& fromShadow) const {
     const double r = static_cast<double>(plane_.shadowRadius_W), tint = static_cast<double>(plane_.opacity);
     const double q = r > 0 ? glm::dot(fromShadow, fromShadow) / (r * r) : 1e9;
-    const double dark = static_cast<double>(plane_.shadowOpacity) * std::exp2(-2 * q);
+    const double dark = static_cast<double>(plane_.shadowOpacity) *
+                        std::max(std::exp2(-2 * q) - static_cast<double>(GridPlane::kShadowEnd), 0.0);
     const double opacity = dark + tint * (1 - dark);
     const float share = opacity > 0 ? static_cast<float>(dark / opacity) : 0;
     return {t, opacity, share * Color(0.02f) + (1 - share) * plane_.color, bit(mark_)};

@@ -58,9 +58,9 @@ bool nextEightEmpty(const std::uint8_t* coverage) {
   return eight == 0;
 }
 
-/// Calls use(pixel, coverage) where the map, cut to the picture, is not empty.
+/// Calls use(pixel, coverage) where the map, cut to the picture, is not empty. Returns the cut map's place.
 template <typename Sample, class Use>
-void forEachCovered(const text::CoverageMap& map, image::BasicImage<Sample>& picture, Use use) {
+PixelBounds forEachCovered(const text::CoverageMap& map, image::BasicImage<Sample>& picture, Use use) {
   const int left = std::max(map.left, 0), right = std::min(map.left + map.width, picture.size.width);
   const int bottom = std::min(map.top + map.height, picture.size.height);
   for (int y = std::max(map.top, 0); y < bottom; ++y) {
@@ -73,29 +73,32 @@ void forEachCovered(const text::CoverageMap& map, image::BasicImage<Sample>& pic
         x += 7;
     }
   }
+  return {static_cast<float>(left), static_cast<float>(std::max(map.top, 0)), static_cast<float>(right),
+          static_cast<float>(bottom)};
 }
 
 }  // namespace
 
 template <typename Sample>
-void blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity,
-                   image::BasicImage<Sample>& picture) {
+PixelBounds blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity,
+                          image::BasicImage<Sample>& picture) {
   Blender<Sample> blender(color, opacity, picture.channels);
-  forEachCovered(map, picture, [&](Sample* pixel, std::uint8_t coverage) { blender.blend(pixel, coverage); });
+  return forEachCovered(map, picture,
+                        [&](Sample* pixel, std::uint8_t coverage) { blender.blend(pixel, coverage); });
 }
 
 template <typename Sample>
-void eraseCoverage(const text::CoverageMap& map, float opacity, image::BasicImage<Sample>& picture) {
+PixelBounds eraseCoverage(const text::CoverageMap& map, float opacity, image::BasicImage<Sample>& picture) {
   POINSOT_EXPECT(picture.channels == 4);
-  forEachCovered(map, picture, [&](Sample* pixel, std::uint8_t coverage) {
+  return forEachCovered(map, picture, [&](Sample* pixel, std::uint8_t coverage) {
     const float left = 1 - opacity * static_cast<float>(coverage) / 255.0f;
     pixel[3] = static_cast<Sample>(left * static_cast<float>(pixel[3]) + 0.5f);
   });
 }
 
-template void blendCoverage(const text::CoverageMap&, const draw::Color&, float, image::Image&);
-template void blendCoverage(const text::CoverageMap&, const draw::Color&, float, image::DeepImage&);
-template void eraseCoverage(const text::CoverageMap&, float, image::Image&);
-template void eraseCoverage(const text::CoverageMap&, float, image::DeepImage&);
+template PixelBounds blendCoverage(const text::CoverageMap&, const draw::Color&, float, image::Image&);
+template PixelBounds blendCoverage(const text::CoverageMap&, const draw::Color&, float, image::DeepImage&);
+template PixelBounds eraseCoverage(const text::CoverageMap&, float, image::Image&);
+template PixelBounds eraseCoverage(const text::CoverageMap&, float, image::DeepImage&);
 
 }  // namespace poinsot::render

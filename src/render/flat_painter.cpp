@@ -17,30 +17,32 @@ std::vector<float> numbers(const std::vector<glm::vec2>& points) {
 }  // namespace
 
 template <typename Sample>
-void FlatPainter::paint(const draw::Area& area, image::BasicImage<Sample>& picture) {
+PixelBounds FlatPainter::paint(const draw::Area& area, image::BasicImage<Sample>& picture) {
   const auto [width, height] = picture.size;
   const auto make = [&] { return areaCoverage(area, {width, height}); };
   const auto& map = coverage_.get({width, height, numbers(area.points_px), 0.0f, 0.0f, true}, make);
-  blendCoverage(map, area.color, area.opacity, picture);
+  return blendCoverage(map, area.color, area.opacity, picture);
 }
 
 template <typename Sample>
-void FlatPainter::paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture) {
-  if (stroke.width_px <= 0) return;
+PixelBounds FlatPainter::paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture) {
+  if (stroke.width_px <= 0) return {};
   const auto [width, height] = picture.size;
   const auto make = [&] { return strokeCoverage(stroke, {width, height}); };
   const auto& map = coverage_.get(
       {width, height, numbers(stroke.points_px), stroke.width_px, stroke.dash_px, stroke.closed}, make);
-  blendCoverage(map, stroke.color, stroke.opacity, picture);
+  return blendCoverage(map, stroke.color, stroke.opacity, picture);
 }
 
 template <typename Sample>
-void FlatPainter::paint(const draw::Picture& flat, image::BasicImage<Sample>& picture) {
-  for (const draw::Area& area : flat.areas) paint(area, picture);
-  for (const draw::Stroke& stroke : flat.strokes) paint(stroke, picture);
+std::vector<PixelBounds> FlatPainter::paint(const draw::Picture& flat, image::BasicImage<Sample>& picture) {
+  std::vector<PixelBounds> places;
+  for (const draw::Area& area : flat.areas) places.push_back(paint(area, picture));
+  for (const draw::Stroke& stroke : flat.strokes) places.push_back(paint(stroke, picture));
+  return places;
 }
 
-template void FlatPainter::paint(const draw::Picture&, image::Image&);
-template void FlatPainter::paint(const draw::Picture&, image::DeepImage&);
+template std::vector<PixelBounds> FlatPainter::paint(const draw::Picture&, image::Image&);
+template std::vector<PixelBounds> FlatPainter::paint(const draw::Picture&, image::DeepImage&);
 
 }  // namespace poinsot::render

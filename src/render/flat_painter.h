@@ -7,6 +7,7 @@
 #include "draw/picture.h"
 #include "image/image.h"
 #include "render/picture_cache.h"
+#include "render/screen_outline.h"
 #include "text/coverage.h"
 
 namespace poinsot::render {
@@ -18,18 +19,18 @@ class FlatPainter {
   /// Forgets what the picture before did not show.
   void beginPicture() { coverage_.beginPicture(); }
 
-  /// Areas first, then strokes, each in the order of the list.
+  /// Areas first, then strokes, each in the order of the list. Returns the places that changed.
   template <typename Sample>
-  void paint(const draw::Picture& flat, image::BasicImage<Sample>& picture);
+  std::vector<PixelBounds> paint(const draw::Picture& flat, image::BasicImage<Sample>& picture);
 
  private:
   /// What a coverage map depends on: picture size, points, width (0: an area), dash, whether closed.
   using Key = std::tuple<int, int, std::vector<float>, float, float, bool>;
 
   template <typename Sample>
-  void paint(const draw::Area& area, image::BasicImage<Sample>& picture);
+  PixelBounds paint(const draw::Area& area, image::BasicImage<Sample>& picture);
   template <typename Sample>
-  void paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture);
+  PixelBounds paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture);
 
   PictureCache<Key, text::CoverageMap> coverage_;  // axes and past curves stand still
 };

@@ -8,43 +8,52 @@
 namespace poinsot::render {
 namespace {
 
+/// Grows the last of the rectangles where the two lie side by side.
+void add(const PixelBounds& part, std::vector<PixelBounds>& parts) {
+  if (!parts.empty() && parts.back().right == part.left && parts.back().top == part.top &&
+      parts.back().bottom == part.bottom)
+    parts.back().right = part.right;
+  else
+    parts.push_back(part);
+}
+
 /// Cuts one row of tiles after another.
 class MosaicCutter {
  public:
-  MosaicCutter(const Sheets& sheets, const SolidCells& solids) : sheets_(sheets), solids_(solids) {}
+  MosaicCutter(const Sheets& sheets, const SolidCells& solids, TileMemory& tiles)
+      : sheets_(sheets), solids_(solids), tiles_(tiles) {}
 
-  void beginRow() {
-    mosaic_.columns.emplace_back();
-    between_.clear();
-  }
-
-  /// Empty tiles wait for one that is not.
   void addTile(const PixelBounds& tile) {
     const auto [least, most] = solids_.reach(tile);
     SheetChoice chosen = sheets_.reaching(tile);
     const bool mixed = least != most || chosen.outlines;
     const Content content = contentOf(most, std::move(chosen));
-    if (content.empty()) {
-      if (!mosaic_.columns.back().empty()) between_.push_back(tile);
-      return;
-    }
-    for (const PixelBounds& paper : between_) add({}, paper);
-    between_.clear();
+    if (stands(tile, content)) return;
+    if (content.empty()) return add(tile, mosaic_.paper);
+    add(tile, mosaic_.drawn);
     if (mixed)
-      cut(tile);
+      cut(tile, content.sheets.shadows);
     else
-      add(content, tile);
-    mosaic_.columns.back().include(tile);
+      add(tile, mosaic_.parts[content]);
   }
 
   Mosaic take() { return std::move(mosaic_); }
 
  private:
-  void cut(const PixelBounds& tile) {
+  /// Solids move, most of them in every frame.
+  bool stands(const PixelBounds& tile, const Content& content) {
+    if (content.solids == SolidReach::kNone) return tiles_.shows(tile, content.sheets, sheets_);
+    tiles_.forget(tile);
+    return false;
+  }
+
+  void cut(const PixelBounds& tile, bool shadows) {
     for (float y = tile.top; y < tile.bottom; y += kCell_px)
       for (float x = tile.left; x < tile.right; x += kCell_px) {
         const PixelBounds cell{x, y, std::min(x + kCell_px, tile.right), std::min(y + kCell_px, tile.bottom)};
-        add(contentOf(solids_.reach(cell)[1], sheets_.reaching(cell)), cell);
+        Content content = contentOf(solids_.reach(cell)[1], sheets_.reaching(cell));
+        content.sheets.shadows = shadows && !content.sheets.planes.empty();
+        add(cell, mosaic_.parts[content]);
       }
   }
 
@@ -55,32 +64,20 @@ class MosaicCutter {
     return {solids, std::move(chosen)};
   }
 
-  /// Grows the last of the same content where the two lie side by side.
-  void add(const Content& content, const PixelBounds& part) {
-    std::vector<PixelBounds>& parts = mosaic_.parts[content];
-    if (!parts.empty() && parts.back().right == part.left && parts.back().top == part.top &&
-        parts.back().bottom == part.bottom)
-      parts.back().right = part.right;
-    else
-      parts.push_back(part);
-  }
-
   const Sheets& sheets_;
   const SolidCells& solids_;
+  TileMemory& tiles_;
   Mosaic mosaic_;
-  std::vector<PixelBounds> between_;  // empty tiles since the last that was not
 };
 
 }  // namespace
 
-Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids) {
+Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileMemory& tiles) {
   constexpr float side = Mosaic::kTile_px;
-  MosaicCutter cutter(sheets, solids);
-  for (float y = 0; y < size_px.y; y += side) {
-    cutter.beginRow();
+  MosaicCutter cutter(sheets, solids, tiles);
+  for (float y = 0; y < size_px.y; y += side)
     for (float x = 0; x < size_px.x; x += side)
       cutter.addTile({x, y, std::min(x + side, size_px.x), std::min(y + side, size_px.y)});
-  }
   return cutter.take();
 }
 

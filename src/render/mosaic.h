@@ -6,6 +6,7 @@
 
 #include "render/sheets.h"
 #include "render/solid_cells.h"
+#include "render/tile_memory.h"
 
 namespace poinsot::render {
 
@@ -18,27 +19,17 @@ struct Content {
 };
 
 /// The picture cut into rectangles by their content, those of one content together. They are as large as may be:
-/// 64 pixels (llvmpipe's own tile) or wider, and about edges and outlines as small as a cell. In each row of tiles
-/// they cover all from the first that is not empty to the last, empty ones between them too; paper beside them is
-/// left out.
+/// 64 pixels (llvmpipe's own tile) or wider, and about edges and outlines as small as a cell. Tiles that show the
+/// same as in the picture before are left out.
 struct Mosaic {
-  static constexpr int kTile_px = 64;
+  static constexpr int kTile_px = TileMemory::kTile_px;
 
-  /// Columns of pixels, from `from` to before `to`.
-  struct Span {
-    int from = 0, to = 0;
-
-    bool empty() const { return to == 0; }
-    void include(const PixelBounds& tile) {
-      if (empty()) from = static_cast<int>(tile.left);
-      to = static_cast<int>(tile.right);
-    }
-  };
-
-  std::map<Content, std::vector<PixelBounds>> parts;
-  std::vector<Span> columns;  ///< that are covered in each row of tiles
+  std::map<Content, std::vector<PixelBounds>> parts;  ///< none of them empty paper but within a tile
+  std::vector<PixelBounds> drawn;                     ///< the tiles that they make up, those side by side as one
+  std::vector<PixelBounds> paper;                     ///< tiles with nothing on them
 };
 
-Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids);
+/// @param tiles  of a picture begun with all numbers that the tiles depend on beside the sheets'.
+Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileMemory& tiles);
 
 }  // namespace poinsot::render

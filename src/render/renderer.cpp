@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <vector>
 
 #include "core/expect.h"
 #include "core/step_times.h"
@@ -10,6 +11,7 @@
 #include "render/compositor.h"
 #include "render/eraser.h"
 #include "render/flat_painter.h"
+#include "render/kept_panel.h"
 #include "render/mesh_painter.h"
 #include "render/solid_painter.h"
 #include "render/text_painter.h"
@@ -21,12 +23,11 @@ namespace {
 struct Formats {
   GLenum light;    ///< of the linear light of solids
   GLenum picture;  ///< of the last pass
-  GLenum sample;   ///< of what is read back
 };
 // For 8 bits of sRGB, 8 bits of linear light would band, and float costs twice what 16 do. For 16 bits of sRGB, 16
 // of linear light would band: near black its steps are 13 times as wide.
-constexpr Formats kFormats{GL_RGBA16, GL_RGBA8, GL_UNSIGNED_BYTE};
-constexpr Formats kDeepFormats{GL_RGBA32F, GL_RGBA16, GL_UNSIGNED_SHORT};
+constexpr Formats kFormats{GL_RGBA16, GL_RGBA8};
+constexpr Formats kDeepFormats{GL_RGBA32F, GL_RGBA16};
 
 template <typename Sample>
 constexpr const Formats& formatsOf() {
@@ -66,59 +67,9 @@ class BufferShelf {
 };
 
 template <typename Sample>
-void dropAlpha(const Sample* rgba, std::size_t pixels, Sample* rgb) {
-  for (std::size_t i = 0; i < pixels; ++i, rgba += 4, rgb += 3) {
-    rgb[0] = rgba[0];
-    rgb[1] = rgba[1];
-    rgb[2] = rgba[2];
-  }
-}
-
-/// One row of a picture with nothing on it.
-template <typename Sample>
-std::vector<Sample> paperRow(int width, const draw::Color& background, bool transparent) {
-  const std::size_t channels = transparent ? 4 : 3;
-  std::vector<Sample> row(channels * static_cast<std::size_t>(width));
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto value = draw::srgbFromLinear<Sample>(background[static_cast<int>(c)]);
-    for (std::size_t i = c; i < row.size(); i += channels) row[i] = value;  // alpha stays 0
-  }
-  return row;
-}
-
-/// What the mosaic covers, and paper beside it. The back end gives RGBA, and 4K of it are 32 MiB: a row of tiles
-/// at a time.
-template <typename Sample>
-image::BasicImage<Sample> readBack(image::PixelSize size, const Mosaic& mosaic, const draw::Color& background,
-                                   bool transparent) {
-  image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
-  const auto channels = static_cast<std::size_t>(picture.channels);
-  const auto paper = paperRow<Sample>(size.width, background, transparent);
-  std::vector<Sample> band(static_cast<std::size_t>(4 * size.width * Mosaic::kTile_px));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  for (int first = 0; first < size.height; first += Mosaic::kTile_px) {
-    const auto [from, to] = mosaic.columns[static_cast<std::size_t>(first / Mosaic::kTile_px)];
-    const int rows = std::min(size.height - first, Mosaic::kTile_px);
-    if (to > from) glReadPixels(from, first, to - from, rows, GL_RGBA, formatsOf<Sample>().sample, band.data());
-    const auto width = static_cast<std::size_t>(to - from);
-    for (int y = 0; y < rows; ++y) {
-      std::ranges::copy(paper, picture.at(0, first + y));
-      const Sample* rgba = band.data() + 4 * width * static_cast<std::size_t>(y);
-      if (channels == 4)
-        std::copy_n(rgba, 4 * width, picture.at(from, first + y));
-      else
-        dropAlpha(rgba, width, picture.at(from, first + y));
-    }
-  }
-  return picture;
-}
-
-template <typename Sample>
-image::BasicImage<Sample> blankPicture(image::PixelSize size, const draw::Color& background, bool transparent) {
-  image::BasicImage<Sample> picture(size, transparent ? 4 : 3);
-  const auto paper = paperRow<Sample>(size.width, background, transparent);
-  for (int y = 0; y < size.height; ++y) std::ranges::copy(paper, picture.at(0, y));
-  return picture;
+void layPaper(const draw::Color& background, image::BasicImage<Sample>& picture) {
+  const auto paper = paperRow<Sample>(picture.size.width, background, picture.channels);
+  for (int y = 0; y < picture.size.height; ++y) std::ranges::copy(paper, picture.at(0, y));
 }
 
 template <typename Sample>
@@ -138,6 +89,8 @@ struct Renderer::Passes {
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
+  std::vector<KeptPanel> kept;  // of the picture's panels, in their order
+  KeptPanel joined;             // where there are several
   core::StepLedger* steps;
 
   explicit Passes(core::StepLedger* ledger) : steps(ledger) {}
@@ -181,11 +134,12 @@ struct Renderer::Passes {
     return cells;
   }
 
-  /// Leaves the picture in its buffer where the mosaic that it returns covers it.
-  Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const RenderOptions& options) {
+  /// Leaves the picture in its buffer where the mosaic that it returns was drawn.
+  Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const RenderOptions& options,
+                 TileMemory& tiles) {
     const core::StepScope timing(steps, core::Step::kResolve);
     const Sheets sheets(list);
-    Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, cells);
+    Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, cells, tiles);
     buffers->picture.bind();
     compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, sheets, mosaic, options.sharpness,
                     options.transparent);
@@ -193,47 +147,68 @@ struct Renderer::Passes {
     return mosaic;
   }
 
+  /// All numbers beside the sheets' that decide what a picture looks like where no solid is.
+  static Constants commonTo(const draw::DrawList& list, const RenderOptions& options) {
+    Constants common = pictureConstants(list, options.sharpness);
+    common.emplace_back(list.background, 0);
+    return common;
+  }
+
   /// One view with its type, as large as its camera says.
   template <typename Sample>
-  image::BasicImage<Sample> panel(const draw::DrawList& list, const RenderOptions& options) {
+  void drawPanel(KeptPanel& panel, const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
     buffers = &shelf.of(size, formatsOf<Sample>());
     glViewport(0, 0, size.x, size.y);
+    TileMemory& tiles = panel.begin<Sample>({size.x, size.y}, options.transparent, commonTo(list, options));
     const SolidCells cells = draw(list, options);
-    const Mosaic mosaic = resolve(list, cells, options);
-    auto picture = read<Sample>({size.x, size.y}, mosaic, list.background, options);
+    const Mosaic mosaic = resolve(list, cells, options, tiles);
+    {
+      const core::StepScope timing(steps, core::Step::kRead);
+      panel.read<Sample>(mosaic, list.background);
+    }
     const core::StepScope timing(steps, core::Step::kText);
-    text.paint(list.texts, picture);
-    return picture;
+    panel.forget(text.paint(list.texts, panel.picture<Sample>()));
   }
 
+  /// One view that fills the picture, or several side by side on their paper.
   template <typename Sample>
-  image::BasicImage<Sample> read(image::PixelSize size, const Mosaic& mosaic, const draw::Color& background,
-                                 const RenderOptions& options) {
-    const core::StepScope timing(steps, core::Step::kRead);
-    return readBack<Sample>(size, mosaic, background, options.transparent);
+  KeptPanel& drawPanels(const draw::Picture& picture, const RenderOptions& options) {
+    kept.resize(picture.panels.size());
+    if (picture.panels.size() == 1 && sizeOf(picture.panels[0]) == picture.size_px) {
+      drawPanel<Sample>(kept[0], picture.panels[0].list, options);
+      return kept[0];
+    }
+    joined.begin<Sample>({picture.size_px.x, picture.size_px.y}, options.transparent, {});
+    auto& whole = joined.picture<Sample>();
+    layPaper(picture.background, whole);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      drawPanel<Sample>(kept[i], picture.panels[i].list, options);
+      kept[i].end();
+      place(kept[i].picture<Sample>(), picture.panels[i].origin_px, whole);
+    }
+    return joined;
   }
 
-  template <typename Sample>
-  image::BasicImage<Sample> panels(const draw::Picture& picture, const RenderOptions& options) {
-    const image::PixelSize size{picture.size_px.x, picture.size_px.y};
-    if (picture.panels.size() == 1 && sizeOf(picture.panels[0]) == picture.size_px)
-      return panel<Sample>(picture.panels[0].list, options);
-    auto whole = blankPicture<Sample>(size, picture.background, options.transparent);
-    for (const draw::Panel& p : picture.panels) place(panel<Sample>(p.list, options), p.origin_px, whole);
-    return whole;
+  const image::AnyImage& drawList(const draw::DrawList& list, const RenderOptions& options) {
+    beginPicture();
+    kept.resize(1);
+    drawPanel<std::uint8_t>(kept[0], list, options);
+    kept[0].end();
+    return kept[0].any();
   }
 
   /// The panels, and what lies over them.
   template <typename Sample>
-  image::BasicImage<Sample> whole(const draw::Picture& picture, const RenderOptions& options) {
+  const image::AnyImage& drawPicture(const draw::Picture& picture, const RenderOptions& options) {
     expectWithin(picture);
     beginPicture();
-    auto made = panels<Sample>(picture, options);
+    KeptPanel& made = drawPanels<Sample>(picture, options);
     const core::StepScope timing(steps, core::Step::kText);
-    flat.paint(picture, made);
-    text.paint(picture.texts, made);
-    return made;
+    made.forget(flat.paint(picture, made.picture<Sample>()));
+    made.forget(text.paint(picture.texts, made.picture<Sample>()));
+    made.end();
+    return made.any();
   }
 
   static glm::ivec2 sizeOf(const draw::Panel& p) { return glm::ivec2(p.list.camera.size_px); }
@@ -253,16 +228,21 @@ Renderer::~Renderer() = default;
 
 image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options) {
   POINSOT_EXPECT(list.camera.size_px == glm::vec2(size.width, size.height));
-  passes_->beginPicture();
-  return passes_->panel<std::uint8_t>(list, options);
+  return std::get<image::Image>(passes_->drawList(list, options));
 }
 
 image::Image Renderer::render(const draw::Picture& picture, const RenderOptions& options) {
-  return passes_->whole<std::uint8_t>(picture, options);
+  return std::get<image::Image>(passes_->drawPicture<std::uint8_t>(picture, options));
 }
 
 image::DeepImage Renderer::renderDeep(const draw::Picture& picture, const RenderOptions& options) {
-  return passes_->whole<std::uint16_t>(picture, options);
+  return std::get<image::DeepImage>(passes_->drawPicture<std::uint16_t>(picture, options));
+}
+
+const image::AnyImage& Renderer::frame(const draw::Picture& picture, int bits, const RenderOptions& options) {
+  POINSOT_EXPECT(bits == 8 || bits == 16);
+  return bits == 16 ? passes_->drawPicture<std::uint16_t>(picture, options)
+                    : passes_->drawPicture<std::uint8_t>(picture, options);
 }
 
 }  // namespace poinsot::render

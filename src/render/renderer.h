@@ -15,7 +15,9 @@ struct RenderOptions {
   float sharpness = 1;       ///< of edges: 1 for pictures; the reference renderer takes hard edges (reference.h)
 };
 
-/// Draws pictures. Owns every GL object; the context it is given must outlive it and stay current.
+/// Draws pictures. What stands still from one to the next is not drawn again, which shows in the time only: a
+/// picture's bytes do not depend on those before. Owns every GL object; the context it is given must outlive it
+/// and stay current.
 class Renderer {
  public:
   /// @param steps  where the time is entered; must outlive it.
@@ -34,6 +36,10 @@ class Renderer {
   image::Image render(const draw::Picture& picture, const RenderOptions& options = {});
   /// The same with 16 bits a sample, of light that was kept as floats: 1.6 times the memory.
   image::DeepImage renderDeep(const draw::Picture& picture, const RenderOptions& options = {});
+
+  /// The same as render() or renderDeep(), without a copy: good until the next picture.
+  /// @param bits  of a sample: 8 or 16
+  const image::AnyImage& frame(const draw::Picture& picture, int bits, const RenderOptions& options = {});
 
  private:
   struct Passes;

@@ -19,12 +19,13 @@ void append(Constants& to, const draw::GlassEllipsoid& e, const EllipsoidSheet& 
   to.emplace_back(graticule.farOpacity, graticule.width_px, 1 / std::max(graticule.width_px, kThinnest_px), 0);
 }
 
-void append(Constants& to, const draw::GridPlane& p, const PlaneSheet& sheet) {
+void append(Constants& to, const draw::GridPlane& p, const PlaneSheet& sheet, bool shadowed) {
   const glm::vec3 toShadow = p.shadowCentre_W - p.centre_W;
-  const bool casts = p.shadowRadius_W > 0;
-  const glm::vec4 shadow(glm::dot(toShadow, glm::normalize(p.u_W)) / p.spacing_W,
-                         glm::dot(toShadow, glm::normalize(p.v_W)) / p.spacing_W,
-                         casts ? p.spacing_W / p.shadowRadius_W : 0, casts ? p.shadowOpacity : 0);
+  glm::vec4 shadow(0);
+  if (shadowed && p.shadowRadius_W > 0)
+    shadow = {glm::dot(toShadow, glm::normalize(p.u_W)) / p.spacing_W,
+              glm::dot(toShadow, glm::normalize(p.v_W)) / p.spacing_W, p.spacing_W / p.shadowRadius_W,
+              p.shadowOpacity};
   to.emplace_back(sheet.u, sheet.middle_px.x);
   to.emplace_back(sheet.v, sheet.middle_px.y);
   to.emplace_back(sheet.depth, p.lineWidth_px);

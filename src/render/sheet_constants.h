@@ -11,7 +11,8 @@ inline constexpr std::size_t kEllipsoidConstants = 12, kPlaneConstants = 10, kCo
 constexpr std::size_t polygonConstants(std::size_t sides) { return 5 + sides + (sides + 3) / 4; }
 
 void append(Constants& to, const draw::GlassEllipsoid& ellipsoid, const EllipsoidSheet& sheet);
-void append(Constants& to, const draw::GridPlane& plane, const PlaneSheet& sheet);
+/// @param shadow  whether it is drawn
+void append(Constants& to, const draw::GridPlane& plane, const PlaneSheet& sheet, bool shadow);
 void append(Constants& to, const draw::GlassCone& cone, const ConeSheet& sheet);
 /// @param sides  that the program has room for
 void append(Constants& to, const draw::GlassPolygon& polygon, const PolygonSheet& sheet, std::size_t sides);

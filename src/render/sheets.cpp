@@ -89,6 +89,20 @@ void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::arr
   sheet.divisor = row(3);
 }
 
+// The square around it; where that is not wholly in front of the camera, all of the plane.
+PixelBounds shadowBounds(const draw::Camera& camera, const draw::GridPlane& p, const PixelBounds& plane) {
+  if (p.shadowRadius_W <= 0 || p.shadowOpacity <= 0) return {};
+  const float reach = draw::GridPlane::kShadowReach * p.shadowRadius_W;
+  const glm::vec3 u = reach * glm::normalize(p.u_W), v = reach * glm::normalize(p.v_W);
+  PixelBounds bounds;
+  for (const glm::vec3& corner_W : {-u - v, u - v, u + v, v - u}) {
+    const glm::vec3 corner_C = toCamera(camera, p.shadowCentre_W + corner_W);
+    if (-corner_C.z <= camera.near) return plane;
+    bounds.include(projectCamera(camera, corner_C), kMargin_px);
+  }
+  return bounds;
+}
+
 }  // namespace
 
 EllipsoidSheet ellipsoidSheet(const draw::Camera& camera, const draw::GlassEllipsoid& e) {
@@ -113,6 +127,7 @@ PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
   sheet.edges = quadEdges(corners);
   for (const glm::vec2& c : corners) sheet.bounds.include(c, kMargin_px);
   sheet.border_px = 1.5f * p.lineWidth_px;
+  sheet.shadow = shadowBounds(camera, p, sheet.bounds);
   setQuotients(camera, centre_C, {glm::normalize(u), glm::normalize(v)}, p.spacing_W, sheet);
   return sheet;
 }
@@ -187,6 +202,8 @@ SheetChoice Sheets::reaching(const PixelBounds& part) const {
   together(
       polygons_, [](const PolygonSheet& s) { return s.bounds; }, chosen.polygons);
   for (std::size_t i = 0; i < planes_.size(); ++i) take(relation(planes_[i], part), chosen.planes, i);
+  chosen.shadows =
+      std::ranges::any_of(chosen.planes, [&](std::size_t i) { return touches(planes_[i].shadow, part); });
   return chosen;
 }
 
@@ -211,7 +228,7 @@ std::size_t SheetCounts::constants() const {
 Constants Sheets::constants(const SheetChoice& chosen) const {
   Constants all;
   for (const std::size_t i : chosen.ellipsoids) append(all, list_.glassEllipsoids[i], ellipsoids_[i]);
-  for (const std::size_t i : chosen.planes) append(all, list_.planes[i], planes_[i]);
+  for (const std::size_t i : chosen.planes) append(all, list_.planes[i], planes_[i], chosen.shadows);
   for (const std::size_t i : chosen.cones) append(all, list_.glassCones[i], cones_[i]);
   const std::size_t sides = counts(chosen).polygonSides;
   for (const std::size_t i : chosen.polygons) append(all, list_.glassPolygons[i], polygons_[i], sides);

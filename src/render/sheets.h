@@ -19,6 +19,7 @@ namespace poinsot::render {
 struct SheetChoice {
   std::vector<std::size_t> ellipsoids, planes, cones, polygons;
   bool outlines = false;  ///< whether one of them may end there; else each fills the part
+  bool shadows = false;   ///< whether a plane's shadow may be there; else none is drawn
   auto operator<=>(const SheetChoice&) const = default;
   bool empty() const { return ellipsoids.empty() && planes.empty() && cones.empty() && polygons.empty(); }
 };
@@ -46,6 +47,7 @@ struct PlaneSheet {
   std::array<glm::vec3, 4> edges{};
   float border_px = 0;  ///< width of the line along them
   PixelBounds bounds;   ///< empty when it is not wholly in front of the camera; so with all sheets
+  PixelBounds shadow;   ///< what may lie in it
 };
 
 struct ConeSheet {

@@ -21,21 +21,26 @@ const text::CoverageMap& TextPainter::coverage(const draw::Text& item, float out
 }
 
 template <typename Sample>
-void TextPainter::paint(const draw::Text& item, image::BasicImage<Sample>& picture) {
+PixelBounds TextPainter::paint(const draw::Text& item, image::BasicImage<Sample>& picture) {
+  PixelBounds place;
   if (item.halo && item.halo_px > 0 && picture.channels == 4)
-    eraseCoverage(coverage(item, item.halo_px), item.opacity, picture);
+    place = eraseCoverage(coverage(item, item.halo_px), item.opacity, picture);
   else if (item.halo && item.halo_px > 0)
-    blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);
-  if (item.halo && item.halo_px > 0 && item.color == *item.halo) return;  // the halo covers the glyphs
-  blendCoverage(coverage(item, 0), item.color, item.opacity, picture);
+    place = blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);
+  if (item.halo && item.halo_px > 0 && item.color == *item.halo) return place;  // the halo covers the glyphs
+  place.include(blendCoverage(coverage(item, 0), item.color, item.opacity, picture));
+  return place;
 }
 
 template <typename Sample>
-void TextPainter::paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture) {
-  for (const draw::Text& item : texts) paint(item, picture);
+std::vector<PixelBounds> TextPainter::paint(const std::vector<draw::Text>& texts,
+                                            image::BasicImage<Sample>& picture) {
+  std::vector<PixelBounds> places;
+  for (const draw::Text& item : texts) places.push_back(paint(item, picture));
+  return places;
 }
 
-template void TextPainter::paint(const std::vector<draw::Text>&, image::Image&);
-template void TextPainter::paint(const std::vector<draw::Text>&, image::DeepImage&);
+template std::vector<PixelBounds> TextPainter::paint(const std::vector<draw::Text>&, image::Image&);
+template std::vector<PixelBounds> TextPainter::paint(const std::vector<draw::Text>&, image::DeepImage&);
 
 }  // namespace poinsot::render

@@ -9,6 +9,7 @@
 #include "draw/draw_list.h"
 #include "image/image.h"
 #include "render/picture_cache.h"
+#include "render/screen_outline.h"
 #include "text/coverage.h"
 #include "text/glyph_run.h"
 
@@ -20,17 +21,18 @@ class TextPainter {
   /// Forgets the type that the picture before did not show.
   void beginPicture() { coverage_.beginPicture(); }
 
+  /// Returns the places that changed.
   /// In a picture of four channels a halo is its paper too: nothing, whatever colour the list has for it.
   /// @throws core::Error(kUsage) for TeX that cannot be set.
   template <typename Sample>
-  void paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture);
+  std::vector<PixelBounds> paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture);
 
  private:
   /// What a coverage map depends on: the text, its size, the left end of its baseline, the width of its halo.
   using Key = std::tuple<std::string, float, float, float, float>;
 
   template <typename Sample>
-  void paint(const draw::Text& text, image::BasicImage<Sample>& picture);
+  PixelBounds paint(const draw::Text& text, image::BasicImage<Sample>& picture);
   const text::GlyphRun& run(const std::string& tex);
   const text::CoverageMap& coverage(const draw::Text& text, float outline_px);
 

@@ -12,15 +12,17 @@ namespace {
 
 /// Frame k is one grey pixel of value k.
 struct GreySource : FrameSource {
-  image::AnyImage frame(std::int64_t k) override {
-    image::Image picture({1, 1}, 3);
-    picture.pixels.assign(3, static_cast<std::uint8_t>(k));
+  const image::AnyImage& frame(std::int64_t k) override {
+    image::Image grey({1, 1}, 3);
+    grey.pixels.assign(3, static_cast<std::uint8_t>(k));
+    picture = grey;
     // Each frame costs 1 and 4 s.
     steps.add(core::Step::kSimulate, 1);
     steps.add(core::Step::kText, 4);
     return picture;
   }
   core::Digest digest(std::int64_t k) override { return core::sha256(std::to_string(k)); }
+  image::AnyImage picture;
   core::StepLedger steps;
 };
 

@@ -247,12 +247,14 @@ TEST(Visibility, APlaneDimsWithinItsEdgesAndMoreInItsShadow) {
   plane.shadowOpacity = 0.5f;
   list.planes.push_back(plane);
   const Visibility visibility(list);
-  // Seen through (0, 0.9, 1.8), 3.7 shadow radii out: 0.5 * 2^-27 of shadow.
+  // Seen through (0, 0.9, 1.8), 3.7 shadow radii out, where there is none.
   EXPECT_NEAR(visibility.of({-10, 1.8, 3.6}).transmittance, 0.88, 1e-6);
   EXPECT_EQ(visibility.of({-10, 2.2, 3.6}).transmittance, 1);
   EXPECT_EQ(visibility.of({-10, 1.8, 4.2}).transmittance, 1);
   EXPECT_EQ(visibility.of({2, 0, 0}).transmittance, 1);
-  EXPECT_NEAR(visibility.of({-2, 0, 0}).transmittance, 0.88 * 0.5, 1e-6);
+  EXPECT_NEAR(visibility.of({-2, 0, 0}).transmittance, 0.88 * (1 - 0.5 * (1 - 1.0 / 512)), 1e-6);
+  // Through (0, 0.5, 0): one radius out.
+  EXPECT_NEAR(visibility.of({-10, 1, 0}).transmittance, 0.88 * (1 - 0.5 * (0.25 - 1.0 / 512)), 1e-6);
 }
 
 TEST(Visibility, OfSheetsTheNearerTintsMore) {

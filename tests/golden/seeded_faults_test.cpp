@@ -38,7 +38,7 @@ const Fault kFaults[] = {
      "colors[1] = vec4(0.0)"},
     {"ParallelRaysForgotten", "camera.glsl", "mix(t, 1.0, orthographic)", "t"},
     {"GridOnePercentWide", "sheet_plane.glsl", "gridLines(uv.x", "gridLines(uv.x / 1.01"},
-    {"ShadowLost", "sheet_plane.glsl", "shadow.w * exp2", "0.0 * exp2"},
+    {"ShadowLost", "sheet_plane.glsl", "shadow.w * max(exp2", "0.0 * max(exp2"},
     {"EdgesNotSmooth", "coverage.glsl", "edge.z * sharpness", "edge.z * 1000.0"},
     {"TubesFlat", "curve.frag", "front = sqrt(1.0 - u * u)", "front = 1.0"},
     {"FacetsOfAnEdgeLeftOut", "mesh_pixel.vert", "i < kFacets", "i < 1"},

@@ -63,15 +63,32 @@ void forEachPixel(Use use) {
     for (int x = 0; x < kWidth; ++x) use(x, y, static_cast<std::size_t>(y * kWidth + x));
 }
 
-TEST(Mosaic, CoversItsColumnsOnceAndNothingElse) {
+TileMemory blankMemory() {
+  TileMemory tiles;
+  tiles.beginPicture({kWidth, kHeight}, {});
+  return tiles;
+}
+
+/// How often each pixel is in one of the rectangles.
+std::vector<int> timesIn(const std::vector<PixelBounds>& rectangles) {
+  Mosaic one;
+  one.parts[{}] = rectangles;
+  return Unfolded(one).times;
+}
+
+TEST(Mosaic, CoversAllOnce) {
   const draw::DrawList list = ellipsoidOverPlane();
-  const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), someSolids());
+  TileMemory tiles = blankMemory();
+  const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), someSolids(), tiles);
   const Unfolded all(mosaic);
-  ASSERT_EQ(mosaic.columns.size(), 4u);
+  EXPECT_EQ(timesIn(mosaic.drawn), all.times);
+  const auto paper = timesIn(mosaic.paper);
+  int blank = 0;
   forEachPixel([&](int x, int y, std::size_t i) {
-    const Mosaic::Span& span = mosaic.columns[static_cast<std::size_t>(y / Mosaic::kTile_px)];
-    EXPECT_EQ(all.times[i], x >= span.from && x < span.to ? 1 : 0) << x << ", " << y;
+    EXPECT_EQ(all.times[i] + paper[i], 1) << x << ", " << y;
+    blank += paper[i];
   });
+  EXPECT_GT(blank, 1000);
 }
 
 // What a pixel's own square may show is drawn there; where no outline is drawn, each sheet fills it.
@@ -79,7 +96,8 @@ TEST(Mosaic, LeavesOutNothingThatAPixelShows) {
   const draw::DrawList list = ellipsoidOverPlane();
   const Sheets sheets(list);
   const SolidCells solids = someSolids();
-  const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, solids);
+  TileMemory tiles = blankMemory();
+  const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, solids, tiles);
   const Unfolded all(mosaic);
   int withOutlines = 0, filled = 0;
   forEachPixel([&](int x, int y, std::size_t i) {
@@ -100,16 +118,76 @@ TEST(Mosaic, LeavesOutNothingThatAPixelShows) {
   EXPECT_GT(filled, 1000);
 }
 
-TEST(Mosaic, OfNothingIsEmpty) {
-  const draw::DrawList list = [] {
-    draw::DrawList empty = ellipsoidOverPlane();
-    empty.glassEllipsoids.clear();
-    empty.planes.clear();
-    return empty;
-  }();
-  const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), SolidCells(list.camera.size_px));
+TEST(Mosaic, OfNothingIsPaper) {
+  draw::DrawList list = ellipsoidOverPlane();
+  list.glassEllipsoids.clear();
+  list.planes.clear();
+  TileMemory tiles = blankMemory();
+  const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), SolidCells(list.camera.size_px), tiles);
   EXPECT_TRUE(mosaic.parts.empty());
-  for (const Mosaic::Span& span : mosaic.columns) EXPECT_TRUE(span.empty());
+  EXPECT_TRUE(mosaic.drawn.empty());
+  const auto times = timesIn(mosaic.paper);
+  EXPECT_EQ(std::ranges::count(times, 1), kWidth * kHeight);
+}
+
+// Of a second picture only the tiles with solids, those of a sheet that is another now, and what was painted over.
+class SecondMosaic : public testing::Test {
+ protected:
+  SecondMosaic() { cut(list_); }
+
+  Mosaic cut(const draw::DrawList& list, const Constants& common = {}) {
+    tiles_.beginPicture({kWidth, kHeight}, common);
+    Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), solids_, tiles_);
+    tiles_.endPicture();
+    return mosaic;
+  }
+
+  bool covers(const std::vector<PixelBounds>& rectangles, int x, int y) const {
+    return timesIn(rectangles)[static_cast<std::size_t>(y * kWidth + x)] == 1;
+  }
+
+  draw::DrawList list_ = ellipsoidOverPlane();
+  SolidCells solids_ = someSolids();
+  TileMemory tiles_;
+};
+
+TEST_F(SecondMosaic, HoldsTheTilesWithSolids) {
+  const Mosaic mosaic = cut(list_);
+  EXPECT_TRUE(mosaic.paper.empty());
+  const auto drawn = timesIn(mosaic.drawn);
+  forEachPixel([&](int x, int y, std::size_t i) {
+    constexpr int side = Mosaic::kTile_px;
+    const PixelBounds tile{static_cast<float>(x / side * side), static_cast<float>(y / side * side),
+                           static_cast<float>((x / side + 1) * side), static_cast<float>((y / side + 1) * side)};
+    EXPECT_EQ(drawn[i] == 1, solids_.reach(tile)[1] != SolidReach::kNone) << x << ", " << y;
+  });
+}
+
+TEST_F(SecondMosaic, HoldsThoseOfAnEllipsoidThatTurned) {
+  list_.glassEllipsoids[0].semiAxes_W[0] *= 1.001f;
+  const Mosaic mosaic = cut(list_);
+  const glm::ivec2 centre(kWidth / 2, kHeight / 2);
+  EXPECT_TRUE(covers(mosaic.drawn, centre.x, centre.y));
+  EXPECT_FALSE(covers(mosaic.drawn, 2, centre.y));
+}
+
+TEST_F(SecondMosaic, HoldsWhatWasPaintedOver) {
+  tiles_.forget({-20, 2, 3, 5});
+  const Mosaic mosaic = cut(list_);
+  EXPECT_EQ(mosaic.paper.size(), 1u);
+  EXPECT_TRUE(covers(mosaic.paper, 63, 63));
+  EXPECT_FALSE(covers(mosaic.paper, 64, 63));
+}
+
+TEST_F(SecondMosaic, HoldsAllWhenTheLightIsAnother) {
+  const Mosaic mosaic = cut(list_, {glm::vec4(1)});
+  EXPECT_TRUE(covers(mosaic.paper, 0, 0));
+  EXPECT_TRUE(covers(mosaic.drawn, kWidth / 2, kHeight - 20));
+}
+
+TEST_F(SecondMosaic, HoldsAllAfterAPictureThatWasNotEnded) {
+  tiles_.beginPicture({kWidth, kHeight}, {});
+  EXPECT_TRUE(covers(cut(list_).paper, 0, 0));
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "draw/color.h"
+#include "image/image.h"
+#include "render/mosaic.h"
+#include "render/tile_memory.h"
+
+namespace poinsot::render {
+
+/// One row of a picture with nothing on it.
+template <typename Sample>
+std::vector<Sample> paperRow(int width, const draw::Color& background, int channels);
+
+/// The pixels of a picture or a panel of it, kept for the one in its place in the next picture: only what became
+/// different is drawn and read again.
+class KeptPanel {
+ public:
+  /// The tiles of the picture that begins. @param common  the numbers that all tiles depend on, beside size and
+  /// kind
+  template <typename Sample>
+  TileMemory& begin(image::PixelSize size, bool transparent, Constants common);
+  /// From the bound framebuffer, where the mosaic was drawn; paper is laid without asking it.
+  template <typename Sample>
+  void read(const Mosaic& mosaic, const draw::Color& background);
+  /// Something was painted over the picture there.
+  void forget(const std::vector<PixelBounds>& places);
+  /// The picture is whole. If this is not reached, nothing of it is kept.
+  void end() { tiles_.endPicture(); }
+
+  template <typename Sample>
+  image::BasicImage<Sample>& picture() {
+    return std::get<image::BasicImage<Sample>>(picture_);
+  }
+  const image::AnyImage& any() const { return picture_; }
+
+ private:
+  image::AnyImage picture_;
+  TileMemory tiles_;
+};
+
+}  // namespace poinsot::render

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/tile_memory.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace poinsot::render {
+
+void TileMemory::beginPicture(glm::ivec2 size_px, Constants common) {
+  if (ended_ && size_px == size_px_ && common == common_) {
+    last_ = std::exchange(current_, {});
+  } else {
+    size_px_ = size_px;
+    tiles_ = (size_px + kTile_px - 1) / kTile_px;
+    common_ = std::move(common);
+    last_.clear();
+    current_.clear();
+    shown_.assign(static_cast<std::size_t>(tiles_.x * tiles_.y), 0);
+    names_ = 0;
+  }
+  ended_ = false;
+}
+
+// A look that the picture before did not have is on no tile.
+int TileMemory::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
+  const auto isChosen = [&](const Look& look) { return look.chosen == chosen; };
+  if (const auto known = std::ranges::find_if(current_, isChosen); known != current_.end()) return known->name;
+  Look look{chosen, sheets.constants(chosen), 0};
+  const auto before = std::ranges::find_if(last_, isChosen);
+  look.name = before != last_.end() && before->constants == look.constants ? before->name : ++names_;
+  current_.push_back(std::move(look));
+  return current_.back().name;
+}
+
+int& TileMemory::shownAt(const PixelBounds& tile) {
+  const int column = static_cast<int>(tile.left) / kTile_px, row = static_cast<int>(tile.top) / kTile_px;
+  return shown_[static_cast<std::size_t>(row * tiles_.x + column)];
+}
+
+bool TileMemory::shows(const PixelBounds& tile, const SheetChoice& chosen, const Sheets& sheets) {
+  const int name = nameOf(chosen, sheets);
+  return std::exchange(shownAt(tile), name) == name;
+}
+
+void TileMemory::forget(const PixelBounds& place) {
+  const PixelBounds p = place.clipped(size_px_);
+  if (p.empty()) return;
+  constexpr float side = kTile_px;
+  for (float y = p.top - static_cast<float>(static_cast<int>(p.top) % kTile_px); y < p.bottom; y += side)
+    for (float x = p.left - static_cast<float>(static_cast<int>(p.left) % kTile_px); x < p.right; x += side)
+      shownAt({x, y, x + side, y + side}) = 0;
+}
+
+}  // namespace poinsot::render

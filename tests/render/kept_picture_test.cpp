@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a renderer keeps from one picture to the next must show in the time alone: whatever came before, the bytes
+// are those of a renderer that has drawn nothing yet.
+#include <functional>
+
+#include "core/error.h"
+#include "picture_test.h"
+#include "random.h"
+
+namespace poinsot::render {
+namespace {
+
+using draw::Color;
+using draw::Picture;
+
+constexpr glm::ivec2 kWide(520, 390);  // some tiles whole, some cut
+
+draw::DrawList standing() {
+  draw::DrawList list;
+  list.camera = draw::lookAt({9, 2, 4}, glm::vec3(0), {0, 0, 1}, 1.0f, kWide);
+  list.camera.tanHalfFovY = 0.15f;
+  list.camera.near = 5;
+  list.camera.far = 15;
+  list.background = draw::fromSrgb(0xF4F6F8);
+  list.frustums.push_back({glm::vec3(0), {0, 0.3f, 0.5f}, 0.05f, 0, {}});
+  draw::GlassEllipsoid glass;
+  glass.graticule = draw::Graticule{};
+  glass.semiAxes_W = glm::mat3(0.3f);
+  list.glassEllipsoids = {glass};
+  draw::GridPlane plane;
+  plane.centre_W = {0, 0, -0.6f};
+  plane.u_W = {1.1f, 0, 0};
+  plane.v_W = {0, 1.2f, 0};
+  plane.shadowCentre_W = plane.centre_W;
+  plane.shadowRadius_W = 0.15f;
+  plane.shadowOpacity = 0.4f;
+  list.planes = {plane};
+  list.texts = {{"$L$", {40, 60}, 24, Color(0), 1, Color(1), 3}};
+  return list;
+}
+
+Picture inOnePanel(const draw::DrawList& list) {
+  Picture picture;
+  picture.size_px = kWide;
+  picture.background = list.background;
+  picture.panels = {{{0, 0}, list}};
+  draw::Stroke line;
+  line.points_px = {{5, 350}, {300, 340}};
+  picture.strokes = {line};
+  picture.texts = {{"title", {300, 30}, 20, Color(0), 1, std::nullopt, 0}};
+  return picture;
+}
+
+struct Request {
+  Picture picture = inOnePanel(standing());
+  int bits = 8;
+  RenderOptions options = {};
+
+  draw::DrawList& list() { return picture.panels[0].list; }
+};
+
+class KeptPictureTest : public PictureTest {
+ protected:
+  /// As a renderer makes it that has nothing to go by.
+  image::AnyImage fresh(const Request& r) { return Renderer(*context_).frame(r.picture, r.bits, r.options); }
+  const image::AnyImage& next(const Request& r) { return renderer_.frame(r.picture, r.bits, r.options); }
+};
+
+/// Everything that may become different between two pictures.
+const std::vector<std::function<void(Request&)>> kChanges{
+    [](Request&) {},
+    [](Request& r) { r.list().frustums[0].to_W.x += 0.2f; },
+    [](Request& r) { r.list().frustums.clear(); },
+    [](Request& r) { r.list().glassEllipsoids[0].centre_W.y += 0.1f; },
+    [](Request& r) { r.list().glassEllipsoids.clear(); },
+    [](Request& r) { r.list().planes[0].shadowCentre_W.x += 0.3f; },
+    [](Request& r) { r.list().planes[0].shadowRadius_W = 0; },
+    [](Request& r) { r.list().planes[0].lineWidth_px = 2.5f; },
+    [](Request& r) { r.list().planes[0].color = Color(0.9f, 0.3f, 0.2f); },
+    [](Request& r) { r.list().planes.push_back(r.list().planes[0]); },
+    [](Request& r) { std::swap(r.list().planes[0].u_W, r.list().planes[0].v_W); },
+    [](Request& r) { r.list().background = Color(0.2f); },
+    [](Request& r) { r.list().camera.eye_W.z += 0.05f; },
+    [](Request& r) {
+      r.list().lightDirection_C = {1, 0, 0.2f};
+    },
+    [](Request& r) { r.list().texts[0].baseline_px.x += 100; },
+    [](Request& r) { r.list().texts.clear(); },
+    [](Request& r) { r.picture.texts[0].tex = "another title"; },
+    [](Request& r) { r.picture.texts.clear(); },
+    [](Request& r) {
+      r.picture.strokes[0].points_px[1] = {500, 20};
+    },
+    [](Request& r) {
+      r.picture.areas = {{{{0, 0}, {200, 0}, {100, 200}}, Color(0.5f), 0.5f}};
+    },
+    [](Request& r) { r.options.transparent = true; },
+    [](Request& r) { r.bits = 16; },
+    [](Request& r) { r.picture.panels.clear(); },
+    [](Request& r) { r.picture.size_px.x += 20; },  // a panel beside paper
+    [](Request& r) {
+      r.picture.size_px.x *= 2;
+      r.picture.panels.push_back({{kWide.x, 0}, standing()});
+      r.picture.panels[1].list.planes.clear();
+    }};
+
+TEST_F(KeptPictureTest, IsTheSameWhateverCameBefore) {
+  const image::AnyImage first = fresh({});
+  for (std::size_t i = 0; i < kChanges.size(); ++i) {
+    Request changed;
+    kChanges[i](changed);
+    EXPECT_EQ(next({}), first) << "before change " << i;
+    EXPECT_EQ(next(changed), fresh(changed)) << "change " << i;
+  }
+  EXPECT_EQ(next({}), first);
+}
+
+TEST_F(KeptPictureTest, IsTheSameInAnyOrder) {
+  Random random;
+  const auto some = [&] {
+    Request r;
+    for (int i = 0; i < 2; ++i) {
+      const auto& change = kChanges[static_cast<std::size_t>(random.in(0, 22))];  // of one panel
+      const draw::DrawList& list = r.list();
+      if (list.planes.empty() || list.glassEllipsoids.empty() || list.texts.empty() || list.frustums.empty())
+        break;
+      if (r.picture.texts.empty()) break;
+      change(r);
+      if (r.picture.panels.empty()) break;
+    }
+    return r;
+  };
+  for (int i = 0; i < 40; ++i) {
+    const Request r = some();
+    EXPECT_EQ(next(r), fresh(r)) << i;
+  }
+}
+
+TEST_F(KeptPictureTest, IsTheSameAfterOneThatFailed) {
+  Request broken;
+  broken.list().texts.push_back({"$\\omgea$", {200, 200}, 20, Color(0), 1, std::nullopt, 0});
+  broken.list().frustums.clear();
+  next({});
+  EXPECT_THROW(next(broken), core::Error);
+  EXPECT_EQ(next({}), fresh({}));
+}
+
+}  // namespace
+}  // namespace poinsot::render
