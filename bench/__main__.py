@@ -7,12 +7,13 @@ import signal
 import sys
 import tempfile
 
+import guard
 import jobs
 import machine
 import peers
 import scaling
 from measurement import Failure
-from standard import Program
+from standard import HERE, Program
 
 # Of a core, used by others: more, and a run is not to be relied on. The kernel's writing to disk takes up to 0.06.
 DISTURBED = 0.1
@@ -22,7 +23,7 @@ def main():
     options = parsed()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # so that temporary files go
     try:
-        text = report(options)
+        text, held = guard.checked(options) if options.guard else (report(options), True)
         if options.markdown:
             options.markdown.write_text(text + '\n')
     except ValueError as error:
@@ -32,6 +33,7 @@ def main():
     except OSError as error:
         fail(error, 4)
     print(text)
+    sys.exit(0 if held else 1)
 
 
 def parsed():
@@ -39,22 +41,41 @@ def parsed():
                                      epilog='poinsot bench --micro [options] runs the small benchmarks instead.')
     parser.add_argument('--program', type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     modes = parser.add_mutually_exclusive_group()
-    modes.add_argument('--jobs', metavar='J1,J2,...', help='only these of J1 to J5 and T (default: all)')
+    modes.add_argument('--jobs', metavar='J1,J2,...', help='only these of J1 to J5, T and S (default: all)')
     modes.add_argument('--peers', dest='mode', action='store_const', const=peers.measured, default=jobs.measured,
                        help='instead: VTK, Matplotlib and the encoder alone, in turn with this program')
     modes.add_argument('--scaling', dest='mode', action='store_const', const=scaling.measured,
                        help='instead: by workers, frames and pixels')
+    modes.add_argument('--guard', action='store_true', help='instead: instructions of the parts without OpenGL; exit '
+                       f'status 1 where one takes {guard.TOLERANCE:.0%}% more than recorded')
+    parser.add_argument('--record', action='store_true', help='with --guard: record them')
+    parser.add_argument('--figures', type=pathlib.Path, metavar='FILE', help='with --guard: what is recorded (default: '
+                        'bench/guard.toml)')
     parser.add_argument('--long', action='store_true', help='with --scaling: a film of 10 000 frames, too')
     parser.add_argument('--runs', type=int, metavar='N', help='of each; medians are told (default: 3)')
-    parser.add_argument('--quick', action='store_true', help='two frames, one run, no warming up: does it work?')
+    parser.add_argument('--quick', action='store_true', help='two frames, one run, no warming up (--guard: one part): '
+                        'does it work?')
     parser.add_argument('--markdown', type=pathlib.Path, metavar='FILE', help='write the tables to a file, too')
     options = parser.parse_args()
+    if options.guard:
+        return for_guard(parser, options)
+    if options.record or options.figures:
+        parser.error('--record and --figures are for --guard')
     if options.runs is None:
         options.runs = 1 if options.quick else 3
     if options.runs < 1:
         parser.error('--runs must be at least 1')
     if options.long and options.mode is not scaling.measured:
         parser.error('--long is for --scaling')
+    return options
+
+
+def for_guard(parser, options):
+    if options.runs is not None or options.long:
+        parser.error('--guard takes no --runs or --long: every run counts the same')
+    if options.record and options.quick:
+        parser.error('--quick counts one part, --record needs all')
+    options.figures = options.figures or HERE / 'guard.toml'
     return options
 
 

@@ -11,6 +11,11 @@ HEAVIEST_FROM = 60  # frame: the title stands, the first seconds are over
 
 ROWS = 1_000_000
 
+CHECKED = HERE.parent / 'scenes/tennis_racket.toml'
+# What answers before one has noticed: a command line is typed again and again.
+AIMS_S = {'S': 0.020, 'S check': 0.050}
+STARTS = 20  # in each run: one takes milliseconds
+
 
 def measured(options, program, _):
     """Tables and results.
@@ -35,11 +40,13 @@ def all_jobs(program, quick):
         Job('J4', f'film of {HEAVIEST.stem}', frames(60), program.excerpt(HEAVIEST, HEAVIEST_FROM)),
         Job('J5', 'film, 4K', frames(60), program.film('--size', '3840x2160')),
         Job('T', 'trajectory to CSV', 1000 if quick else ROWS, program.trajectory()),
+        Job('S', 'poinsot --help', 1, program.help(), repeats=1 if quick else STARTS),
+        Job('S check', f'poinsot check {CHECKED.name}', 1, program.check(CHECKED), repeats=1 if quick else STARTS),
     ]
 
 
 def chosen(jobs, names):
-    """Those of the names; J3 stands for both of its kinds.
+    """Those of the names; J3 and S stand for both of their kinds.
     @throws ValueError for a name that is none's.
     """
     known = {job.name.split()[0] for job in jobs}
@@ -50,13 +57,16 @@ def chosen(jobs, names):
 
 
 def tables(results):
-    films = [result for result in results if result.job.name != 'T']
+    starts = [result for result in results if result.job.name in AIMS_S]
+    films = [result for result in results if result.job.name != 'T' and result not in starts]
     rows = [result for result in results if result.job.name == 'T']
     texts = []
     if films:
         texts += [costs(films), split(films)]
     if rows:
         texts += [row_costs(rows)]
+    if starts:
+        texts += [start_costs(starts)]
     return texts
 
 
@@ -82,6 +92,13 @@ def row_costs(results):
     return table(['job', 'rows', 'wall', 'rows/s', 'CPU per row', 'peak memory'],
                  [[f'{result.job.name}: {result.job.what}', str(result.job.frames), seconds(result.wall_s),
                    f'{result.rate_hz:.0f}', f'{result.cpu_per_frame_s * 1e6:.2f} µs', mebibytes(result.memory_mib)]
+                  for result in results])
+
+
+def start_costs(results):
+    return table(['job', 'in each run', 'wall', 'at most', 'CPU', 'peak memory'],
+                 [[f'{result.job.name}: {result.job.what}', str(result.job.repeats), milliseconds(result.wall_s),
+                   milliseconds(AIMS_S[result.job.name]), milliseconds(result.cpu_s), mebibytes(result.memory_mib)]
                   for result in results])
 
 

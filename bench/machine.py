@@ -12,11 +12,17 @@ def cores():
     return len(os.sched_getaffinity(0))
 
 
-def facts(program):
-    """Name and value of each, to be printed above the figures."""
+def occasion():
+    """When, and of what sources."""
     return {
         'date': datetime.datetime.now(datetime.timezone.utc).strftime('%Y-%m-%d %H:%M UTC'),
         'commit': _first(r'(.+)', 'git', '-C', pathlib.Path(__file__).parent, 'describe', '--always', '--dirty'),
+    }
+
+
+def facts(program):
+    """Name and value of each, to be printed above the figures."""
+    return occasion() | {
         'CPU': f'{_cpu_model()}, {cores()} cores',
         'poinsot': _first(r'poinsot (.+)', program, '--version'),
         'x264': _first(r'x264 (.+)', program, '--version'),

@@ -33,6 +33,12 @@ class Program:
         return lambda rows: [self.path, 'trajectory', SCENE, '--rate', f'{max(1, rows - 1) / SPAN_S}',
                              '-o', 'rows.csv']
 
+    def help(self):
+        return lambda _: [self.path, '--help']
+
+    def check(self, scene):
+        return lambda _: [self.path, 'check', scene]
+
     def _render(self, frames, *options):
         duration_s = frames / FPS
         # The range besides: 100 / 30 s times 30 frames/s is 101 frames.

@@ -36,7 +36,7 @@ class Bench(unittest.TestCase):
             self.assertEqual((run.returncode, run.left), (0, []), run.stderr)
             self.assertEqual(markdown.read_text(), run.stdout)
         found = rows(run.stdout)
-        for job in ('J1', 'J2', 'J3', 'J3 cold', 'J4', 'J5', 'T'):
+        for job in ('J1', 'J2', 'J3', 'J3 cold', 'J4', 'J5', 'T', 'S', 'S check'):
             figures = [float(cell.split()[0]) for cell in found[job]]
             self.assertEqual(len(figures), 5)
             self.assertTrue(all(figure > 0 for figure in figures), (job, figures))
@@ -53,7 +53,7 @@ class Bench(unittest.TestCase):
     def test_a_job_that_there_is_not(self):
         run = bench('--jobs', 'J1,J9')
         self.assertEqual((run.returncode, run.stdout), (2, ''))
-        self.assertIn("there is no job 'J9', only J1, J2, J3, J4, J5, T", run.stderr)
+        self.assertIn("there is no job 'J9', only J1, J2, J3, J4, J5, S, T", run.stderr)
 
 
 if __name__ == '__main__':
