@@ -30,5 +30,6 @@ void main() {
   shown = vec4(sum, place.z);
   solidOut = solid;
   depth = toDepth(place.w);
+  gl_PointSize = 1.0;
   gl_Position = vec4(2.0 * place.xy / pictureSize_px - 1.0, 0.0, 1.0);
 }

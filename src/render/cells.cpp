@@ -7,9 +7,25 @@
 namespace poinsot::render {
 namespace {
 
-constexpr float kMargin_px = 1;  // of soft edge
+constexpr float kMargin_px = 1;    // of soft edge
+constexpr float kLargest_px = 64;  // llvmpipe's own tile
+
+/// Of the aligned square with this corner, what lies within the rectangle.
+void addSquares(std::vector<Square>& squares, const PixelBounds& r, glm::vec2 corner, float side) {
+  if (corner.x >= r.right || corner.y >= r.bottom || corner.x + side <= r.left || corner.y + side <= r.top) return;
+  if (corner.x >= r.left && corner.y >= r.top && corner.x + side <= r.right && corner.y + side <= r.bottom)
+    return squares.push_back({corner + 0.5f * side, side});
+  const float half = 0.5f * side;
+  for (const glm::vec2& step : {glm::vec2(0), glm::vec2(half, 0), glm::vec2(0, half), glm::vec2(half)})
+    addSquares(squares, r, corner + step, half);
+}
 
 }  // namespace
+
+PixelBounds Square::bounds() const {
+  const float half = 0.5f * side_px;
+  return {centre_px.x - half, centre_px.y - half, centre_px.x + half, centre_px.y + half};
+}
 
 Cells cutIntoCells(const PixelBounds& b, const std::function<bool(glm::vec2)>& inside) {
   Cells cells;
@@ -22,15 +38,16 @@ Cells cutIntoCells(const PixelBounds& b, const std::function<bool(glm::vec2)>& i
       const float t = cell.top - kMargin_px, u = cell.bottom + kMargin_px;
       // Four corners inside a convex outline: all of the cell is.
       const bool whole = inside({l, t}) && inside({r, t}) && inside({l, u}) && inside({r, u});
-      addRectangle(whole ? cells.full : cells.edge, cell);
+      addSquares(whole ? cells.full : cells.edge, cell);
     }
   }
   return cells;
 }
 
-void addRectangle(std::vector<glm::vec2>& triangles, const PixelBounds& t) {
-  const glm::vec2 a(t.left, t.top), b(t.right, t.top), c(t.left, t.bottom), d(t.right, t.bottom);
-  triangles.insert(triangles.end(), {a, b, c, c, b, d});
+void addSquares(std::vector<Square>& squares, const PixelBounds& r) {
+  const auto first = [](float p) { return kLargest_px * std::floor(p / kLargest_px); };
+  for (float y = first(r.top); y < r.bottom; y += kLargest_px)
+    for (float x = first(r.left); x < r.right; x += kLargest_px) addSquares(squares, r, {x, y}, kLargest_px);
 }
 
 }  // namespace poinsot::render

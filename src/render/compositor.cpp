@@ -66,7 +66,7 @@ const gl::ShaderProgram& Compositor::program(const Variant& variant) {
   const std::string defines = fmt::format("#define TRANSPARENT {:d}\n#define SOLIDS {}\n#define OUTLINES {:d}\n",
                                           transparent, reach, outlines);
   gl::ShaderProgram made = programWithConstants(
-      "tiles.vert", "composite.frag", 1 + sheets.constants(),
+      "squares.vert", "composite.frag", 1 + sheets.constants(),
       defines + kindsOf(sheets) + unrolled(sheets, static_cast<std::size_t>(std::max(reach - 1, 0))));
   return programs_.emplace(variant, std::move(made)).first->second;
 }
@@ -76,7 +76,7 @@ void Compositor::draw(const draw::DrawList& list, const SolidLayers& layers, con
   const Constants ofPicture = pictureConstants(list, sharpness);
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
-  floatAttribute(0, 2, sizeof(glm::vec2), 0);
+  floatAttribute(0, 3, sizeof(Square), 0);
   for (const auto& [content, parts] : mosaic.parts) {
     const SheetChoice& chosen = content.sheets;
     const auto& shader = program({transparent, content.solids, chosen.outlines, sheets.counts(chosen)});
@@ -85,11 +85,10 @@ void Compositor::draw(const draw::DrawList& list, const SolidLayers& layers, con
     own.insert(own.end(), ofSheets.begin(), ofSheets.end());
     useWith(shader, ofPicture, own);
     bindLayers(shader, layers);
-    std::vector<glm::vec2> triangles;
-    for (const PixelBounds& part : parts) addRectangle(triangles, part);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2)), triangles.data(),
-                 GL_STREAM_DRAW);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+    std::vector<Square> squares;
+    for (const PixelBounds& part : parts) addSquares(squares, part);
+    upload(GL_ARRAY_BUFFER, buffer_, squares, GL_STREAM_DRAW);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(squares.size()));
   }
 }
 

@@ -6,23 +6,23 @@
 
 namespace poinsot::render {
 
-Eraser::Eraser() : program_(programWithConstants("tiles.vert", "erase.frag", 0, "")) {
+Eraser::Eraser() : program_(programWithConstants("squares.vert", "erase.frag", 0, "")) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
-  floatAttribute(0, 2, sizeof(glm::vec2), 0);
+  floatAttribute(0, 3, sizeof(Square), 0);
 }
 
 void Eraser::prepare(const SolidCells& cells, const Constants& ofPicture) {
   ofPicture_ = ofPicture;
-  std::vector<glm::vec2> triangles;
+  std::vector<Square> squares;
   const auto add = [&](std::size_t layer, SolidReach least, bool beside) {
-    for (const PixelBounds& part : cells.partsWith(least, beside)) addRectangle(triangles, part);
-    starts_[layer + 1] = static_cast<GLint>(triangles.size());
+    for (const PixelBounds& part : cells.partsWith(least, beside)) addSquares(squares, part);
+    starts_[layer + 1] = static_cast<GLint>(squares.size());
   };
   add(0, SolidReach::kInside, true);  // of this layer neighbouring pixels are read too
   add(1, SolidReach::kOneEdge, false);
   add(2, SolidReach::kTwoEdges, false);
-  upload(GL_ARRAY_BUFFER, buffer_, triangles, GL_STREAM_DRAW);
+  upload(GL_ARRAY_BUFFER, buffer_, squares, GL_STREAM_DRAW);
 }
 
 void Eraser::erase(std::size_t layer) const {
@@ -34,7 +34,7 @@ void Eraser::erase(std::size_t layer) const {
   glDepthFunc(GL_ALWAYS);
   glDepthRange(1, 1);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDrawArrays(GL_TRIANGLES, first, count);
+  glDrawArrays(GL_POINTS, first, count);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthRange(0, 1);
   glDisable(GL_DEPTH_TEST);

@@ -93,7 +93,9 @@ struct Renderer::Passes {
   KeptPanel joined;             // where there are several
   core::StepLedger* steps;
 
-  explicit Passes(core::StepLedger* ledger) : steps(ledger) {}
+  explicit Passes(core::StepLedger* ledger) : steps(ledger) {
+    glEnable(GL_PROGRAM_POINT_SIZE);  // squares
+  }
 
   void beginPicture() {
     meshes.beginPicture();

@@ -12,15 +12,15 @@
 namespace poinsot::render {
 namespace {
 
-glm::vec2 positionOf(glm::vec2 vertex) { return vertex; }
-glm::vec2 positionOf(const StripVertex& vertex) { return vertex.position_px; }
+void include(const Square& square, PixelBounds& bounds) { bounds.include(square.bounds()); }
+void include(const StripVertex& vertex, PixelBounds& bounds) { bounds.include(vertex.position_px); }
 
 }  // namespace
 
 SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   Programs programs;  // in the order of Kind
-  programs.push_back(solidProgram("tiles.vert", "ellipsoid.frag", pass, 12));
-  programs.push_back(solidProgram("tiles.vert", "frustum.frag", pass, 11));
+  programs.push_back(solidProgram("squares.vert", "ellipsoid.frag", pass, 12));
+  programs.push_back(solidProgram("squares.vert", "frustum.frag", pass, 11));
   programs.push_back(solidProgram("curve.vert", "curve.frag", pass, 2, "#define TUBE 0\n"));
   programs.push_back(solidProgram("curve.vert", "curve.frag", pass, 2, "#define TUBE 1\n"));
   return programs;
@@ -30,7 +30,7 @@ SolidPainter::SolidPainter()
     : programs_{makePrograms(SolidPass::kFull), makePrograms(SolidPass::kEdges), makePrograms(SolidPass::kSeams)} {
   glBindVertexArray(cellVertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, cellBuffer_.id());
-  floatAttribute(0, 2, sizeof(glm::vec2), 0);
+  floatAttribute(0, 3, sizeof(Square), 0);
   glBindVertexArray(curveVertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, curveBuffer_.id());
   floatAttribute(0, 2, sizeof(StripVertex), offsetof(StripVertex, position_px));
@@ -54,7 +54,7 @@ void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::ve
     if (isCurve(item.kind))
       copyParts(item, strips_, 3);
     else
-      copyParts(item, cells_, 6);
+      copyParts(item, cells_, 1);
   }
   upload(GL_ARRAY_BUFFER, cellBuffer_, cells_, GL_STREAM_DRAW);
   upload(GL_ARRAY_BUFFER, curveBuffer_, strips_, GL_STREAM_DRAW);
@@ -66,7 +66,7 @@ SolidPainter::Range SolidPainter::copied(const Range& range, std::vector<Vertex>
   Range copy{static_cast<GLint>(vertices.size()), 0};
   for (GLint i = range.first; i < range.first + range.count; i += group) {
     PixelBounds bounds;
-    for (GLint k = i; k < i + group; ++k) bounds.include(positionOf(vertices[static_cast<std::size_t>(k)]));
+    for (GLint k = i; k < i + group; ++k) include(vertices[static_cast<std::size_t>(k)], bounds);
     if (!wanted(bounds)) continue;
     for (GLint k = i; k < i + group; ++k) vertices.push_back(vertices[static_cast<std::size_t>(k)]);
     copy.count += group;
@@ -89,14 +89,9 @@ Cells SolidPainter::cellsWithin(const Outline& outline) const {
 }
 
 void SolidPainter::addItem(Kind kind, const Cells& cells, const DepthRange& depths, Constants own) {
-  const auto forEach = [](const std::vector<glm::vec2>& triangles, auto use) {
-    for (std::size_t i = 0; i < triangles.size(); i += 6)
-      use(PixelBounds{triangles[i].x, triangles[i].y, triangles[i + 4].x, triangles[i + 5].y});
-  };
-  const auto markSolid = [&](const PixelBounds& b) { solidCells_->markSolid(b, depths); };
-  forEach(cells.edge, markSolid);
-  forEach(cells.full, markSolid);
-  forEach(cells.edge, [&](const PixelBounds& b) { solidCells_->markEdge(b); });
+  for (const Square& square : cells.edge) solidCells_->markSolid(square.bounds(), depths);
+  for (const Square& square : cells.full) solidCells_->markSolid(square.bounds(), depths);
+  for (const Square& square : cells.edge) solidCells_->markEdge(square.bounds());
   const auto first = static_cast<GLint>(cells_.size());
   const auto edges = static_cast<GLsizei>(cells.edge.size()),
              all = edges + static_cast<GLsizei>(cells.full.size());
@@ -195,7 +190,7 @@ void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
     if (range.count == 0) continue;
     glBindVertexArray(isCurve(item.kind) ? curveVertices_.id() : cellVertices_.id());
     useForSolid(programs[item.kind], ofPicture_, item.own);
-    glDrawArrays(GL_TRIANGLES, range.first, range.count);
+    glDrawArrays(isCurve(item.kind) ? GL_TRIANGLES : GL_POINTS, range.first, range.count);
   }
   glDisable(GL_DEPTH_TEST);
 }

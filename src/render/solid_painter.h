@@ -39,8 +39,8 @@ class SolidPainter {
     GLsizei count = 0;
   };
 
-  /// One draw call: its constants and its triangles: all, and of them those of the edge pass; then copies of those
-  /// that the next edge pass looks at, and of those that may touch another solid.
+  /// One draw call: its constants and its squares or triangles: all, and of them those of the edge pass; then
+  /// copies of those that the next edge pass looks at, and of those that may touch another solid.
   struct Item {
     Kind kind;
     Constants own;
@@ -75,7 +75,7 @@ class SolidPainter {
   Constants ofPicture_;
   SolidCells* solidCells_ = nullptr;
   std::vector<Item> items_;
-  std::vector<glm::vec2> cells_;
+  std::vector<Square> cells_;
   std::vector<StripVertex> strips_;
 };
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "render/cells.h"
@@ -60,20 +61,50 @@ TEST(FrustumOutline, IsEmptyBehindTheCamera) {
 }
 
 TEST(Cells, CoverTheBoundsOnceAndTellInsideFromEdge) {
-  const PixelBounds bounds{0, 0, 200, 120};
+  const PixelBounds bounds{1, 2, 198, 117};
   const auto inside = [](vec2 p) { return std::hypot(p.x - 100, p.y - 60) < 55; };
   const Cells cells = cutIntoCells(bounds, inside);
-  const auto area = [](const std::vector<vec2>& t) {
-    double sum = 0;
-    for (std::size_t i = 0; i < t.size(); i += 3)
-      sum += std::abs((double(t[i + 1].x) - t[i].x) * (double(t[i + 2].y) - t[i].y) -
-                      (double(t[i + 2].x) - t[i].x) * (double(t[i + 1].y) - t[i].y)) /
-             2;
-    return sum;
+  std::map<std::pair<int, int>, int> times;
+  const auto count = [&](const std::vector<Square>& squares) {
+    int pixels = 0;
+    for (const Square& square : squares) {
+      const PixelBounds b = square.bounds();
+      for (int y = int(b.top); y < int(b.bottom); ++y)
+        for (int x = int(b.left); x < int(b.right); ++x, ++pixels) ++times[{x, y}];
+    }
+    return pixels;
   };
-  EXPECT_DOUBLE_EQ(area(cells.edge) + area(cells.full), 200 * 120);
-  EXPECT_GT(area(cells.full), 0.4 * std::numbers::pi * 55 * 55);
-  for (const vec2& p : cells.full) EXPECT_TRUE(inside(p));
+  EXPECT_EQ(count(cells.edge) + count(cells.full), 197 * 115);
+  EXPECT_EQ(times.size(), 197 * 115);
+  EXPECT_GT(count(cells.full), 0.4 * std::numbers::pi * 55 * 55);
+  for (const Square& square : cells.full) {
+    const PixelBounds b = square.bounds();
+    for (const vec2& p :
+         {vec2(b.left, b.top), vec2(b.right, b.top), vec2(b.left, b.bottom), vec2(b.right, b.bottom)})
+      EXPECT_TRUE(inside(p));
+  }
+}
+
+// OpenGL leaves out a point whose centre is outside the picture.
+TEST(Squares, CoverARectangleOnceAndHaveTheirCentresInIt) {
+  for (const PixelBounds& r :
+       {PixelBounds{0, 0, 199, 121}, {64, 128, 192, 192}, {16, 48, 33, 49}, {7, 9, 8, 100}}) {
+    std::vector<Square> squares;
+    addSquares(squares, r);
+    float area = 0;
+    for (const Square& square : squares) {
+      const PixelBounds b = square.bounds();
+      area += square.side_px * square.side_px;
+      EXPECT_TRUE(b.left >= r.left && b.top >= r.top && b.right <= r.right && b.bottom <= r.bottom);
+      EXPECT_EQ(std::fmod(b.left, square.side_px) + std::fmod(b.top, square.side_px), 0);
+      for (const Square& other : squares) {
+        if (&other == &square) continue;
+        const glm::vec2 apart = glm::abs(other.centre_px - square.centre_px);
+        EXPECT_GE(std::max(apart.x, apart.y), 0.5f * (square.side_px + other.side_px));
+      }
+    }
+    EXPECT_EQ(area, (r.right - r.left) * (r.bottom - r.top));
+  }
 }
 
 }  // namespace
