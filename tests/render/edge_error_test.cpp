@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How good edges are: each kind alone, and whole pictures, against 16 x 16 samples a pixel (fine_picture.h). The
-// measure is the mean over the pixels that an edge runs through, and over their three channels, of the absolute
-// difference in sRGB, in 1/255. At most 2 is asked for. With EDGE_PICTURES=FOLDER each picture is written there,
-// as it is, as it should be, and eight times their difference.
+// measure is edge_error.h's; at most 2 is asked for. The scenes of the gallery: gallery_edges_test.cpp.
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 
-#include "fine_picture.h"
-#include "image/png_file.h"
+#include "edge_error.h"
 #include "mesh_sample.h"
 #include "picture_test.h"
 
@@ -94,11 +89,6 @@ void addAxes(DrawList& list, mat3 semiAxes) {
 
 class EdgeErrorTest : public PictureTest {
  protected:
-  struct Error {
-    double mean = 0;
-    int worst = 0, count = 0;
-  };
-
   /// As emptyList(), from a little above.
   static DrawList fromAbove() {
     DrawList list = emptyList();
@@ -109,37 +99,8 @@ class EdgeErrorTest : public PictureTest {
     return list;
   }
 
-  Error errorOf(const DrawList& list, const std::string& name) {
-    const image::Image picture = render(list);
-    const FinePicture fine = finePicture(renderer_, list, kSamples);
-    Error error;
-    image::Image map(kSize, 3);
-    for (std::size_t i = 0; i < fine.edge.size(); ++i) {
-      if (!fine.edge[i]) continue;
-      ++error.count;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const int step = std::abs(picture.pixels[3 * i + c] - fine.mean.pixels[3 * i + c]);
-        error.mean += step;
-        error.worst = std::max(error.worst, step);
-        map.pixels[3 * i + c] = static_cast<std::uint8_t>(std::min(255, 8 * step));
-      }
-    }
-    error.mean /= std::max(3 * error.count, 1);
-    if (const char* folder = std::getenv("EDGE_PICTURES"))
-      for (const auto& [what, p] : {std::pair{"is", &picture}, {"fine", &fine.mean}, {"error", &map}})
-        write(*p, std::string(folder) + "/" + name + ", " + what + ".png");
-    std::printf("%-28s %6d edge pixels, mean %5.2f, worst %3d\n", name.c_str(), error.count, error.mean,
-                error.worst);
-    return error;
-  }
-
-  static void write(const image::Image& picture, const std::string& path) {
-    const auto bytes = image::encodePng(picture);
-    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
-  }
-
   void expectGood(const DrawList& list, const std::string& name, double bound = 2) {
-    const Error error = errorOf(list, name);
+    const EdgeError error = edgeError(render(list), finePicture(renderer_, list, kSamples), name);
     EXPECT_GT(error.count, 100) << name;
     EXPECT_LE(error.mean, bound) << name;
   }

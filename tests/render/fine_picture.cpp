@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 namespace poinsot::render {
 namespace {
 
 constexpr int kStep = 2;        // of 255, between neighbouring samples, that makes an edge
-constexpr int kPartOfSide = 4;  // a part is as large as so many pictures side by side, and as many below
+constexpr int kPart_px = 2048;  // side of a part: its buffers take 250 MB
 
 image::PixelSize sizeOf(const draw::DrawList& list) {
   return {static_cast<int>(list.camera.size_px.x), static_cast<int>(list.camera.size_px.y)};
@@ -37,6 +38,35 @@ glm::dvec3 meanLight(const image::Image& samples, int left, int top, int n) {
   return sum / static_cast<double>(n * n);
 }
 
+/// Draws the part of the large picture that begins at a corner.
+using DrawPart = std::function<image::Image(glm::ivec2 from_px, image::PixelSize part)>;
+
+void addPart(const image::Image& samples, glm::ivec2 from_px, int n, FinePicture& fine) {
+  for (int y = 0; y < samples.size.height / n; ++y)
+    for (int x = 0; x < samples.size.width / n; ++x) {
+      const int px = from_px.x / n + x, py = from_px.y / n + y;
+      const glm::dvec3 light = meanLight(samples, n * x, n * y, n);
+      for (int c = 0; c < 3; ++c) fine.mean.at(px, py)[c] = draw::srgb8FromLinear(static_cast<float>(light[c]));
+      fine.edge[static_cast<std::size_t>(py * fine.mean.size.width + px)] = holdsEdge(samples, n * x, n * y, n);
+    }
+}
+
+FinePicture ofParts(image::PixelSize size, int n, const DrawPart& draw) {
+  FinePicture fine{image::Image(size, 3), std::vector<bool>(static_cast<std::size_t>(size.width * size.height))};
+  // A part is a whole number of pixels.
+  const int side = kPart_px / n * n;
+  for (int top = 0; top < n * size.height; top += side)
+    for (int left = 0; left < n * size.width; left += side) {
+      const image::PixelSize part{std::min(side, n * size.width - left), std::min(side, n * size.height - top)};
+      addPart(draw({left, top}, part), {left, top}, n, fine);
+    }
+  return fine;
+}
+
+void magnify(std::vector<glm::vec2>& points_px, int n, glm::ivec2 from_px) {
+  for (glm::vec2& p : points_px) p = static_cast<float>(n) * p - glm::vec2(from_px);
+}
+
 }  // namespace
 
 draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, image::PixelSize size) {
@@ -62,24 +92,27 @@ draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, 
 }
 
 FinePicture finePicture(Renderer& renderer, const draw::DrawList& list, int n) {
-  const image::PixelSize size = sizeOf(list);
-  FinePicture fine{image::Image(size, 3), std::vector<bool>(static_cast<std::size_t>(size.width * size.height))};
-  // A part is a whole number of pixels.
-  const int columns = kPartOfSide * size.width / n * n, rows = kPartOfSide * size.height / n * n;
-  for (int top = 0; top < n * size.height; top += rows)
-    for (int left = 0; left < n * size.width; left += columns) {
-      const image::PixelSize part{std::min(columns, n * size.width - left), std::min(rows, n * size.height - top)};
-      const image::Image samples = renderer.render(magnified(list, n, {left, top}, part), part);
-      for (int y = 0; y < part.height / n; ++y)
-        for (int x = 0; x < part.width / n; ++x) {
-          const int px = left / n + x, py = top / n + y;
-          const glm::dvec3 light = meanLight(samples, n * x, n * y, n);
-          for (int c = 0; c < 3; ++c)
-            fine.mean.at(px, py)[c] = draw::srgb8FromLinear(static_cast<float>(light[c]));
-          fine.edge[static_cast<std::size_t>(py * size.width + px)] = holdsEdge(samples, n * x, n * y, n);
-        }
-    }
-  return fine;
+  return ofParts(sizeOf(list), n, [&](glm::ivec2 from_px, image::PixelSize part) {
+    return renderer.render(magnified(list, n, from_px, part), part);
+  });
+}
+
+draw::Picture magnifiedFlat(const draw::Picture& picture, int n, glm::ivec2 from_px, image::PixelSize size) {
+  draw::Picture large{{size.width, size.height}, picture.background, {}, picture.areas, picture.strokes, {}};
+  const auto factor = static_cast<float>(n);
+  for (draw::Area& area : large.areas) magnify(area.points_px, n, from_px);
+  for (draw::Stroke& stroke : large.strokes) {
+    magnify(stroke.points_px, n, from_px);
+    stroke.width_px *= factor;
+    stroke.dash_px *= factor;
+  }
+  return large;
+}
+
+FinePicture fineFlatPicture(Renderer& renderer, const draw::Picture& picture, int n) {
+  return ofParts({picture.size_px.x, picture.size_px.y}, n, [&](glm::ivec2 from_px, image::PixelSize part) {
+    return renderer.render(magnifiedFlat(picture, n, from_px, part));
+  });
 }
 
 }  // namespace poinsot::render

@@ -22,7 +22,14 @@ struct FinePicture {
 /// the corner `from_px` of the large picture is to be seen.
 draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, image::PixelSize size);
 
-/// Drawn by `renderer` in parts, so that no buffer gets too large. @pre the picture's sides are at least n / 4.
+/// Drawn by `renderer` in parts, so that no buffer gets too large.
 FinePicture finePicture(Renderer& renderer, const draw::DrawList& list, int n);
+
+/// The areas and strokes of a picture n times as large, on its paper: neither panels nor type. Of that, the part
+/// `size` large from the corner `from_px`.
+draw::Picture magnifiedFlat(const draw::Picture& picture, int n, glm::ivec2 from_px, image::PixelSize size);
+
+/// As finePicture(), of what magnifiedFlat() keeps.
+FinePicture fineFlatPicture(Renderer& renderer, const draw::Picture& picture, int n);
 
 }  // namespace poinsot::render

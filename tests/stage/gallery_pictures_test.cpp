@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -14,11 +13,11 @@
 
 #include "ink.h"
 #include "scene_samples.h"
+#include "support/gallery_scenes.h"
 
 namespace poinsot::stage {
 namespace {
 
-namespace fs = std::filesystem;
 using draw::DrawList;
 using glm::vec2;
 using glm::vec3;
@@ -27,18 +26,11 @@ constexpr glm::ivec2 kSize{1920, 1080};
 constexpr int kInstants = 40;
 constexpr float kSeen = 0.3f;  // opacity below which type is on its way out
 
-scene::Scene galleryScene(const std::string& name) {
-  return scene::loadScene(fs::path(POINSOT_SOURCE_DIR) / "scenes" / (name + ".toml"));
-}
-
 /// The scenes of which something holds.
 template <class F>
 std::vector<std::string> namesWhere(F holds) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(POINSOT_SOURCE_DIR) / "scenes"))
-    if (entry.path().extension() == ".toml" && holds(galleryScene(entry.path().stem())))
-      names.push_back(entry.path().stem());
-  std::ranges::sort(names);
+  std::vector<std::string> names = galleryNames();
+  std::erase_if(names, [&](const std::string& name) { return !holds(galleryScene(name)); });
   return names;
 }
 
