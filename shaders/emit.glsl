@@ -3,6 +3,9 @@
 // of it and lies behind the edge found before (none in the first edge pass: nothing is bound then, which reads as 0);
 // EDGES 2 what fills its pixel behind another solid, but comes forward within it, as the two cut each other there.
 // The composite puts them together in order of depth. EDGES 2 wants coverage.glsl before.
+#if EDGES > 0
+#include "kept_edge.glsl"
+#endif
 out vec4 fragment;
 #if EDGES == 1
 uniform sampler2DRect edgeBefore;
@@ -12,10 +15,9 @@ uniform sampler2DRect fullColor, fullDepth;  // alpha: the solid's number
 
 // An edge must be this much farther to be another edge and not the same one again.
 const float kSameDepth = 1e-6;
-
-#if EDGES == 2
 const float kNumber = 1.0 / 65535.0;
 
+#if EDGES == 2
 bool isSame(float a, float b) { return abs(a - b) < 0.5 * kNumber; }
 
 // Whether that solid is there; where the depth is 1 nothing is, and the colour is of a picture before.
@@ -46,12 +48,12 @@ void emit(float solid, vec3 color, float coverage, float depth) {
   vec2 other = vec2(slopeInFront(texel, ivec2(1, 0), inFront, number), slopeInFront(texel, ivec2(0, 1), inFront, number));
   float share = shareBefore(inFront - depth, other - slope);
   if (share < 0.002) discard;
-  fragment = vec4(color, share);
+  fragment = vec4(color, keptEdge(share, false));
   gl_FragDepth = inFront;
 #elif EDGES == 1
   if (coverage < 0.002 || coverage >= 0.998) discard;
   if (depth <= texelFetch(edgeBefore, ivec2(gl_FragCoord.xy)).r + kSameDepth) discard;
-  fragment = vec4(color, coverage);
+  fragment = vec4(color, keptEdge(coverage, solid < 1.5 * kNumber));
   gl_FragDepth = depth;
 #else
   if (coverage < 0.998) discard;

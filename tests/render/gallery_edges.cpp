@@ -24,27 +24,17 @@ struct Known {
   double most;
 };
 
-// A pixel keeps two edges, and takes them to lie across one another: what is seen past the first is dimmed as if
-// the other had no part in it. So paper shines through where one edge lies along another.
+// A pixel keeps two edges; what is behind is dimmed by each, and of a third nothing is left.
 constexpr Known kKnown[] = {
-    // A line is thinner than a pixel and marks the outline of its own solid: half of it hides what the solid
-    // covers.
-    // Where a flat end is seen edge-on there are three or four edges to a pixel, and the farther ones are lost.
-    {"displaced_axis", 4.1},
-    {"frisbee", 3.1},
-    {"heavy_top", 2.45},
-    {"l_plate", 3.65},
-    {"sleeping_top", 2.95},
-    {"stroboscope", 2.65},
-    {"t_handle", 4.45},
-    {"wing_nut", 2.25},
-    // An arrow lies along a rod.
+    // A flat end or a thin side is seen edge-on: the lines on both of its outlines, and the solid itself.
+    {"displaced_axis", 2.35},
+    {"stroboscope", 2.5},
+    {"t_handle", 4.0},
+    // An arrow lies along a rod: paper shines through where their outlines are one.
     {"thrown_baton", 2.2},
     // A path runs along itself, lap by lap.
-    {"dumbbell", 4.4},
-    {"football", 2.6},
-    {"football_two_views", 2.85},
-    {"toutatis", 2.95},
+    {"dumbbell", 2.15},
+    {"toutatis", 2.45},
 };
 
 }  // namespace
