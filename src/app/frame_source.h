@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/sha256.h"
-#include "image/image.h"
+#include "image/frame.h"
 
 namespace poinsot::app {
 
@@ -13,7 +13,7 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
   /// Good until the next frame is asked for. @throws core::Error
-  virtual const image::AnyImage& frame(std::int64_t k) = 0;
+  virtual image::Frame frame(std::int64_t k) = 0;
   /// Of all that decides the frame's bytes; far cheaper than the frame. @throws core::Error
   virtual core::Digest digest(std::int64_t k) = 0;
 };

@@ -25,14 +25,14 @@ core::Digest SceneFrames::digest(std::int64_t k) {
   return digestOf_(picture_);
 }
 
-const image::AnyImage& SceneFrames::frame(std::int64_t k) {
+image::Frame SceneFrames::frame(std::int64_t k) {
   compose(k);
   render::RenderOptions options;
   options.transparent = form_.transparent;
-  const image::AnyImage& drawn =
+  const image::Frame drawn =
       renderer_.frame(medium_ ? output::imagePartOf(picture_, *medium_) : picture_, form_.bits, options);
   if (!form_.transparent) return drawn;
-  fitted_ = drawn;
+  fitted_ = drawn.picture;
   std::visit([&](auto& image) { output::fitAlpha(image, picture_.background); }, fitted_);
   return fitted_;
 }

@@ -26,7 +26,7 @@ class SceneFrames : public FrameSource {
               const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
               const std::string& settings = "", core::StepLedger* steps = nullptr);
 
-  const image::AnyImage& frame(std::int64_t k) override;
+  image::Frame frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
   /// What the last frame was drawn from, whole.
   const draw::Picture& picture() const { return picture_; }

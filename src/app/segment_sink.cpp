@@ -23,10 +23,10 @@ class SinglePicture : public output::FrameSink {
         dpi_(dpi),
         digestOf_(std::move(digestOf)),
         steps_(steps) {}
-  void write(const image::AnyImage& picture, std::int64_t k) override {
+  void write(const image::Frame& frame, std::int64_t k) override {
     std::vector<image::PngText> texts = texts_;
     texts.push_back(output::digestText(digestOf_(k)));
-    output::writePng(target_, picture, texts, dpi_, &steps_);
+    output::writePng(target_, frame.picture, texts, dpi_, &steps_);
   }
   void finish() override {}
 
@@ -44,9 +44,9 @@ class SingleFigure : public output::FrameSink {
   SingleFigure(std::filesystem::path target, output::FigureOptions options, const SceneFrames& frames,
                core::StepLedger& steps)
       : target_(std::move(target)), options_(std::move(options)), frames_(frames), steps_(steps) {}
-  void write(const image::AnyImage& imagePart, std::int64_t) override {
+  void write(const image::Frame& imagePart, std::int64_t) override {
     const core::StepScope timing(&steps_, core::Step::kEncode);
-    output::writeFigure(target_, frames_.picture(), std::get<image::Image>(imagePart), options_);
+    output::writeFigure(target_, frames_.picture(), std::get<image::Image>(imagePart.picture), options_);
   }
   void finish() override {}
 

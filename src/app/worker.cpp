@@ -69,9 +69,9 @@ class SegmentMaker {
 
  private:
   void makeFrame(std::int64_t k, output::FrameSink& sink) {
-    const image::AnyImage& picture = source_.frame(k);
+    const image::Frame frame = source_.frame(k);
     if (frames_++ == 0) first_ = steps_.times();  // told apart from the other frames
-    sink.write(picture, k);
+    sink.write(frame, k);
   }
 
   int reports_;

@@ -16,6 +16,14 @@ struct PixelSize {
   friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
+/// Columns `left` to before `right` of the rows `top` to before `bottom`.
+struct PixelRect {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  bool empty() const { return right <= left || bottom <= top; }
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+inline PixelRect wholeOf(PixelSize size) { return {0, 0, size.width, size.height}; }
+
 /// sRGB pixels, row 0 at the top, 3 (RGB) or 4 (RGBA, straight alpha) channels, rows without padding.
 template <typename Sample>
 struct BasicImage {

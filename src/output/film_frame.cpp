@@ -53,6 +53,12 @@ void fillFrame(AVFrame& frame, const image::Image& picture) {
   }
 }
 
+void fillFrame(AVFrame& frame, const image::Image& picture, std::span<const image::PixelRect> changed) {
+  if (frame.format != AV_PIX_FMT_YUV420P) return fillFrame(frame, picture);
+  POINSOT_EXPECT(picture.size.width == frame.width && picture.size.height == frame.height);
+  for (const image::PixelRect& part : changed) convertPartToYuv420(picture, planesOf(frame, false), part);
+}
+
 image::Image pictureOf(const AVFrame& frame) {
   POINSOT_EXPECT(frame.format == AV_PIX_FMT_BGR0 || frame.format == AV_PIX_FMT_BGRA);
   image::Image picture({frame.width, frame.height}, frame.format == AV_PIX_FMT_BGRA ? 4 : 3);

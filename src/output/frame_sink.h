@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "image/image.h"
+#include "image/frame.h"
 
 namespace poinsot::output {
 
@@ -15,7 +15,7 @@ class FrameSink {
   virtual bool has(std::int64_t /*k*/) const { return false; }
   /// @pre 8 bits a sample, unless the sink takes more.
   /// @throws core::Error(kIo or kEncode).
-  virtual void write(const image::AnyImage& picture, std::int64_t k) = 0;
+  virtual void write(const image::Frame& frame, std::int64_t k) = 0;
   /// Makes everything written so far complete and durable. A sink destroyed without it leaves nothing incomplete
   /// behind.
   virtual void finish() = 0;

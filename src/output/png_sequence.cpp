@@ -57,11 +57,11 @@ bool PngSequence::has(std::int64_t k) const {
   return texts && std::ranges::any_of(*texts, said);
 }
 
-void PngSequence::write(const image::AnyImage& picture, std::int64_t k) {
+void PngSequence::write(const image::Frame& frame, std::int64_t k) {
   const auto target = pattern_.path(k);
   std::vector<image::PngText> texts = options_.texts;
   if (options_.digestOf) texts.push_back(digestText(options_.digestOf(k)));
-  const auto bytes = encoded(picture, texts, 0, options_.steps);
+  const auto bytes = encoded(frame.picture, texts, 0, options_.steps);
   const core::StepScope timing(options_.steps, core::Step::kWrite);
   AtomicFile file(target, options_.temporaryFolder);
   file.write(bytes);

@@ -41,7 +41,7 @@ class PngSequence : public FrameSink {
   explicit PngSequence(FramePattern pattern, SequenceOptions options = {});
 
   bool has(std::int64_t k) const override;
-  void write(const image::AnyImage& picture, std::int64_t k) override;
+  void write(const image::Frame& frame, std::int64_t k) override;
   /// Syncs files and folder once: a sync per frame would wait for the disk each time.
   void finish() override;
 

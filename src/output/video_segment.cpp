@@ -30,14 +30,18 @@ VideoSegmentWriter::VideoSegmentWriter(const std::filesystem::path& target, imag
 
 VideoSegmentWriter::~VideoSegmentWriter() = default;
 
-void VideoSegmentWriter::write(const image::AnyImage& any, std::int64_t k) {
-  const auto& picture = std::get<image::Image>(any);
+void VideoSegmentWriter::write(const image::Frame& frame, std::int64_t k) {
+  const auto& picture = std::get<image::Image>(frame.picture);
   POINSOT_EXPECT(k == nextFrame_);
   POINSOT_EXPECT(picture.size == size_);
   ++nextFrame_;
   {
     const core::StepScope timing(parts_->steps, core::Step::kConvert);
-    fillFrame(parts_->encoder.frame(), picture);
+    if (frame.number > 1 && frame.number == held_ + 1)
+      fillFrame(parts_->encoder.frame(), picture, frame.changed);
+    else
+      fillFrame(parts_->encoder.frame(), picture);
+    held_ = frame.number;
   }
   const core::StepScope timing(parts_->steps, core::Step::kEncode);
   parts_->encoder.encode(parts_->toFile);

@@ -24,8 +24,8 @@ class VideoSegmentWriter : public FrameSink {
                      const FilmFormat& format, std::int64_t firstFrame, core::StepLedger* steps = nullptr);
   ~VideoSegmentWriter() override;
 
-  /// @pre the constructor's size, 8 bits a sample.
-  void write(const image::AnyImage& picture, std::int64_t k) override;
+  /// @pre the constructor's size, 8 bits a sample; all numbered frames are of one row.
+  void write(const image::Frame& frame, std::int64_t k) override;
   /// @pre at least one frame was written.
   void finish() override;
 
@@ -34,6 +34,7 @@ class VideoSegmentWriter : public FrameSink {
   std::unique_ptr<Parts> parts_;
   image::PixelSize size_;
   std::int64_t nextFrame_ = 0;
+  std::uint64_t held_ = 0;  // number of the picture that the encoder's frame holds
 };
 
 }  // namespace poinsot::output

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/yuv.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/expect.h"
@@ -31,15 +32,15 @@ std::uint8_t weighed(const Weights& w, std::int32_t r, std::int32_t g, std::int3
   return static_cast<std::uint8_t>((w.r * r + w.g * g + w.b * b + offset) >> kShift);
 }
 
-void lumaRow(const std::uint8_t* rgb, int channels, int from, int width, std::uint8_t* y) {
+void lumaRow(const std::uint8_t* rgb, int channels, int from, int to, std::uint8_t* y) {
   rgb += from * channels;
-  for (int x = from; x < width; ++x, rgb += channels) y[x] = weighed(kLuma, rgb[0], rgb[1], rgb[2], kLumaOffset);
+  for (int x = from; x < to; ++x, rgb += channels) y[x] = weighed(kLuma, rgb[0], rgb[1], rgb[2], kLumaOffset);
 }
 
-/// Chroma samples from..width/2 of the rows `upper` and `lower`.
-void chromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int channels, int from, int width,
+/// Chroma samples `from` to before `to` of the rows `upper` and `lower`.
+void chromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int channels, int from, int to,
                std::uint8_t* cb, std::uint8_t* cr) {
-  for (int x = from; x < width / 2; ++x) {
+  for (int x = from; x < to; ++x) {
     const int here = 2 * x * channels, left = x > 0 ? here - channels : here, right = here + channels;
     std::array<std::int32_t, 3> sum{};
     for (int c = 0; c < 3; ++c)
@@ -99,23 +100,29 @@ void store4(std::uint8_t* to, __m128i values) {
   __builtin_memcpy(to, &bytes, 4);
 }
 
+/// Columns of a row, from a multiple of eight to another or to the end.
+struct Columns {
+  int from, to;
+  int width;  ///< of the row
+};
+
 /// First pixel that must be left to the scalar code: a load of four RGB pixels reads 4 bytes beyond them.
 template <int kChannels>
-int vectorEnd(int width, int step) {
-  const int usable = kChannels == 4 ? width : width - 2;
-  return usable < step ? 0 : usable / step * step;
+int vectorEnd(const Columns& columns, int step) {
+  const int usable = std::min(columns.to, kChannels == 4 ? columns.width : columns.width - 2);
+  return std::max(columns.from, usable / step * step);
 }
 
 template <int kChannels>
-void fastLumaRow(const std::uint8_t* rgb, int width, std::uint8_t* y) {
+void fastLumaRow(const std::uint8_t* rgb, const Columns& columns, std::uint8_t* y) {
   const SplitWeights luma = split(kLuma);
   const __m128i offset = _mm_set1_epi32(kLumaOffset);
-  const int end = vectorEnd<kChannels>(width, 4);
-  for (int x = 0; x < end; x += 4) {
+  const int end = vectorEnd<kChannels>(columns, 4);
+  for (int x = columns.from; x < end; x += 4) {
     const __m128i p = fourPixels<kChannels>(rgb + x * kChannels);
     store4(y + x, weighed(luma, lowHalf(p), highHalf(p), offset));
   }
-  lumaRow(rgb, kChannels, end, width, y);
+  lumaRow(rgb, kChannels, end, columns.to, y);
 }
 
 /// Sums of two rows over eight pixels, two pixels a register.
@@ -139,14 +146,15 @@ __m128i weighed121(__m128i left, __m128i hereRight) {
 
 /// Four chroma samples a turn.
 template <int kChannels>
-void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* cb,
+void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, const Columns& columns, std::uint8_t* cb,
                    std::uint8_t* cr) {
   const SplitWeights blue = split(kCb), red = split(kCr);
   const __m128i offset = _mm_set1_epi32(kChromaOffset);
-  const int end = vectorEnd<kChannels>(width, 8);
-  __m128i before = _mm_setzero_si128();
-  for (int x = 0; x < end; x += 8) {
-    const RowSums v = rowSums<kChannels>(upper + x * kChannels, lower + x * kChannels);
+  const int end = vectorEnd<kChannels>(columns, 8);
+  const auto eight = [&](int x) { return rowSums<kChannels>(upper + x * kChannels, lower + x * kChannels); };
+  __m128i before = columns.from > 0 ? eight(columns.from - 8).p67 : _mm_setzero_si128();
+  for (int x = columns.from; x < end; x += 8) {
+    const RowSums v = eight(x);
     if (x == 0) before = _mm_unpacklo_epi64(v.p01, v.p01);  // column 0 stands in for -1
     const __m128i s01 = _mm_unpacklo_epi64(weighed121(before, v.p01), weighed121(v.p01, v.p23));
     const __m128i s23 = _mm_unpacklo_epi64(weighed121(v.p23, v.p45), weighed121(v.p45, v.p67));
@@ -154,16 +162,17 @@ void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int wid
     store4(cb + x / 2, weighed(blue, s01, s23, offset));
     store4(cr + x / 2, weighed(red, s01, s23, offset));
   }
-  chromaRow(upper, lower, kChannels, end / 2, width, cb, cr);
+  chromaRow(upper, lower, kChannels, end / 2, columns.to / 2, cb, cr);
 }
 
 template <int kChannels>
-void convertFast(const image::Image& picture, const YuvPlanes& planes) {
-  for (int y = 0; y < picture.size.height; y += 2) {
+void convertFast(const image::Image& picture, const YuvPlanes& planes, const image::PixelRect& part) {
+  const Columns columns{part.left, part.right, picture.size.width};
+  for (int y = part.top; y < part.bottom; y += 2) {
     const std::uint8_t *upper = picture.at(0, y), *lower = picture.at(0, y + 1);
-    fastLumaRow<kChannels>(upper, picture.size.width, planes.y + y * planes.yStride);
-    fastLumaRow<kChannels>(lower, picture.size.width, planes.y + (y + 1) * planes.yStride);
-    fastChromaRow<kChannels>(upper, lower, picture.size.width, planes.cb + y / 2 * planes.cbStride,
+    fastLumaRow<kChannels>(upper, columns, planes.y + y * planes.yStride);
+    fastLumaRow<kChannels>(lower, columns, planes.y + (y + 1) * planes.yStride);
+    fastChromaRow<kChannels>(upper, lower, columns, planes.cb + y / 2 * planes.cbStride,
                              planes.cr + y / 2 * planes.crStride);
   }
 }
@@ -174,27 +183,44 @@ void checkShape(const image::Image& picture) {
   POINSOT_EXPECT(picture.size.height > 0 && picture.size.height % 2 == 0);
 }
 
-}  // namespace
+/// Blocks of eight columns and pairs of rows that a part takes part in: the chroma beside it is of its last
+/// column, too.
+image::PixelRect blocksWith(const image::PixelRect& part, image::PixelSize size) {
+  POINSOT_EXPECT(part.left >= 0 && part.top >= 0 && part.right <= size.width && part.bottom <= size.height);
+  return {part.left / 8 * 8, part.top / 2 * 2, std::min((part.right + 2 + 7) / 8 * 8, size.width),
+          std::min((part.bottom + 1) / 2 * 2, size.height)};
+}
 
-void convertToYuv420Scalar(const image::Image& picture, const YuvPlanes& planes) {
-  checkShape(picture);
-  const int width = picture.size.width;
-  for (int y = 0; y < picture.size.height; y += 2) {
+void convertScalar(const image::Image& picture, const YuvPlanes& planes, const image::PixelRect& part) {
+  for (int y = part.top; y < part.bottom; y += 2) {
     const std::uint8_t *upper = picture.at(0, y), *lower = picture.at(0, y + 1);
-    lumaRow(upper, picture.channels, 0, width, planes.y + y * planes.yStride);
-    lumaRow(lower, picture.channels, 0, width, planes.y + (y + 1) * planes.yStride);
-    chromaRow(upper, lower, picture.channels, 0, width, planes.cb + y / 2 * planes.cbStride,
+    lumaRow(upper, picture.channels, part.left, part.right, planes.y + y * planes.yStride);
+    lumaRow(lower, picture.channels, part.left, part.right, planes.y + (y + 1) * planes.yStride);
+    chromaRow(upper, lower, picture.channels, part.left / 2, part.right / 2, planes.cb + y / 2 * planes.cbStride,
               planes.cr + y / 2 * planes.crStride);
   }
 }
 
-void convertToYuv420(const image::Image& picture, const YuvPlanes& planes) {
-#if defined(__SSE2__)
+}  // namespace
+
+void convertToYuv420Scalar(const image::Image& picture, const YuvPlanes& planes) {
   checkShape(picture);
-  if (picture.channels == 4) return convertFast<4>(picture, planes);
-  return convertFast<3>(picture, planes);
+  convertScalar(picture, planes, wholeOf(picture.size));
+}
+
+void convertToYuv420(const image::Image& picture, const YuvPlanes& planes) {
+  convertPartToYuv420(picture, planes, wholeOf(picture.size));
+}
+
+void convertPartToYuv420(const image::Image& picture, const YuvPlanes& planes, const image::PixelRect& part) {
+  checkShape(picture);
+  if (part.empty()) return;
+  const image::PixelRect blocks = blocksWith(part, picture.size);
+#if defined(__SSE2__)
+  if (picture.channels == 4) return convertFast<4>(picture, planes, blocks);
+  return convertFast<3>(picture, planes, blocks);
 #else
-  convertToYuv420Scalar(picture, planes);
+  convertScalar(picture, planes, blocks);
 #endif
 }
 

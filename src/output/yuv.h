@@ -30,6 +30,9 @@ struct YuvPlanes {
 /// is the mean of both rows over the columns 2x-1, 2x, 2x+1 with weights 1/4, 1/2, 1/4; column 0 stands in for -1.
 /// @pre even width and height.
 void convertToYuv420(const image::Image& picture, const YuvPlanes& planes);
+/// Of planes that hold another picture: what depends on pixels of that part, and no more than a few beside it.
+/// @pre the part lies within the picture.
+void convertPartToYuv420(const image::Image& picture, const YuvPlanes& planes, const image::PixelRect& part);
 
 /// Chroma and luma for each pixel, in 8 or in 10 bits (`planes` then point to 16-bit samples), and alpha where
 /// there is a plane for it: full range, of an opaque picture all ones. The formula above, times 4 in 10 bits.

@@ -58,6 +58,7 @@ TileMemory& KeptPanel::begin(image::PixelSize size, bool transparent, Constants 
     tiles_ = {};
     picture_ = image::BasicImage<Sample>(size, channels);
   }
+  changed_.clear();
   tiles_.beginPicture({size.width, size.height}, std::move(common));
   return tiles_;
 }
@@ -68,6 +69,8 @@ void KeptPanel::read(const Mosaic& mosaic, const draw::Color& background) {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   std::vector<Sample> rgba;
   for (const PixelBounds& part : mosaic.drawn) readPart(part, rgba, picture);
+  for (const auto* parts : {&mosaic.drawn, &mosaic.paper})
+    for (const PixelBounds& part : *parts) markChanged(part);
   if (mosaic.paper.empty()) return;
   const auto row = paperRow<Sample>(picture.size.width, background, picture.channels);
   for (const PixelBounds& part : mosaic.paper)
@@ -77,7 +80,18 @@ void KeptPanel::read(const Mosaic& mosaic, const draw::Color& background) {
 }
 
 void KeptPanel::forget(const std::vector<PixelBounds>& places) {
-  for (const PixelBounds& place : places) tiles_.forget(place);
+  for (const PixelBounds& place : places) {
+    tiles_.forget(place);
+    markChanged(place);
+  }
+}
+
+void KeptPanel::markChanged(const PixelBounds& place) {
+  const image::PixelSize size = std::visit([](const auto& picture) { return picture.size; }, picture_);
+  const PixelBounds p = place.clipped({size.width, size.height});
+  if (!p.empty())
+    changed_.push_back({static_cast<int>(p.left), static_cast<int>(p.top), static_cast<int>(p.right),
+                        static_cast<int>(p.bottom)});
 }
 
 template std::vector<std::uint8_t> paperRow(int, const draw::Color&, int);

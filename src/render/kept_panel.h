@@ -35,9 +35,14 @@ class KeptPanel {
     return std::get<image::BasicImage<Sample>>(picture_);
   }
   const image::AnyImage& any() const { return picture_; }
+  /// Where it may differ from the picture before it in this place.
+  const std::vector<image::PixelRect>& changed() const { return changed_; }
 
  private:
+  void markChanged(const PixelBounds& place);
+
   image::AnyImage picture_;
+  std::vector<image::PixelRect> changed_;
   TileMemory tiles_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 #include <vector>
 
 #include "core/expect.h"
@@ -91,6 +92,8 @@ struct Renderer::Passes {
   TextPainter text;
   std::vector<KeptPanel> kept;  // of the picture's panels, in their order
   KeptPanel joined;             // where there are several
+  bool alone = false;           // whether the last picture was kept[0]
+  std::uint64_t number = 0;     // of that picture
   core::StepLedger* steps;
 
   explicit Passes(core::StepLedger* ledger) : steps(ledger) {
@@ -194,6 +197,7 @@ struct Renderer::Passes {
 
   const image::AnyImage& drawList(const draw::DrawList& list, const RenderOptions& options) {
     beginPicture();
+    alone = false;
     kept.resize(1);
     drawPanel<std::uint8_t>(kept[0], list, options);
     kept[0].end();
@@ -202,15 +206,18 @@ struct Renderer::Passes {
 
   /// The panels, and what lies over them.
   template <typename Sample>
-  const image::AnyImage& drawPicture(const draw::Picture& picture, const RenderOptions& options) {
+  image::Frame drawPicture(const draw::Picture& picture, const RenderOptions& options) {
     expectWithin(picture);
     beginPicture();
+    const bool inRow = std::exchange(alone, false);  // should this one fail
+    number += inRow ? 1 : 2;
     KeptPanel& made = drawPanels<Sample>(picture, options);
     const core::StepScope timing(steps, core::Step::kText);
     made.forget(flat.paint(picture, made.picture<Sample>()));
     made.forget(text.paint(picture.texts, made.picture<Sample>()));
     made.end();
-    return made.any();
+    alone = &made != &joined;
+    return {made.any(), alone ? number : 0, made.changed()};
   }
 
   static glm::ivec2 sizeOf(const draw::Panel& p) { return glm::ivec2(p.list.camera.size_px); }
@@ -234,14 +241,14 @@ image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size,
 }
 
 image::Image Renderer::render(const draw::Picture& picture, const RenderOptions& options) {
-  return std::get<image::Image>(passes_->drawPicture<std::uint8_t>(picture, options));
+  return std::get<image::Image>(passes_->drawPicture<std::uint8_t>(picture, options).picture);
 }
 
 image::DeepImage Renderer::renderDeep(const draw::Picture& picture, const RenderOptions& options) {
-  return std::get<image::DeepImage>(passes_->drawPicture<std::uint16_t>(picture, options));
+  return std::get<image::DeepImage>(passes_->drawPicture<std::uint16_t>(picture, options).picture);
 }
 
-const image::AnyImage& Renderer::frame(const draw::Picture& picture, int bits, const RenderOptions& options) {
+image::Frame Renderer::frame(const draw::Picture& picture, int bits, const RenderOptions& options) {
   POINSOT_EXPECT(bits == 8 || bits == 16);
   return bits == 16 ? passes_->drawPicture<std::uint16_t>(picture, options)
                     : passes_->drawPicture<std::uint8_t>(picture, options);

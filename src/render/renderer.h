@@ -6,7 +6,7 @@
 #include "core/step_times.h"
 #include "draw/picture.h"
 #include "gl/offscreen_context.h"
-#include "image/image.h"
+#include "image/frame.h"
 
 namespace poinsot::render {
 
@@ -37,9 +37,10 @@ class Renderer {
   /// The same with 16 bits a sample, of light that was kept as floats: 1.6 times the memory.
   image::DeepImage renderDeep(const draw::Picture& picture, const RenderOptions& options = {});
 
-  /// The same as render() or renderDeep(), without a copy: good until the next picture.
+  /// The same as render() or renderDeep(), without a copy and with what became different: good until the next
+  /// picture.
   /// @param bits  of a sample: 8 or 16
-  const image::AnyImage& frame(const draw::Picture& picture, int bits, const RenderOptions& options = {});
+  image::Frame frame(const draw::Picture& picture, int bits, const RenderOptions& options = {});
 
  private:
   struct Passes;

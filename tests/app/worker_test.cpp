@@ -12,7 +12,7 @@ namespace {
 
 /// Frame k is one grey pixel of value k.
 struct GreySource : FrameSource {
-  const image::AnyImage& frame(std::int64_t k) override {
+  image::Frame frame(std::int64_t k) override {
     image::Image grey({1, 1}, 3);
     grey.pixels.assign(3, static_cast<std::uint8_t>(k));
     picture = grey;
@@ -30,8 +30,8 @@ using Written = std::vector<std::pair<std::int64_t, int>>;  // k and grey value,
 
 struct RecordingSink : output::FrameSink {
   explicit RecordingSink(Written& log) : log_(log) {}
-  void write(const image::AnyImage& picture, std::int64_t k) override {
-    log_.emplace_back(k, std::get<image::Image>(picture).pixels[0]);
+  void write(const image::Frame& frame, std::int64_t k) override {
+    log_.emplace_back(k, std::get<image::Image>(frame.picture).pixels[0]);
   }
   void finish() override { log_.emplace_back(0, -1); }
   Written& log_;

@@ -109,7 +109,7 @@ class FilmFormats : public ScratchFolder, public testing::WithParamInterface<For
     for (const auto& [first, count] : {std::pair(0, 10), std::pair(10, 7)}) {
       segments.push_back(in("segment_" + std::to_string(first)));
       VideoSegmentWriter segment(segments.back(), kSize, {25, 1}, format, first);
-      for (int k = first; k < first + count; ++k) segment.write(primaries(k, transparent()), k);
+      for (int k = first; k < first + count; ++k) segment.write({primaries(k, transparent())}, k);
       segment.finish();
     }
     const auto file = in(name + "." + std::string(nameOf(format.container)));

@@ -41,7 +41,7 @@ class FilmTest : public ScratchFolder {
   static void writeSegment(const std::filesystem::path& file, image::PixelSize size, const core::Rational& fps,
                            double crf, std::int64_t first, int length) {
     VideoSegmentWriter segment(file, size, fps, h264(crf), first);
-    for (std::int64_t k = first; k < first + length; ++k) segment.write(movingDisc(size, k), k);
+    for (std::int64_t k = first; k < first + length; ++k) segment.write({movingDisc(size, k)}, k);
     segment.finish();
   }
 };

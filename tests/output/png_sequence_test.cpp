@@ -23,9 +23,9 @@ class PngSequenceTest : public ScratchFolder {};
 
 TEST_F(PngSequenceTest, WritesEachFrameUnderItsNumber) {
   PngSequence sink(FramePattern(in("frames/f_{frame:04}.png")), {{{"Title", "Polhode"}}, {}, false, {}});
-  sink.write(grey(10), 8);
+  sink.write({grey(10)}, 8);
   EXPECT_EQ(image::readPng(in("frames/f_0008.png")), grey(10));  // at once, not only at the end
-  sink.write(grey(20), 9);
+  sink.write({grey(20)}, 9);
   sink.finish();
   sink.finish();  // nothing new to make durable
   EXPECT_EQ(image::readPng(in("frames/f_0009.png")), grey(20));
@@ -36,14 +36,14 @@ TEST_F(PngSequenceTest, WritesEachFrameUnderItsNumber) {
 TEST_F(PngSequenceTest, WritesSixteenBits) {
   image::DeepImage picture({2, 1}, 3);
   picture.pixels = {0, 257, 514, 20000, 65535, 1};
-  PngSequence(FramePattern(in("f_{frame}.png"))).write(picture, 1);
+  PngSequence(FramePattern(in("f_{frame}.png"))).write({picture}, 1);
   EXPECT_EQ(content(in("f_1.png")).at(24), 16);  // bits, says IHDR
   EXPECT_EQ(image::readPng(in("f_1.png")).pixels, (std::vector<std::uint8_t>{0, 1, 2, 78, 255, 0}));
 }
 
 TEST_F(PngSequenceTest, WritesTheSameBytesEachTime) {
-  PngSequence(FramePattern(in("a_{frame}.png"))).write(grey(10), 1);
-  PngSequence(FramePattern(in("b_{frame}.png"))).write(grey(10), 1);
+  PngSequence(FramePattern(in("a_{frame}.png"))).write({grey(10)}, 1);
+  PngSequence(FramePattern(in("b_{frame}.png"))).write({grey(10)}, 1);
   EXPECT_EQ(content(in("a_1.png")), content(in("b_1.png")));
 }
 
@@ -58,7 +58,7 @@ TEST_F(PngSequenceTest, CreatesOneFolderOnly) {
 
 TEST_F(PngSequenceTest, FinishFailsForAFrameThatIsGone) {
   PngSequence sink(FramePattern(in("f_{frame}.png")));
-  sink.write(grey(10), 1);
+  sink.write({grey(10)}, 1);
   std::filesystem::remove(in("f_1.png"));
   EXPECT_THAT(messageOf(core::ErrorKind::kIo, [&] { sink.finish(); }), HasSubstr("f_1.png: cannot be synced"));
 }

@@ -69,7 +69,7 @@ TEST_F(TargetCheckTest, ReplacesItsOwnOnly) {
   writePng(in("own.png"), movingDisc({8, 8}, 0));
   EXPECT_EQ(refusal(in("own.png")), "");
   VideoSegmentWriter segment(in("own.mp4"), {16, 16}, {30, 1}, h264(18), 0);
-  segment.write(movingDisc({16, 16}, 0), 0);
+  segment.write({movingDisc({16, 16}, 0)}, 0);
   segment.finish();
   EXPECT_EQ(refusal(in("own.mp4")), "");
   save("own.mp4", "x");

@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <span>
 
 #include "decoded_film.h"
 #include "output/yuv.h"
 #include "scratch_folder.h"
+#include "support/text_of.h"
 
 namespace poinsot::output {
 namespace {
@@ -22,7 +26,7 @@ constexpr core::Rational kFps = {30, 1};
 
 void writeSegment(const std::filesystem::path& file, std::int64_t first, std::int64_t count, double crf = 18) {
   VideoSegmentWriter segment(file, kSize, kFps, h264(crf), first);
-  for (std::int64_t k = first; k < first + count; ++k) segment.write(movingDisc(kSize, k), k);
+  for (std::int64_t k = first; k < first + count; ++k) segment.write({movingDisc(kSize, k)}, k);
   segment.finish();
 }
 
@@ -53,6 +57,37 @@ TEST_F(VideoSegmentTest, DecodesToWhatWasPutIn) {
   }
 }
 
+image::PixelRect placeOfDifferences(const image::Image& a, const image::Image& b) {
+  image::PixelRect place{a.size.width, a.size.height, 0, 0};
+  for (int y = 0; y < a.size.height; ++y)
+    for (int x = 0; x < a.size.width; ++x) {
+      if (std::equal(a.at(x, y), a.at(x, y) + a.channels, b.at(x, y))) continue;
+      place = {std::min(place.left, x), std::min(place.top, y), std::max(place.right, x + 1),
+               std::max(place.bottom, y + 1)};
+    }
+  return place;
+}
+
+// Frames that tell where they differ from the one before, with a gap and one that tells nothing, make the same
+// file.
+TEST_F(VideoSegmentTest, IsTheSameOfFramesThatTellWhatChanged) {
+  constexpr std::int64_t kFrames = 12;
+  writeSegment(in("all.mp4"), 0, kFrames);
+  VideoSegmentWriter segment(in("told.mp4"), kSize, kFps, h264(18), 0);
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    const image::AnyImage picture = movingDisc(kSize, k);
+    const std::array changed{
+        placeOfDifferences(movingDisc(kSize, k), movingDisc(kSize, std::max<std::int64_t>(k - 1, 0)))};
+    const std::uint64_t number = k == 8 ? 0 : static_cast<std::uint64_t>(k < 4 ? k + 1 : k + 10);
+    const bool follows = k > 0 && k != 4 && k != 8 && k != 9;  // else the place told is not to be looked at
+    segment.write({picture, number,
+                   follows ? std::span<const image::PixelRect>(changed) : std::span<const image::PixelRect>()},
+                  k);
+  }
+  segment.finish();
+  EXPECT_EQ(textOf(in("told.mp4")), textOf(in("all.mp4")));
+}
+
 TEST_F(VideoSegmentTest, IsLosslessAtCrf0) {
   writeSegment(in("s.mp4"), 0, 5, 0);
   const auto frames = decoded(in("s.mp4"));
@@ -73,7 +108,7 @@ TEST_F(VideoSegmentTest, HasTheSameBytesEachTimeAndNoForeignNames) {
 TEST_F(VideoSegmentTest, AppearsOnlyWhenFinished) {
   {
     VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0);
-    for (int k = 0; k < 50; ++k) segment.write(movingDisc(kSize, k), k);
+    for (int k = 0; k < 50; ++k) segment.write({movingDisc(kSize, k)}, k);
     EXPECT_FALSE(std::filesystem::exists(in("s.mp4")));
   }
   EXPECT_THAT(names(), IsEmpty());
@@ -95,7 +130,7 @@ TEST_F(VideoSegmentTest, RefusesOddSizesAndWildQuality) {
 TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
   const auto ticks = [&](const core::Rational& fps) {
     VideoSegmentWriter segment(in("s.mp4"), kSize, fps, h264(18), 0);
-    for (int k = 0; k < 3; ++k) segment.write(movingDisc(kSize, k), k);
+    for (int k = 0; k < 3; ++k) segment.write({movingDisc(kSize, k)}, k);
     segment.finish();
     return decoded(in("s.mp4")).at(2).pts / 2;
   };
@@ -111,10 +146,10 @@ TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
 
 TEST_F(VideoSegmentTest, WantsEachFrameInItsTurn) {
   VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 4);
-  EXPECT_THROW(segment.write(movingDisc(kSize, 3), 3), std::logic_error);
-  segment.write(movingDisc(kSize, 4), 4);
-  EXPECT_THROW(segment.write(movingDisc(kSize, 6), 6), std::logic_error);
-  EXPECT_THROW(segment.write(movingDisc({80, 48}, 5), 5), std::logic_error);
+  EXPECT_THROW(segment.write({movingDisc(kSize, 3)}, 3), std::logic_error);
+  segment.write({movingDisc(kSize, 4)}, 4);
+  EXPECT_THROW(segment.write({movingDisc(kSize, 6)}, 6), std::logic_error);
+  EXPECT_THROW(segment.write({movingDisc({80, 48}, 5)}, 5), std::logic_error);
 }
 
 TEST_F(VideoSegmentTest, NamesThePathItCannotWrite) {
@@ -125,7 +160,7 @@ TEST_F(VideoSegmentTest, NamesThePathItCannotWrite) {
 TEST_F(VideoSegmentTest, TellsWhatItSpent) {
   core::StepLedger steps;
   VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0, &steps);
-  for (int k = 0; k < 5; ++k) segment.write(movingDisc(kSize, k), k);
+  for (int k = 0; k < 5; ++k) segment.write({movingDisc(kSize, k)}, k);
   segment.finish();
   EXPECT_GT(steps.times()[core::Step::kConvert], 0);
   EXPECT_GT(steps.times()[core::Step::kEncode], steps.times()[core::Step::kConvert]);

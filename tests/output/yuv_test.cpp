@@ -94,6 +94,29 @@ TEST(Yuv, FiltersChromaWhereItIsSited) {
   }
 }
 
+// Of planes that hold a picture, the parts converted that differ in the next one: as if all of it had been.
+TEST(Yuv, OfAPartIsThatOfTheWhole) {
+  std::mt19937 random(3);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int trial = 0; trial < 400; ++trial) {
+    const image::PixelSize size{2 * (1 + below(40)), 2 * (1 + below(10))};
+    const int channels = 3 + trial % 2;
+    Image picture = noise(size, channels, static_cast<unsigned>(trial));
+    const Image other = noise(size, channels, static_cast<unsigned>(trial) + 1000);
+    image::PixelRect part{below(size.width), below(size.height), 0, 0};
+    part.right = part.left + 1 + below(size.width - part.left);
+    part.bottom = part.top + 1 + below(size.height - part.top);
+    const Converted got = converted(picture, [&](const Image& first, const YuvPlanes& planes) {
+      convertToYuv420(first, planes);
+      for (int y = part.top; y < part.bottom; ++y)
+        std::copy(other.at(part.left, y), other.at(part.left, y) + channels * (part.right - part.left),
+                  picture.at(part.left, y));
+      convertPartToYuv420(picture, planes, part);
+    });
+    EXPECT_EQ(got, converted(picture, convertToYuv420Scalar)) << size.width << "x" << size.height;
+  }
+}
+
 TEST(Yuv, FastEqualsScalarForEveryWidth) {
   for (int width = 2; width <= 66; width += 2)
     for (const int channels : {3, 4}) {
