@@ -59,8 +59,10 @@ class MosaicCutter {
 
   /// As many alike as can be, for each is a shader to compile: with edges, a few more sums do not count.
   Content contentOf(SolidReach solids, SheetChoice chosen) const {
-    if (solids >= SolidReach::kOneEdge && !chosen.empty()) chosen.outlines = true;
-    if (chosen.outlines) sheets_.addPlanesTo(chosen);
+    const bool edges = solids >= SolidReach::kOneEdge;
+    if (edges || (chosen.outlines && !(chosen.ellipsoids.empty() && chosen.cones.empty())))
+      sheets_.addPlanesTo(chosen);
+    if (edges && !chosen.empty()) chosen.outlines = true;
     return {solids, std::move(chosen)};
   }
 

@@ -208,7 +208,6 @@ SheetChoice Sheets::reaching(const PixelBounds& part) const {
 }
 
 void Sheets::addPlanesTo(SheetChoice& chosen) const {
-  if (chosen.ellipsoids.empty() && chosen.cones.empty()) return;
   chosen.planes.clear();
   for (std::size_t i = 0; i < planes_.size(); ++i)
     if (!planes_[i].bounds.empty()) chosen.planes.push_back(i);

@@ -71,8 +71,7 @@ class Sheets {
 
   /// Which of them a part of the picture is drawn with: all that it may show.
   SheetChoice reaching(const PixelBounds& part) const;
-  /// Where outlines are, all planes come along with an ellipsoid or a cone: fewer shaders to compile for the few
-  /// places it concerns.
+  /// All planes come along with what costs more anyway: fewer shaders to compile for the few places it concerns.
   void addPlanesTo(SheetChoice& chosen) const;
   static constexpr std::size_t kMostCorners = 16;
   SheetCounts counts(const SheetChoice& chosen) const;
