@@ -32,7 +32,7 @@ const Fault kFaults[] = {
     {"LinesATwentiethTooWide", "render/curve_strip.cpp", "0.5f * curve.width_px", "0.525f * curve.width_px"},
     {"LettersAQuarterPixelOff", "render/text_painter.cpp", "size, x, y, outline", "size, x + 0.25, y, outline"},
     {"HalosLost", "render/text_painter.cpp",
-     "blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);", "return;"},
+     "place = blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);", "place = {};"},
     {"BlendedWithoutLight", "render/blend.cpp", "draw::linearFromSrgb(under_[c])",
      "static_cast<float>(under_[c]) / kMost"},
     {"FarPlaneNear", "render/constants.cpp", "1 / (camera.far - camera.near)", "1.0f"},

@@ -33,7 +33,7 @@ const Fault kFaults[] = {
     {"HighlightLost", "shading.glsl", "0.45 * m.gloss", "0.0 * m.gloss"},
     {"HighlightOfTheOtherSide", "shading.glsl", "lightDirection_C + towardEye_C",
      "lightDirection_C - towardEye_C"},
-    {"EdgesThroughSolids", "composite.frag", "float(depths[slot] <= depth)", "1.0"},
+    {"EdgesThroughSolids", "composite.frag", "depths[slot] <= depth && ", ""},
     {"SecondEdgeLost", "composite.frag", "addEdge(1, nextEdgeColor, nextEdgeDepth, texel, depth)",
      "colors[1] = vec4(0.0)"},
     {"ParallelRaysForgotten", "camera.glsl", "mix(t, 1.0, orthographic)", "t"},
