@@ -65,7 +65,7 @@ install(FILES ${CMAKE_BINARY_DIR}/poinsotConfig.cmake ${CMAKE_BINARY_DIR}/poinso
 
 # ---- pkg-config -------------------------------------------------------------------------------------------------
 # poinsot_pc(LAYER): writes and installs poinsot-LAYER.pc. Third parties are required in the open, not privately: our
-# libraries are static, theirs are not, and `--static` would ask for all that FFmpeg was built from.
+# libraries are static, theirs are not, and `--static` would ask for all that cairo was built from.
 function(poinsot_pc layer)
   get_property(links GLOBAL PROPERTY POINSOT_LINKS_${layer})
   set(requires "")

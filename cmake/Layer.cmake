@@ -2,13 +2,14 @@
 include(GNUInstallDirs)
 set(POINSOT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/poinsot)
 
-# poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...] [HEADER_ONLY lib...])
+# poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...] [HEADER_ONLY lib...]
+#   [OPENED lib...])
 #
 # One folder of src/ is one static library. LINKS are layers (and header-only libraries its headers need);
 # PRIVATE are third parties seen by its .cpp files only: the door stays in one layer. HEADER_ONLY are those of them that
-# leave nothing to link.
+# leave nothing to link. OPENED are read for their headers and opened at run time, so that nothing is linked either.
 function(poinsot_layer name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE;HEADER_ONLY" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE;HEADER_ONLY;OPENED" ${ARGN})
   add_library(poinsot_${name} STATIC ${ARG_SOURCES})
   add_library(poinsot::${name} ALIAS poinsot_${name})
   target_include_directories(poinsot_${name} PUBLIC
@@ -18,6 +19,10 @@ function(poinsot_layer name)
   target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:poinsot_flags> ${ARG_PRIVATE})
   foreach(library ${ARG_HEADER_ONLY})
     target_link_libraries(poinsot_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
+  endforeach()
+  foreach(library ${ARG_OPENED})
+    target_include_directories(poinsot_${name} SYSTEM PRIVATE
+      $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
   endforeach()
   poinsot_use_headers(poinsot_${name} poinsot_layer_headers)
   set_property(GLOBAL APPEND PROPERTY POINSOT_LAYERS ${name})

@@ -21,9 +21,16 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 rotation, with angular momentum, angular velocity and Poinsot's ellipsoid
 rolling on the invariable plane. It needs no screen and no graphics card, and
 prints the motion as numbers, too.")
-# Linked libraries say themselves what they need; OpenGL is opened at run time, through one of two.
+# Linked libraries say themselves what they need. What is opened at run time is named here: OpenGL, through one of two,
+# and what films are made with. Debian calls FFmpeg's packages by the versions of the interfaces, which the program takes
+# from the headers (src/output/ffmpeg_library.cpp).
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libosmesa6 | libegl1, libgl1-mesa-dri")
+set(opened "libosmesa6 | libegl1" libgl1-mesa-dri libimagequant0)
+foreach(library libavformat libavcodec libavutil libswscale)
+  string(REGEX MATCH "^[0-9]+" major "${LIBAV_${library}_VERSION}")
+  list(APPEND opened ${library}${major})
+endforeach()
+list(JOIN opened ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 
 # Debian wants the changes of a package in a form of its own.
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)

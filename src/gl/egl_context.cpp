@@ -3,8 +3,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include "core/shared_library.h"
 #include "gl/back_ends.h"
-#include "gl/shared_library.h"
 
 namespace poinsot::gl {
 namespace {
@@ -13,7 +13,7 @@ using core::Error;
 using core::ErrorKind;
 
 struct EglFunctions {
-  SharedLibrary library{"libEGL.so.1", "libegl1 libgl1-mesa-dri"};
+  core::SharedLibrary library{"libEGL.so.1", "libegl1 libgl1-mesa-dri", ErrorKind::kGraphics};
   decltype(eglGetProcAddress)* getProcAddress;
   decltype(eglInitialize)* initialize;
   decltype(eglTerminate)* terminate;

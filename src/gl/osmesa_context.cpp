@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "core/shared_library.h"
 #include "gl/back_ends.h"
-#include "gl/shared_library.h"
 
 namespace poinsot::gl {
 namespace {
@@ -13,7 +13,7 @@ using core::Error;
 using core::ErrorKind;
 
 struct OsMesaFunctions {
-  SharedLibrary library{"libOSMesa.so.8", "libosmesa6"};
+  core::SharedLibrary library{"libOSMesa.so.8", "libosmesa6", ErrorKind::kGraphics};
   decltype(OSMesaCreateContextAttribs)* createContextAttribs;
   decltype(OSMesaMakeCurrent)* makeCurrent;
   decltype(OSMesaDestroyContext)* destroyContext;

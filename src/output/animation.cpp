@@ -28,10 +28,11 @@ constexpr std::int64_t kPicturesForPalette = 100;
 using PictureListener = std::function<void(const image::Image&)>;
 
 CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
-  auto decoder = checkAlloc(CodecContextPtr(avcodec_alloc_context3(avcodec_find_decoder(parameters.codec_id))));
-  checkAv(avcodec_parameters_to_context(decoder.get(), &parameters), "describing the segments");
+  auto decoder = checkAlloc(
+      CodecContextPtr(ffmpeg().avcodec_alloc_context3(ffmpeg().avcodec_find_decoder(parameters.codec_id))));
+  checkAv(ffmpeg().avcodec_parameters_to_context(decoder.get(), &parameters), "describing the segments");
   decoder->thread_count = 1;
-  checkAv(avcodec_open2(decoder.get(), nullptr, nullptr), "reading the segments");
+  checkAv(ffmpeg().avcodec_open2(decoder.get(), nullptr, nullptr), "reading the segments");
   return decoder;
 }
 
@@ -42,12 +43,12 @@ void readSegment(const path& file, const PictureListener& listen) {
     throw Error(ErrorKind::kIo,
                 core::printable(file.native()) + ": is no segment written by this version of poinsot");
   const auto decoder = decoderOf(reader.parameters());
-  const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
-  const auto frame = checkAlloc(FramePtr(av_frame_alloc()));
+  const auto packet = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
+  const auto frame = checkAlloc(FramePtr(ffmpeg().av_frame_alloc()));
   while (reader.next(*packet)) {
     const std::string doing = core::printable(file.native());
-    checkAv(avcodec_send_packet(decoder.get(), packet.get()), doing, ErrorKind::kIo);
-    checkAv(avcodec_receive_frame(decoder.get(), frame.get()), doing, ErrorKind::kIo);
+    checkAv(ffmpeg().avcodec_send_packet(decoder.get(), packet.get()), doing, ErrorKind::kIo);
+    checkAv(ffmpeg().avcodec_receive_frame(decoder.get(), frame.get()), doing, ErrorKind::kIo);
     listen(pictureOf(*frame));
   }
 }
@@ -58,7 +59,7 @@ void readAll(const std::vector<path>& segments, const PictureListener& listen) {
 
 std::int64_t countPictures(const std::vector<path>& segments) {
   std::int64_t count = 0;
-  const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
+  const auto packet = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
   for (const path& file : segments) {
     TrackReader reader(file, FileFormat::kMatroska);
     while (reader.next(*packet)) ++count;
@@ -84,34 +85,34 @@ class Animation {
       : encoder_(open(track, pixels, size)),
         file_(target, fileFormat(track.container), *parametersOf(*encoder_), track.fps, Index::kAtStart, texts,
               temporaryFolder),
-        frame_(checkAlloc(FramePtr(av_frame_alloc()))),
-        packet_(checkAlloc(PacketPtr(av_packet_alloc()))) {
+        frame_(checkAlloc(FramePtr(ffmpeg().av_frame_alloc()))),
+        packet_(checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()))) {
     frame_->width = size.width;
     frame_->height = size.height;
     frame_->format = pixels;
-    checkAv(av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
+    checkAv(ffmpeg().av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
   }
 
   AVFrame& frame() {
-    checkAv(av_frame_make_writable(frame_.get()), "allocating a frame");
+    checkAv(ffmpeg().av_frame_make_writable(frame_.get()), "allocating a frame");
     return *frame_;
   }
   void encode() {
     frame_->pts = frames_++;
-    checkAv(avcodec_send_frame(encoder_.get(), frame_.get()), "encoding a frame");
+    checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), frame_.get()), "encoding a frame");
     receive();
   }
   void finish() {
-    checkAv(avcodec_send_frame(encoder_.get(), nullptr), "ending the film");
+    checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), nullptr), "ending the film");
     receive();
     file_.finish();
   }
 
  private:
   static CodecContextPtr open(const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size) {
-    const AVCodec* codec = avcodec_find_encoder_by_name(encoderName(codecsOf(track.container).front()));
+    const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(encoderName(codecsOf(track.container).front()));
     if (codec == nullptr) throw Error(ErrorKind::kEncode, "this libavcodec was built without this film's encoder");
-    auto encoder = checkAlloc(CodecContextPtr(avcodec_alloc_context3(codec)));
+    auto encoder = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
     encoder->width = size.width;
     encoder->height = size.height;
     encoder->pix_fmt = pixels;
@@ -122,18 +123,19 @@ class Animation {
     AvOptions options;
     if (codec->id == AV_CODEC_ID_APNG) options.set("pred", "mixed");
     captureAvLog();
-    checkAv(avcodec_open2(encoder.get(), codec, options.address()), fmt::format("starting {}", codec->name));
+    checkAv(ffmpeg().avcodec_open2(encoder.get(), codec, options.address()),
+            fmt::format("starting {}", codec->name));
     options.expectAllTaken();
     return encoder;
   }
 
   void receive() {
     for (;;) {
-      const int code = avcodec_receive_packet(encoder_.get(), packet_.get());
+      const int code = ffmpeg().avcodec_receive_packet(encoder_.get(), packet_.get());
       if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
       checkAv(code, "encoding a frame");
       file_.write(*packet_, packets_++);
-      av_packet_unref(packet_.get());
+      ffmpeg().av_packet_unref(packet_.get());
     }
   }
 

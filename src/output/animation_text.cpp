@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/animation_text.h"
 
-extern "C" {
-#include <libavutil/crc.h>
-}
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -41,7 +37,8 @@ Bytes pngChunk(std::string_view type, std::string_view data) {
   appendBigEndian(bytes, static_cast<std::uint32_t>(data.size()));
   append(bytes, type);
   append(bytes, data);
-  const std::uint32_t crc = av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0u, bytes.data() + 4, bytes.size() - 4);
+  const std::uint32_t crc =
+      ffmpeg().av_crc(ffmpeg().av_crc_get_table(AV_CRC_32_IEEE_LE), ~0u, bytes.data() + 4, bytes.size() - 4);
   appendBigEndian(bytes, ~crc);
   return bytes;
 }

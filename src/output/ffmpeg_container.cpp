@@ -44,11 +44,11 @@ std::int64_t seekBytes(void* target, std::int64_t offset, int whence) {
 
 IoPtr openIo(ByteTarget& target) {
   constexpr int kBuffer = 256 << 10;
-  auto* buffer = static_cast<unsigned char*>(av_malloc(kBuffer));
+  auto* buffer = static_cast<unsigned char*>(ffmpeg().av_malloc(kBuffer));
   if (buffer == nullptr) throw std::bad_alloc();
   auto* const seek = target.descriptor < 0 ? nullptr : seekBytes;
-  AVIOContext* io = avio_alloc_context(buffer, kBuffer, 1, &target, nullptr, writeBytes, seek);
-  if (io == nullptr) av_free(buffer);
+  AVIOContext* io = ffmpeg().avio_alloc_context(buffer, kBuffer, 1, &target, nullptr, writeBytes, seek);
+  if (io == nullptr) ffmpeg().av_free(buffer);
   return checkAlloc(IoPtr(io));
 }
 
@@ -72,13 +72,13 @@ bool isOfQuickTime(FileFormat format) { return format == FileFormat::kMp4 || for
 FormatOutputPtr allocateFormat(const char* muxer) {
   captureAvLog();
   AVFormatContext* format = nullptr;
-  checkAv(avformat_alloc_output_context2(&format, nullptr, muxer, nullptr),
+  checkAv(ffmpeg().avformat_alloc_output_context2(&format, nullptr, muxer, nullptr),
           fmt::format("opening the writer of {}", muxer), ErrorKind::kEncode);
   return FormatOutputPtr(format);
 }
 
 void setText(AVDictionary** texts, const char* key, const std::string& value) {
-  checkAv(av_dict_set(texts, key, value.c_str(), 0), "setting a text");
+  checkAv(ffmpeg().av_dict_set(texts, key, value.c_str(), 0), "setting a text");
 }
 
 /// Texts of ours only: with "bitexact" libav adds neither its name nor the time.
@@ -89,8 +89,8 @@ void describe(AVFormatContext& format, const char* markKey, const std::vector<Fi
 }
 
 void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, const core::Rational& fps) {
-  AVStream* stream = checkAlloc(avformat_new_stream(&format, nullptr));
-  checkAv(avcodec_parameters_copy(stream->codecpar, &parameters), "describing the track");
+  AVStream* stream = checkAlloc(ffmpeg().avformat_new_stream(&format, nullptr));
+  checkAv(ffmpeg().avcodec_parameters_copy(stream->codecpar, &parameters), "describing the track");
   // The writer's choice, not that of the file the packets come from; but the encoder's where a codec has several.
   if (parameters.codec_id != AV_CODEC_ID_HEVC && parameters.codec_id != AV_CODEC_ID_PRORES)
     stream->codecpar->codec_tag = 0;
@@ -180,10 +180,10 @@ TrackMuxer::TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParame
   AvOptions options;
   setOptions(options, format, fps, index);
   format_->pb = io_.get();
-  format_->url = checkAlloc(av_strdup(fileUrl(target_.file).c_str()));
+  format_->url = checkAlloc(ffmpeg().av_strdup(fileUrl(target_.file).c_str()));
   describe(*format_, factsOf(format).markKey, texts);
   addTrack(*format_, parameters, fps);
-  check(avformat_write_header(format_.get(), options.address()), "starting the film");
+  check(ffmpeg().avformat_write_header(format_.get(), options.address()), "starting the film");
   options.expectAllTaken();
   if (isOfQuickTime(format)) POINSOT_EXPECT(format_->streams[0]->time_base.den == frameClock(fps).timescale);
 }
@@ -196,7 +196,7 @@ int TrackMuxer::check(int code, std::string_view doing) const {
 
 /// Exact in MP4; in Matroska to its millisecond.
 std::int64_t TrackMuxer::ticksAt(std::int64_t frame) const {
-  return av_rescale_q(frame, frame_s_, format_->streams[0]->time_base);
+  return ffmpeg().av_rescale_q(frame, frame_s_, format_->streams[0]->time_base);
 }
 
 void TrackMuxer::write(AVPacket& packet, std::int64_t frame) {
@@ -207,13 +207,13 @@ void TrackMuxer::write(AVPacket& packet, std::int64_t frame) {
   packet.dts = ticksAt(place);
   packet.duration = ticksAt(frame + 1) - packet.pts;
   packet.pos = -1;
-  check(av_write_frame(format_.get(), &packet), "writing");
+  check(ffmpeg().av_write_frame(format_.get(), &packet), "writing");
   check(io_->error, "writing");
 }
 
 void TrackMuxer::finish() {
-  check(av_write_trailer(format_.get()), "writing the index");
-  avio_flush(io_.get());
+  check(ffmpeg().av_write_trailer(format_.get()), "writing the index");
+  ffmpeg().avio_flush(io_.get());
   check(io_->error, "writing");
   if (!end_) return;
   if (::lseek(target_.descriptor, -static_cast<off_t>(end_->replaced), SEEK_END) < 0)
@@ -246,25 +246,25 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format)
   AVFormatContext* opened = nullptr;
   const std::string doing = core::printable(path.native());
   // On failure the context is freed and the pointer cleared.
-  checkAv(avformat_open_input(&opened, fileUrl(path).c_str(), av_find_input_format(factsOf(format).demuxer),
-                              options.address()),
+  checkAv(ffmpeg().avformat_open_input(&opened, fileUrl(path).c_str(),
+                                       ffmpeg().av_find_input_format(factsOf(format).demuxer), options.address()),
           doing, ErrorKind::kIo);
   format_.reset(opened);
   if (opened->nb_streams != 1 || parameters().codec_type != AVMEDIA_TYPE_VIDEO)
     throw Error(ErrorKind::kIo, doing + ": is not a film with one video track");
   AVStream& stream = *format_->streams[0];
-  if (av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr)
+  if (ffmpeg().av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr)
     stream.codecpar->format = AV_PIX_FMT_YUVA420P;
 }
 
 std::string TrackReader::text(const char* key) const {
-  const AVDictionaryEntry* entry = av_dict_get(format_->metadata, key, nullptr, 0);
+  const AVDictionaryEntry* entry = ffmpeg().av_dict_get(format_->metadata, key, nullptr, 0);
   return entry == nullptr ? "" : entry->value;
 }
 
 bool TrackReader::next(AVPacket& packet) {
-  av_packet_unref(&packet);
-  const int code = av_read_frame(format_.get(), &packet);
+  ffmpeg().av_packet_unref(&packet);
+  const int code = ffmpeg().av_read_frame(format_.get(), &packet);
   if (code == AVERROR_EOF) return false;
   checkAv(code, core::printable(path_.native()), ErrorKind::kIo);
   // Cut files are read to their cut as if they ended there; only the mark on the packet tells.

@@ -143,7 +143,7 @@ void open(AVCodecContext& context, const FilmFormat& format) {
   AvOptions options;
   factsOf(format.codec).set(format, context, options);
   captureAvLog();
-  checkAv(avcodec_open2(&context, context.codec, options.address()),
+  checkAv(ffmpeg().avcodec_open2(&context, context.codec, options.address()),
           fmt::format("starting {}", context.codec->name));
   options.expectAllTaken();
   // libavcodec does not ask x265; as it is set above, its streams are made like those of x264.
@@ -165,16 +165,16 @@ const char* encoderName(FilmCodec codec) { return factsOf(codec).name; }
 
 const char* missingEncoder(FilmCodec codec) {
   for (const char* name : {factsOf(codec).name, factsOf(codec).segments})
-    if (avcodec_find_encoder_by_name(name) == nullptr) return name;
+    if (ffmpeg().avcodec_find_encoder_by_name(name) == nullptr) return name;
   return nullptr;
 }
 
 FilmEncoder::FilmEncoder(image::PixelSize size, const core::Rational& fps, const FilmFormat& format) {
   checkFormat(format, size, fps);
-  const AVCodec* codec = avcodec_find_encoder_by_name(factsOf(format.codec).segments);
-  context_ = checkAlloc(CodecContextPtr(avcodec_alloc_context3(codec)));
-  frame_ = checkAlloc(FramePtr(av_frame_alloc()));
-  packet_ = checkAlloc(PacketPtr(av_packet_alloc()));
+  const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(factsOf(format.codec).segments);
+  context_ = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
+  frame_ = checkAlloc(FramePtr(ffmpeg().av_frame_alloc()));
+  packet_ = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
   describePicture(*context_, size, fps);
   context_->pix_fmt = factsOf(format.codec).pixels(format);
   describeColor(*context_);
@@ -186,39 +186,39 @@ FilmEncoder::FilmEncoder(image::PixelSize size, const core::Rational& fps, const
   frame_->color_trc = context_->color_trc;
   frame_->colorspace = context_->colorspace;
   frame_->color_range = context_->color_range;
-  checkAv(av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
+  checkAv(ffmpeg().av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
 }
 
 AVFrame& FilmEncoder::frame() {
-  checkAv(av_frame_make_writable(frame_.get()), "allocating a frame");
+  checkAv(ffmpeg().av_frame_make_writable(frame_.get()), "allocating a frame");
   return *frame_;
 }
 
 void FilmEncoder::encode(const PacketSink& sink) {
   frame_->pts = frames_++;
-  checkAv(avcodec_send_frame(context_.get(), frame_.get()), "encoding a frame");
+  checkAv(ffmpeg().avcodec_send_frame(context_.get(), frame_.get()), "encoding a frame");
   receive(sink);
 }
 
 void FilmEncoder::drain(const PacketSink& sink) {
-  checkAv(avcodec_send_frame(context_.get(), nullptr), "ending the stream");
+  checkAv(ffmpeg().avcodec_send_frame(context_.get(), nullptr), "ending the stream");
   receive(sink);
 }
 
 void FilmEncoder::takeOutNote(AVPacket& packet) {
-  checkAv(av_packet_make_writable(&packet), "copying a packet");
+  checkAv(ffmpeg().av_packet_make_writable(&packet), "copying a packet");
   const auto kept = removeEncoderNote({packet.data, static_cast<std::size_t>(packet.size)}, &note_);
-  av_shrink_packet(&packet, static_cast<int>(kept));
+  ffmpeg().av_shrink_packet(&packet, static_cast<int>(kept));
 }
 
 void FilmEncoder::receive(const PacketSink& sink) {
   for (;;) {
-    const int code = avcodec_receive_packet(context_.get(), packet_.get());
+    const int code = ffmpeg().avcodec_receive_packet(context_.get(), packet_.get());
     if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
     checkAv(code, "encoding a frame");
     if (context_->codec_id == AV_CODEC_ID_H264) takeOutNote(*packet_);
     sink(*packet_);
-    av_packet_unref(packet_.get());
+    ffmpeg().av_packet_unref(packet_.get());
   }
 }
 

@@ -21,6 +21,7 @@ std::int64_t reorderDelay(AVCodecID codec);
 const char* encoderName(FilmCodec codec);
 /// Which of the encoders that a film of it takes this libavcodec lacks; null if it has them all. A codec whose
 /// films are made whole takes another for the segments.
+/// @throws core::Error(kEncode) if there is no FFmpeg at all, as do all below.
 const char* missingEncoder(FilmCodec codec);
 
 /// An encoder set so that the same frames give the same bytes with any number of workers, and, of H.264, on every

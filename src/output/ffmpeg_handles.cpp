@@ -19,8 +19,8 @@ thread_local std::array<char, 256> lastLine{};
 void keepLine(void* sender, int level, const char* format, va_list arguments) {
   if (level > AV_LOG_ERROR) return;
   int atLineStart = 1;
-  av_log_format_line(sender, level, format, arguments, lastLine.data(), static_cast<int>(lastLine.size()),
-                     &atLineStart);
+  ffmpeg().av_log_format_line(sender, level, format, arguments, lastLine.data(), static_cast<int>(lastLine.size()),
+                              &atLineStart);
 }
 
 /// "[libx264 @ 0x5581...] reason\n" without what stands before and after the reason; an address says nothing.
@@ -32,7 +32,7 @@ std::string_view reasonIn(std::string_view line) {
 
 std::string systemReason(int code) {
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-  av_strerror(code, text.data(), text.size());
+  ffmpeg().av_strerror(code, text.data(), text.size());
   return text.data();
 }
 
@@ -40,7 +40,7 @@ std::string systemReason(int code) {
 
 void captureAvLog() {
   static std::once_flag once;
-  std::call_once(once, [] { av_log_set_callback(keepLine); });
+  std::call_once(once, [] { ffmpeg().av_log_set_callback(keepLine); });
   lastLine[0] = 0;
 }
 
@@ -52,19 +52,19 @@ int checkAv(int code, std::string_view doing, core::ErrorKind kind) {
 }
 
 CodecParametersPtr parametersOf(const AVCodecContext& context) {
-  auto parameters = checkAlloc(CodecParametersPtr(avcodec_parameters_alloc()));
-  checkAv(avcodec_parameters_from_context(parameters.get(), &context), "describing the stream");
+  auto parameters = checkAlloc(CodecParametersPtr(ffmpeg().avcodec_parameters_alloc()));
+  checkAv(ffmpeg().avcodec_parameters_from_context(parameters.get(), &context), "describing the stream");
   return parameters;
 }
 
 std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.native(); }
 
 void AvOptions::set(const char* key, const std::string& value) {
-  if (av_dict_set(&entries_, key, value.c_str(), 0) < 0) throw std::bad_alloc();
+  if (ffmpeg().av_dict_set(&entries_, key, value.c_str(), 0) < 0) throw std::bad_alloc();
 }
 
 void AvOptions::expectAllTaken() const {
-  if (const AVDictionaryEntry* left = av_dict_get(entries_, "", nullptr, AV_DICT_IGNORE_SUFFIX))
+  if (const AVDictionaryEntry* left = ffmpeg().av_dict_get(entries_, "", nullptr, AV_DICT_IGNORE_SUFFIX))
     throw core::Error(core::ErrorKind::kEncode,
                       fmt::format("this libav does not know the option {}={}", left->key, left->value));
 }

@@ -2,17 +2,13 @@
 // Owners of libav's things and the one translator of its errors. Included by .cpp files of this folder only.
 #pragma once
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-}
-
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "core/error.h"
+#include "output/ffmpeg_library.h"
 
 namespace poinsot::output {
 
@@ -21,27 +17,27 @@ template <auto kFree>
 struct AvDeleter {
   template <class T>
   void operator()(T* thing) const {
-    kFree(&thing);
+    (ffmpeg().*kFree)(&thing);
   }
 };
 
 struct FormatOutputDeleter {
-  void operator()(AVFormatContext* context) const { avformat_free_context(context); }
+  void operator()(AVFormatContext* context) const { ffmpeg().avformat_free_context(context); }
 };
 
 /// A context made by avio_alloc_context: its buffer may have been replaced and is ours to free.
 struct IoDeleter {
   void operator()(AVIOContext* io) const {
-    av_freep(&io->buffer);
-    avio_context_free(&io);
+    ffmpeg().av_freep(&io->buffer);
+    ffmpeg().avio_context_free(&io);
   }
 };
 
-using CodecContextPtr = std::unique_ptr<AVCodecContext, AvDeleter<avcodec_free_context>>;
-using CodecParametersPtr = std::unique_ptr<AVCodecParameters, AvDeleter<avcodec_parameters_free>>;
-using FramePtr = std::unique_ptr<AVFrame, AvDeleter<av_frame_free>>;
-using PacketPtr = std::unique_ptr<AVPacket, AvDeleter<av_packet_free>>;
-using FormatInputPtr = std::unique_ptr<AVFormatContext, AvDeleter<avformat_close_input>>;
+using CodecContextPtr = std::unique_ptr<AVCodecContext, AvDeleter<&Ffmpeg::avcodec_free_context>>;
+using CodecParametersPtr = std::unique_ptr<AVCodecParameters, AvDeleter<&Ffmpeg::avcodec_parameters_free>>;
+using FramePtr = std::unique_ptr<AVFrame, AvDeleter<&Ffmpeg::av_frame_free>>;
+using PacketPtr = std::unique_ptr<AVPacket, AvDeleter<&Ffmpeg::av_packet_free>>;
+using FormatInputPtr = std::unique_ptr<AVFormatContext, AvDeleter<&Ffmpeg::avformat_close_input>>;
 using FormatOutputPtr = std::unique_ptr<AVFormatContext, FormatOutputDeleter>;
 using IoPtr = std::unique_ptr<AVIOContext, IoDeleter>;
 
@@ -49,7 +45,9 @@ using IoPtr = std::unique_ptr<AVIOContext, IoDeleter>;
 class AvOptions {
  public:
   AvOptions() = default;
-  ~AvOptions() { av_dict_free(&entries_); }
+  ~AvOptions() {
+    if (entries_ != nullptr) ffmpeg().av_dict_free(&entries_);  // else FFmpeg may be what was missing
+  }
   AvOptions(const AvOptions&) = delete;
   AvOptions& operator=(const AvOptions&) = delete;
 

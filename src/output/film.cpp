@@ -34,9 +34,9 @@ class Segment {
   Segment(path file, const FilmTrack& track)
       : file_(std::move(file)),
         reader_(file_, segmentFormat(track.container)),
-        packet_(checkAlloc(PacketPtr(av_packet_alloc()))),
-        frameTicks_(av_inv_q(
-            av_mul_q({static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)}, reader_.timeBase()))) {
+        packet_(checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()))),
+        frameTicks_(av_inv_q(ffmpeg().av_mul_q({static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)},
+                                               reader_.timeBase()))) {
     // In an MP4 the mark stands at the file's very end, so this also finds the last bytes missing.
     if (reader_.mark() != ownMark()) refuse(file_, "is no segment written by this version of poinsot");
     if (!advance()) refuse(file_, "has no frames");
@@ -56,8 +56,8 @@ class Segment {
   /// The current packet's place in the shown order: the first packet is a key frame with nothing before it.
   std::int64_t frame() const {
     const std::int64_t ticks = packet_->pts - firstPts_;
-    const std::int64_t frame = av_rescale_q(ticks, {1, 1}, frameTicks_);
-    if (ticks < 0 || av_rescale_q(frame, frameTicks_, {1, 1}) != ticks)
+    const std::int64_t frame = ffmpeg().av_rescale_q(ticks, {1, 1}, frameTicks_);
+    if (ticks < 0 || ffmpeg().av_rescale_q(frame, frameTicks_, {1, 1}) != ticks)
       refuse(file_, "has frames between the frames");
     return frame;
   }
@@ -156,7 +156,7 @@ std::optional<FilmFacts> readFilmFacts(const path& film) try {
   TrackReader reader(film, fileFormat(*container));
   if (reader.mark() != ownMark()) return std::nullopt;
   FilmFacts facts{0, reader.text("comment")};
-  const auto packet = checkAlloc(PacketPtr(av_packet_alloc()));
+  const auto packet = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
   while (reader.next(*packet)) ++facts.frames;
   return facts;
 } catch (const Error&) {

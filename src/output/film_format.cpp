@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "output/ffmpeg_encoder.h"
+#include "output/palette.h"
 
 namespace poinsot::output {
 namespace {
@@ -112,6 +113,7 @@ void checkCodec(const FilmFormat& format) {
 }
 
 void checkEncoder(const FilmFormat& format) {
+  if (format.codec == FilmCodec::kGif) checkPaletteMaker();
   const char* missing = missingEncoder(format.codec);
   if (missing == nullptr) return;
   std::vector<FilmCodec> there;

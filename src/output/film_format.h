@@ -52,8 +52,7 @@ bool isMadeWhole(FilmContainer container);
 std::string filmFormatsText();
 
 /// @throws core::Error(kUsage) if there is no such film, saying what there is; core::Error(kEncode) naming the
-/// encoder
-///         that this libavcodec lacks, and what can be made with those it has.
+/// library that is not there, or the encoder that this libavcodec lacks, and what can be made with those it has.
 void checkFormat(const FilmFormat& format, image::PixelSize size, const core::Rational& fps);
 
 }  // namespace poinsot::output

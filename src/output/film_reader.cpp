@@ -3,11 +3,6 @@
 
 #include <fmt/format.h>
 
-extern "C" {
-#include <libavutil/pixdesc.h>
-#include <libswscale/swscale.h>
-}
-
 #include <cstring>
 
 #include "core/text.h"
@@ -22,7 +17,7 @@ using core::Error;
 using core::ErrorKind;
 
 struct ScalerDeleter {
-  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+  void operator()(SwsContext* scaler) const { ffmpeg().sws_freeContext(scaler); }
 };
 using ScalerPtr = std::unique_ptr<SwsContext, ScalerDeleter>;
 
@@ -36,30 +31,31 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   options.set("protocol_whitelist", "file");
   AVFormatContext* context = nullptr;
   // On failure the context is freed and the pointer cleared.
-  checkAv(avformat_open_input(&context, fileUrl(film).c_str(), nullptr, options.address()), name, ErrorKind::kIo);
+  checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), nullptr, options.address()), name,
+          ErrorKind::kIo);
   FormatInputPtr format(context);
-  checkAv(avformat_find_stream_info(context, nullptr), name, ErrorKind::kIo);
+  checkAv(ffmpeg().avformat_find_stream_info(context, nullptr), name, ErrorKind::kIo);
   return format;
 }
 
 /// libavcodec's own VP9 decoder leaves transparency out.
 const AVCodec* decoderOf(const AVStream& stream) {
-  const bool alpha = av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr;
+  const bool alpha = ffmpeg().av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr;
   if (alpha && stream.codecpar->codec_id == AV_CODEC_ID_VP9)
-    if (const AVCodec* codec = avcodec_find_decoder_by_name("libvpx-vp9")) return codec;
-  return avcodec_find_decoder(stream.codecpar->codec_id);
+    if (const AVCodec* codec = ffmpeg().avcodec_find_decoder_by_name("libvpx-vp9")) return codec;
+  return ffmpeg().avcodec_find_decoder(stream.codecpar->codec_id);
 }
 
 CodecContextPtr decoder(const AVStream& stream, const std::string& name) {
   const AVCodec* codec = decoderOf(stream);
   if (codec == nullptr)
     throw Error(ErrorKind::kIo, fmt::format("{}: this FFmpeg has no decoder for {}", name,
-                                            avcodec_get_name(stream.codecpar->codec_id)));
-  CodecContextPtr context(checkAlloc(avcodec_alloc_context3(codec)));
-  checkAv(avcodec_parameters_to_context(context.get(), stream.codecpar), name, ErrorKind::kIo);
+                                            ffmpeg().avcodec_get_name(stream.codecpar->codec_id)));
+  CodecContextPtr context(checkAlloc(ffmpeg().avcodec_alloc_context3(codec)));
+  checkAv(ffmpeg().avcodec_parameters_to_context(context.get(), stream.codecpar), name, ErrorKind::kIo);
   context->thread_count = 1;
   context->err_recognition = AV_EF_EXPLODE;
-  checkAv(avcodec_open2(context.get(), codec, nullptr), name, ErrorKind::kIo);
+  checkAv(ffmpeg().avcodec_open2(context.get(), codec, nullptr), name, ErrorKind::kIo);
   return context;
 }
 
@@ -72,7 +68,7 @@ void checkSize(image::PixelSize size, const std::string& name) {
 
 /// RGB with what the film's own format has of bits and transparency.
 AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
-  const AVPixFmtDescriptor* facts = av_pix_fmt_desc_get(format);
+  const AVPixFmtDescriptor* facts = ffmpeg().av_pix_fmt_desc_get(format);
   if (facts == nullptr) throw Error(ErrorKind::kIo, name + ": pictures of an unknown kind");
   // The formats of palettes are told as having transparency, and may.
   const bool alpha = (facts->flags & (AV_PIX_FMT_FLAG_ALPHA | AV_PIX_FMT_FLAG_PAL)) != 0;
@@ -86,19 +82,19 @@ int channelsOf(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGBA || rgb == AV_P
 const int* coefficientsOf(const AVFrame& frame) {
   constexpr int kHighDefinition = 720;
   const bool says = frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB;
-  if (says) return sws_getCoefficients(frame.colorspace);
-  return sws_getCoefficients(frame.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601);
+  if (says) return ffmpeg().sws_getCoefficients(frame.colorspace);
+  return ffmpeg().sws_getCoefficients(frame.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601);
 }
 
 ScalerPtr scaler(const AVFrame& frame, AVPixelFormat rgb) {
   const auto format = static_cast<AVPixelFormat>(frame.format);
   constexpr int kExact = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP | SWS_BITEXACT;
-  ScalerPtr made(checkAlloc(sws_getContext(frame.width, frame.height, format, frame.width, frame.height, rgb,
-                                           kExact, nullptr, nullptr, nullptr)));
+  ScalerPtr made(checkAlloc(ffmpeg().sws_getContext(frame.width, frame.height, format, frame.width, frame.height,
+                                                    rgb, kExact, nullptr, nullptr, nullptr)));
   constexpr int kOne = 1 << 16;
   const int* matrix = coefficientsOf(frame);
-  sws_setColorspaceDetails(made.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
-                           sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne);
+  ffmpeg().sws_setColorspaceDetails(made.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
+                                    ffmpeg().sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne);
   return made;
 }
 
@@ -112,11 +108,11 @@ image::AnyImage imageOf(const AVFrame& rgb, int channels) {
 
 /// With room of libav's own, which may write past the end of a row.
 FramePtr rgbFrame(image::PixelSize size, AVPixelFormat rgb, const std::string& name) {
-  FramePtr frame(checkAlloc(av_frame_alloc()));
+  FramePtr frame(checkAlloc(ffmpeg().av_frame_alloc()));
   frame->width = size.width;
   frame->height = size.height;
   frame->format = rgb;
-  checkAv(av_frame_get_buffer(frame.get(), 0), name, ErrorKind::kIo);
+  checkAv(ffmpeg().av_frame_get_buffer(frame.get(), 0), name, ErrorKind::kIo);
   return frame;
 }
 
@@ -125,8 +121,8 @@ FramePtr rgbFrame(image::PixelSize size, AVPixelFormat rgb, const std::string& n
 struct FilmReader::Parts {
   explicit Parts(const std::filesystem::path& film)
       : name(core::printable(film.native())), format(opened(film, name)) {
-    stream =
-        checkAv(av_find_best_stream(format.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0), name, ErrorKind::kIo);
+    stream = checkAv(ffmpeg().av_find_best_stream(format.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0), name,
+                     ErrorKind::kIo);
     codec = decoder(track(), name);
     size = {codec->width, codec->height};
     checkSize(size, name);
@@ -137,16 +133,16 @@ struct FilmReader::Parts {
   /// Gives the decoder its next packet, or says that there are no more.
   void feed() {
     for (;;) {
-      const int code = av_read_frame(format.get(), packet.get());
+      const int code = ffmpeg().av_read_frame(format.get(), packet.get());
       if (code == AVERROR_EOF) {
-        checkAv(avcodec_send_packet(codec.get(), nullptr), name, ErrorKind::kIo);
+        checkAv(ffmpeg().avcodec_send_packet(codec.get(), nullptr), name, ErrorKind::kIo);
         return;
       }
       checkAv(code, name, ErrorKind::kIo);
       const bool ours = packet->stream_index == stream;
       if ((packet->flags & AV_PKT_FLAG_CORRUPT) != 0) throw Error(ErrorKind::kIo, name + ": ends too early");
-      const int sent = ours ? avcodec_send_packet(codec.get(), packet.get()) : 0;
-      av_packet_unref(packet.get());
+      const int sent = ours ? ffmpeg().avcodec_send_packet(codec.get(), packet.get()) : 0;
+      ffmpeg().av_packet_unref(packet.get());
       checkAv(sent, name, ErrorKind::kIo);
       if (ours) return;
     }
@@ -155,7 +151,7 @@ struct FilmReader::Parts {
   /// False after the last.
   bool decode() {
     for (;;) {
-      const int code = avcodec_receive_frame(codec.get(), frame.get());
+      const int code = ffmpeg().avcodec_receive_frame(codec.get(), frame.get());
       if (code == AVERROR_EOF) return false;
       if (code != AVERROR(EAGAIN)) return checkAv(code, name, ErrorKind::kIo) >= 0;
       feed();
@@ -167,8 +163,8 @@ struct FilmReader::Parts {
       throw Error(ErrorKind::kIo, name + ": its pictures change their size");
     const AVPixelFormat rgb = rgbFormat(static_cast<AVPixelFormat>(frame->format), name);
     const FramePtr out = rgbFrame(size, rgb, name);
-    checkAv(sws_scale(scaler(*frame, rgb).get(), frame->data, frame->linesize, 0, frame->height, out->data,
-                      out->linesize),
+    checkAv(ffmpeg().sws_scale(scaler(*frame, rgb).get(), frame->data, frame->linesize, 0, frame->height,
+                               out->data, out->linesize),
             name, ErrorKind::kIo);
     const bool deep = rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64;
     return deep ? imageOf<std::uint16_t>(*out, channelsOf(rgb)) : imageOf<std::uint8_t>(*out, channelsOf(rgb));
@@ -179,8 +175,8 @@ struct FilmReader::Parts {
   int stream = 0;
   CodecContextPtr codec;
   image::PixelSize size;
-  PacketPtr packet{checkAlloc(av_packet_alloc())};
-  FramePtr frame{checkAlloc(av_frame_alloc())};
+  PacketPtr packet{checkAlloc(ffmpeg().av_packet_alloc())};
+  FramePtr frame{checkAlloc(ffmpeg().av_frame_alloc())};
 };
 
 bool isFilmName(const std::filesystem::path& file) {
@@ -196,7 +192,7 @@ image::PixelSize FilmReader::size() const { return parts_->size; }
 
 core::Rational FilmReader::fps() const {
   const AVRational rate =
-      av_guess_frame_rate(parts_->format.get(), parts_->format->streams[parts_->stream], nullptr);
+      ffmpeg().av_guess_frame_rate(parts_->format.get(), parts_->format->streams[parts_->stream], nullptr);
   return {rate.num, rate.den == 0 ? 1 : rate.den};
 }
 

@@ -39,9 +39,14 @@ std::string x264Version() try {
 }  // namespace
 
 std::vector<LibraryVersion> libraryVersions() {
-  std::vector<LibraryVersion> versions = {{"libpng", image::libpngVersion()},
-                                          {"libavcodec", dotted(avcodec_version())},
-                                          {"libavformat", dotted(avformat_version())}};
+  std::vector<LibraryVersion> versions = {{"libpng", image::libpngVersion()}};
+  try {
+    versions.push_back({"libavcodec", dotted(ffmpeg().avcodec_version())});
+    versions.push_back({"libavformat", dotted(ffmpeg().avformat_version())});
+  } catch (const core::Error& error) {
+    versions.push_back({"FFmpeg", "not found: " + error.message()});
+    return versions;
+  }
   if (auto x264 = x264Version(); !x264.empty()) versions.push_back({"x264", std::move(x264)});
   return versions;
 }

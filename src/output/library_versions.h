@@ -12,7 +12,8 @@ struct LibraryVersion {
 };
 
 /// libpng, libavcodec, libavformat and x264, as loaded at run time. x264 tells its version only in a stream, so
-/// one tiny frame is encoded; it is left out where that does not work.
+/// one tiny frame is encoded; it is left out where that does not work. Where FFmpeg cannot be opened, "FFmpeg" has
+/// the reason in place of a version.
 std::vector<LibraryVersion> libraryVersions();
 
 }  // namespace poinsot::output

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/palette.h"
 
-#include <libimagequant.h>
-#include <omp.h>
-
 #include "core/error.h"
 #include "core/expect.h"
+#include "output/imagequant_library.h"
 
 namespace poinsot::output {
 namespace {
@@ -14,14 +12,14 @@ template <auto kFree>
 struct LiqDeleter {
   template <class T>
   void operator()(T* thing) const {
-    kFree(thing);
+    (imagequant().*kFree)(thing);
   }
 };
 
-using AttributesPtr = std::unique_ptr<liq_attr, LiqDeleter<liq_attr_destroy>>;
-using HistogramPtr = std::unique_ptr<liq_histogram, LiqDeleter<liq_histogram_destroy>>;
-using ImagePtr = std::unique_ptr<liq_image, LiqDeleter<liq_image_destroy>>;
-using ResultPtr = std::unique_ptr<liq_result, LiqDeleter<liq_result_destroy>>;
+using AttributesPtr = std::unique_ptr<liq_attr, LiqDeleter<&Imagequant::liq_attr_destroy>>;
+using HistogramPtr = std::unique_ptr<liq_histogram, LiqDeleter<&Imagequant::liq_histogram_destroy>>;
+using ImagePtr = std::unique_ptr<liq_image, LiqDeleter<&Imagequant::liq_image_destroy>>;
+using ResultPtr = std::unique_ptr<liq_result, LiqDeleter<&Imagequant::liq_result_destroy>>;
 
 void check(liq_error code) {
   if (code == LIQ_OUT_OF_MEMORY) throw std::bad_alloc();
@@ -38,17 +36,20 @@ std::vector<std::uint8_t> rgbaOf(const image::Image& picture) {
 
 }  // namespace
 
+void checkPaletteMaker() { imagequant(); }
+
 struct PaletteMaker::Parts {
   AttributesPtr attributes;
   HistogramPtr histogram;
 };
 
 PaletteMaker::PaletteMaker(int most) : parts_(std::make_unique<Parts>()) {
-  omp_set_num_threads(1);  // else its sums depend on how many there are
-  parts_->attributes.reset(liq_attr_create());
+  // One thread: else its sums depend on how many there are.
+  if (imagequant().omp_set_num_threads) imagequant().omp_set_num_threads(1);
+  parts_->attributes.reset(imagequant().liq_attr_create());
   if (!parts_->attributes) throw std::bad_alloc();
-  check(liq_set_max_colors(parts_->attributes.get(), most));
-  parts_->histogram.reset(liq_histogram_create(parts_->attributes.get()));
+  check(imagequant().liq_set_max_colors(parts_->attributes.get(), most));
+  parts_->histogram.reset(imagequant().liq_histogram_create(parts_->attributes.get()));
   if (!parts_->histogram) throw std::bad_alloc();
 }
 
@@ -56,17 +57,17 @@ PaletteMaker::~PaletteMaker() = default;
 
 void PaletteMaker::add(const image::Image& picture) {
   const std::vector<std::uint8_t> rgba = rgbaOf(picture);
-  const ImagePtr image(
-      liq_image_create_rgba(parts_->attributes.get(), rgba.data(), picture.size.width, picture.size.height, 0));
+  const ImagePtr image(imagequant().liq_image_create_rgba(parts_->attributes.get(), rgba.data(),
+                                                          picture.size.width, picture.size.height, 0));
   if (!image) throw std::bad_alloc();
-  check(liq_histogram_add_image(parts_->histogram.get(), parts_->attributes.get(), image.get()));
+  check(imagequant().liq_histogram_add_image(parts_->histogram.get(), parts_->attributes.get(), image.get()));
 }
 
 std::vector<Rgb> PaletteMaker::palette() {
   liq_result* made = nullptr;
-  check(liq_histogram_quantize(parts_->histogram.get(), parts_->attributes.get(), &made));
+  check(imagequant().liq_histogram_quantize(parts_->histogram.get(), parts_->attributes.get(), &made));
   const ResultPtr result(made);
-  const liq_palette& colors = *liq_get_palette(made);
+  const liq_palette& colors = *imagequant().liq_get_palette(made);
   std::vector<Rgb> palette;
   for (unsigned i = 0; i < colors.count; ++i)
     palette.push_back({colors.entries[i].r, colors.entries[i].g, colors.entries[i].b});

@@ -12,11 +12,14 @@ namespace poinsot::output {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
+/// @throws core::Error(kEncode) if there is no libimagequant, before pictures are drawn for it.
+void checkPaletteMaker();
+
 /// The colours of many pictures, reduced to a few that stand for all of them. libimagequant's, on one thread: the
 /// same pictures give the same palette.
 class PaletteMaker {
  public:
-  /// @param most  2 to 256.
+  /// @param most  2 to 256. @throws core::Error as checkPaletteMaker().
   explicit PaletteMaker(int most);
   ~PaletteMaker();
   PaletteMaker(const PaletteMaker&) = delete;

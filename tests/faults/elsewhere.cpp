@@ -5,6 +5,7 @@
 //   ELSEWHERE_ASM   the instructions that x264 may use, in its words: "SSE2", "SSSE3", "AVX2"
 //   ELSEWHERE_MARK  a file to create when x264 was told
 //   ELSEWHERE_LACKS encoders that libavcodec lacks, by its own names: "libx264,gif"
+//   ELSEWHERE_HIDES libraries that are not to be opened at run time, by the start of their names: "libav"
 #include <dlfcn.h>
 #include <sys/time.h>
 #include <sys/utsname.h>
@@ -25,22 +26,34 @@ time_t ahead_s() {
   return days ? 86400 * std::atol(days) : 0;
 }
 
+using FindSymbol = void*(void* library, const char* name);
+
+/// The C library's dlsym, which the one below covers: found by its version, one of those that it has had.
+FindSymbol* realFindSymbol() {
+  static FindSymbol* found = nullptr;
+  for (const char* version : {"GLIBC_2.34", "GLIBC_2.17", "GLIBC_2.2.5"})
+    if (!found) found = reinterpret_cast<FindSymbol*>(dlvsym(RTLD_NEXT, "dlsym", version));
+  return found;
+}
+
 template <typename Function>
 Function* real(Function*, const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+  return reinterpret_cast<Function*>(realFindSymbol()(RTLD_NEXT, name));
 }
 
 using OpenEncoder = void*(void* parameters);
 using ParseParameter = int(void* parameters, const char* name, const char* value);
 
-/// Before it opens, as its own command line would.
-void* open(OpenEncoder* opener, void* parameters) {
-  static const auto parse = reinterpret_cast<ParseParameter*>(dlsym(RTLD_NEXT, "x264_param_parse"));
+/// Before it opens, as its own command line would. The library is there, but not where RTLD_NEXT looks: it came
+/// with one that was opened at run time.
+void* open(const char* library, const char* opener, void* parameters) {
+  void* x264 = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+  const auto parse = reinterpret_cast<ParseParameter*>(realFindSymbol()(x264, "x264_param_parse"));
   const char* words = setting("ELSEWHERE_ASM");
   const char* mark = setting("ELSEWHERE_MARK");
   if (words && parse && parse(parameters, "asm", words) == 0 && mark)
     if (std::FILE* file = std::fopen(mark, "w")) std::fclose(file);
-  return opener(parameters);
+  return reinterpret_cast<OpenEncoder*>(realFindSymbol()(x264, opener))(parameters);
 }
 
 bool isLacked(const char* encoder) {
@@ -50,15 +63,27 @@ bool isLacked(const char* encoder) {
   return names.find(std::string(",") + encoder + ',') != std::string::npos;
 }
 
-}  // namespace
+using FindEncoder = const void*(const char* name);
+FindEncoder* realFindEncoder = nullptr;
 
-struct AVCodec;
+const void* findEncoder(const char* name) { return isLacked(name) ? nullptr : realFindEncoder(name); }
+
+}  // namespace
 
 extern "C" {
 
-const AVCodec* avcodec_find_encoder_by_name(const char* name) {
-  static const auto next = real(&avcodec_find_encoder_by_name, "avcodec_find_encoder_by_name");
-  return isLacked(name) ? nullptr : next(name);
+void* dlsym(void* library, const char* name) noexcept {
+  void* found = realFindSymbol()(library, name);
+  if (std::strcmp(name, "avcodec_find_encoder_by_name") != 0) return found;
+  realFindEncoder = reinterpret_cast<FindEncoder*>(found);
+  return reinterpret_cast<void*>(&findEncoder);
+}
+
+void* dlopen(const char* file, int flags) noexcept {
+  static const auto next = real(&dlopen, "dlopen");
+  const char* hidden = setting("ELSEWHERE_HIDES");
+  const bool hide = hidden && file && std::strncmp(file, hidden, std::strlen(hidden)) == 0;
+  return next(hide ? (std::string("/nowhere/") + file).c_str() : file, flags);
 }
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {
@@ -100,10 +125,10 @@ int uname(utsname* names) noexcept {
 
 // libavcodec calls it by the number of the library's interface.
 void* x264_encoder_open_164(void* parameters) {
-  return open(reinterpret_cast<OpenEncoder*>(dlsym(RTLD_NEXT, "x264_encoder_open_164")), parameters);
+  return open("libx264.so.164", "x264_encoder_open_164", parameters);
 }
 void* x264_encoder_open_165(void* parameters) {
-  return open(reinterpret_cast<OpenEncoder*>(dlsym(RTLD_NEXT, "x264_encoder_open_165")), parameters);
+  return open("libx264.so.165", "x264_encoder_open_165", parameters);
 }
 
 }  // extern "C"

@@ -65,33 +65,68 @@ std::string filmOfNobody() {
   return bytesOf(folder / "t.mp4");
 }
 
-/// How a render to it ends where libavcodec lacks these.
-RunResult renderWithout(const std::string& encoders, const std::string& target) {
+/// How a render to it ends there; it must leave nothing.
+RunResult refusedRender(const std::string& target, const std::string& setting) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   RunResult refused = run(folder, {"render", "tiny.toml", "-o", target}, Stdout::kFile,
-                          {"LD_PRELOAD=" POINSOT_ELSEWHERE, "ELSEWHERE_LACKS=" + encoders});
+                          {"LD_PRELOAD=" POINSOT_ELSEWHERE, setting});
+  EXPECT_EQ(refused.exitCode, 3);
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"tiny.toml"});
   return refused;
 }
 
+/// Where libavcodec lacks these.
+RunResult renderWithout(const std::string& encoders, const std::string& target) {
+  return refusedRender(target, "ELSEWHERE_LACKS=" + encoders);
+}
+
 TEST(Elsewhere, AnEncoderThatItLacksIsNamedBesideThoseThatItHas) {
   const RunResult mp4 = renderWithout("libx264", "t.mp4");
-  EXPECT_EQ(mp4.exitCode, 3);
   EXPECT_THAT(mp4.err,
               testing::HasSubstr("the FFmpeg of this machine has no encoder libx264, which a film of h264 "
                                  "takes; it can make: hevc, prores, vp9, av1, gif, apng\n"));
   const RunResult webm = renderWithout("libvpx-vp9,libx265", "t.webm");
-  EXPECT_EQ(webm.exitCode, 3);
   EXPECT_THAT(webm.err, testing::HasSubstr("no encoder libvpx-vp9, which a film of vp9 takes; it can make: h264, "
                                            "prores, av1, gif, apng\n"));
   // A GIF's segments are kept with another encoder.
   const RunResult gif = renderWithout("ffv1", "t.gif");
-  EXPECT_EQ(gif.exitCode, 3);
   EXPECT_THAT(gif.err, testing::HasSubstr("no encoder ffv1, which a film of gif takes; it can make: h264, hevc, "
                                           "prores, vp9, av1\n"));
   const RunResult any = renderWithout("libx264,libx265,prores_ks,libvpx-vp9,libsvtav1,gif,apng", "t.mp4");
   EXPECT_THAT(any.err, testing::HasSubstr("it can make: no film\n"));
+}
+
+TEST(Elsewhere, ALibraryThatItLacksIsNamedBeforeAnythingIsDrawn) {
+  const auto named = [](const std::string& library, const std::string& package) {
+    return testing::ContainsRegex(library + " cannot be opened: .*No such file or directory; install it with: " +
+                                  "apt-get install " + package + "\n");
+  };
+  const std::string noCodecs = "ELSEWHERE_HIDES=libavcodec", noPalettes = "ELSEWHERE_HIDES=libimagequant";
+  EXPECT_THAT(refusedRender("t.mp4", noCodecs).err, named("libavcodec.so.[0-9]+", "libavcodec[0-9]+"));
+  EXPECT_THAT(refusedRender("t.apng", noCodecs).err, named("libavcodec.so.[0-9]+", "libavcodec[0-9]+"));
+  EXPECT_THAT(refusedRender("t.gif", noPalettes).err, named("libimagequant.so.0", "libimagequant0"));
+}
+
+TEST(Elsewhere, WithoutFfmpegThereIsAllButFilms) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  folder.put("t.mp4", "no film");
+  const std::vector<std::string> there{"LD_PRELOAD=" POINSOT_ELSEWHERE, "ELSEWHERE_HIDES=libav"};
+  const auto ends = [&](const std::vector<std::string>& words) {
+    return run(folder, words, Stdout::kFile, there);
+  };
+  const RunResult version = ends({"--version"});
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_THAT(version.out, testing::ContainsRegex("\nFFmpeg not found: libavutil.so.[0-9]+ cannot be opened: .*"));
+  EXPECT_EQ(ends({"still", "tiny.toml", "-o", "t.png", "--quiet"}).exitCode, 0);
+  EXPECT_EQ(ends({"render", "tiny.toml", "-o", "t_{frame}.png", "--frames", "0-1", "--quiet"}).exitCode, 0);
+  const RunResult diff = ends({"diff", "t.mp4", "t.mp4"});
+  EXPECT_EQ(diff.exitCode, 3);
+  EXPECT_THAT(diff.err, testing::HasSubstr("cannot be opened"));
+  // It cannot be told whether this program wrote it.
+  EXPECT_EQ(ends({"render", "tiny.toml", "-o", "t.mp4"}).exitCode, 3);
+  EXPECT_EQ(bytesOf(folder / "t.mp4"), "no film");
 }
 
 TEST(Elsewhere, ItsClockItsNameItsCLibraryAndItsUserDoNotShow) {

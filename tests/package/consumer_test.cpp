@@ -73,6 +73,17 @@ TEST(Consumer, IsBuiltByPkgConfig) {
   expectWorks(tree, ".");
 }
 
+// Who reads films needs FFmpeg where they are read, not where the program is built.
+TEST(Consumer, LinksNoFfmpeg) {
+  const InstalledTree tree;
+  tree.folder().put("film.cpp",
+                    "#include \"output/film_reader.h\"\n"
+                    "int main(int, char** words) { poinsot::output::FilmReader film(words[1]); }\n");
+  tree.run(
+      "$CXX $FLAGS -std=c++20 -o film film.cpp $(pkg-config --cflags --libs poinsot-output)\n"
+      "! readelf --dynamic film | grep NEEDED | grep -e libav -e libsw -e imagequant -e gomp");
+}
+
 // Of all layers: what a header includes is there, and its third parties are named.
 TEST(Consumer, EveryPublicHeaderIsWhole) {
   const InstalledTree tree;

@@ -8,6 +8,7 @@ namespace poinsot {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(InstalledProgram, FindsTheScenesInstalledWithIt) {
   const InstalledTree tree;
@@ -22,6 +23,15 @@ TEST(InstalledProgram, HasItsManualItsCompletionsAndItsLicences) {
                            "share/fish/vendor_completions.d/poinsot.fish", "share/doc/poinsot/copyright",
                            "share/doc/poinsot/LICENSE", "share/poinsot/scenes/styles/one_ink.toml"})
     EXPECT_TRUE(std::filesystem::is_regular_file(tree.prefix() / file)) << file;
+}
+
+// What only films need is opened for films: over a hundred libraries would be bound in every process.
+TEST(InstalledProgram, LinksNeitherFfmpegNorImagequant) {
+  const InstalledTree tree;
+  const std::string linked = tree.run("readelf --dynamic $PREFIX/bin/poinsot | grep NEEDED");
+  EXPECT_THAT(linked, HasSubstr("libpng"));
+  for (const char* library : {"libav", "libsw", "libimagequant", "libgomp"})
+    EXPECT_THAT(linked, Not(HasSubstr(library)));
 }
 
 // A path of the build would be of no use elsewhere, or worse: of another use.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/shared_library.h"
+
+#include <dlfcn.h>
+
+namespace poinsot::core {
+namespace {
+
+/// "libX.so.1 cannot be opened: REASON", with what to install only where a file is missing: installing helps no
+/// library that is there (no memory, another architecture). @param reason  of dlerror()
+std::string whyNotOpened(const std::string& soname, const std::string& package, std::string reason) {
+  if (reason.starts_with(soname + ": ")) reason.erase(0, soname.size() + 2);
+  const bool missing = reason.find("No such file") != std::string::npos;
+  return soname + " cannot be opened: " + reason +
+         (missing ? "; install it with: apt-get install " + package : "");
+}
+
+}  // namespace
+
+SharedLibrary::SharedLibrary(const char* soname, const char* package, ErrorKind kind)
+    : soname_(soname), kind_(kind), handle_(dlopen(soname, RTLD_NOW | RTLD_LOCAL)) {
+  if (!handle_) throw Error(kind, whyNotOpened(soname, package, dlerror()));
+}
+
+void* SharedLibrary::address(const char* name) const { return dlsym(handle_, name); }
+
+}  // namespace poinsot::core

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// libimagequant's functions, in a library that is opened when the first GIF gets its palette. Included by
+// palette.cpp only.
+#pragma once
+
+#include <libimagequant.h>
+
+namespace poinsot::output {
+
+// clang-format off
+#define POINSOT_IMAGEQUANT_FUNCTIONS(X)                                                                     \
+  X(liq_attr_create) X(liq_attr_destroy) X(liq_get_palette) X(liq_histogram_add_image)                      \
+  X(liq_histogram_create) X(liq_histogram_destroy) X(liq_histogram_quantize) X(liq_image_create_rgba)       \
+  X(liq_image_destroy) X(liq_result_destroy) X(liq_set_max_colors)
+// clang-format on
+
+/// The functions by their own names, as those of Ffmpeg.
+struct Imagequant {
+  Imagequant();
+
+#define POINSOT_MEMBER(function) decltype(&::function) function;
+  POINSOT_IMAGEQUANT_FUNCTIONS(POINSOT_MEMBER)
+#undef POINSOT_MEMBER
+  /// Of the OpenMP that this library was built with; null if with none. Others in the process are left alone.
+  void (*omp_set_num_threads)(int count);
+};
+
+/// @throws core::Error(kEncode) as ffmpeg().
+const Imagequant& imagequant();
+
+}  // namespace poinsot::output
