@@ -7,8 +7,8 @@
 namespace poinsot::render {
 namespace {
 
-constexpr float kMargin_px = 1;    // of soft edge
-constexpr float kLargest_px = 64;  // llvmpipe's own tile
+constexpr float kMargin_px = 1;  // of soft edge
+constexpr float kLargest_px = kTile_px;
 
 /// Of the aligned square with this corner, what lies within the rectangle.
 void addSquares(std::vector<Square>& squares, const PixelBounds& r, glm::vec2 corner, float side) {

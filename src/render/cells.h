@@ -11,6 +11,8 @@ namespace poinsot::render {
 
 /// The side of a cell. Smaller ones cost more to draw than they save as pixels.
 inline constexpr float kCell_px = 16;
+/// The side of a tile, which is llvmpipe's own.
+inline constexpr int kTile_px = 64;
 
 /// Some pixels, drawn as one point: llvmpipe shades blocks of four pixels that a triangle's edge runs through once
 /// for each triangle, and compiles no set-up for points. As squares.vert takes it.

@@ -38,8 +38,7 @@ void readPart(const PixelBounds& part, std::vector<Sample>& rgba, image::BasicIm
   }
 }
 
-}  // namespace
-
+/// One row of a picture with nothing on it.
 template <typename Sample>
 std::vector<Sample> paperRow(int width, const draw::Color& background, int channels) {
   std::vector<Sample> row(static_cast<std::size_t>(channels * width));
@@ -49,6 +48,8 @@ std::vector<Sample> paperRow(int width, const draw::Color& background, int chann
   }
   return row;  // alpha stays 0
 }
+
+}  // namespace
 
 template <typename Sample>
 TileMemory& KeptPanel::begin(image::PixelSize size, bool transparent, Constants common) {
@@ -71,9 +72,15 @@ void KeptPanel::read(const Mosaic& mosaic, const draw::Color& background) {
   for (const PixelBounds& part : mosaic.drawn) readPart(part, rgba, picture);
   for (const auto* parts : {&mosaic.drawn, &mosaic.paper})
     for (const PixelBounds& part : *parts) markChanged(part);
-  if (mosaic.paper.empty()) return;
+  layPaper<Sample>(mosaic.paper, background);
+}
+
+template <typename Sample>
+void KeptPanel::layPaper(const std::vector<PixelBounds>& parts, const draw::Color& background) {
+  if (parts.empty()) return;
+  auto& picture = this->picture<Sample>();
   const auto row = paperRow<Sample>(picture.size.width, background, picture.channels);
-  for (const PixelBounds& part : mosaic.paper)
+  for (const PixelBounds& part : parts)
     for (int y = 0; y < heightOf(part); ++y)
       std::copy_n(row.data(), picture.channels * widthOf(part),
                   picture.at(static_cast<int>(part.left), static_cast<int>(part.top) + y));
@@ -94,11 +101,11 @@ void KeptPanel::markChanged(const PixelBounds& place) {
                         static_cast<int>(p.bottom)});
 }
 
-template std::vector<std::uint8_t> paperRow(int, const draw::Color&, int);
-template std::vector<std::uint16_t> paperRow(int, const draw::Color&, int);
 template TileMemory& KeptPanel::begin<std::uint8_t>(image::PixelSize, bool, Constants);
 template TileMemory& KeptPanel::begin<std::uint16_t>(image::PixelSize, bool, Constants);
 template void KeptPanel::read<std::uint8_t>(const Mosaic&, const draw::Color&);
 template void KeptPanel::read<std::uint16_t>(const Mosaic&, const draw::Color&);
+template void KeptPanel::layPaper<std::uint8_t>(const std::vector<PixelBounds>&, const draw::Color&);
+template void KeptPanel::layPaper<std::uint16_t>(const std::vector<PixelBounds>&, const draw::Color&);
 
 }  // namespace poinsot::render

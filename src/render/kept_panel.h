@@ -10,10 +10,6 @@
 
 namespace poinsot::render {
 
-/// One row of a picture with nothing on it.
-template <typename Sample>
-std::vector<Sample> paperRow(int width, const draw::Color& background, int channels);
-
 /// The pixels of a picture or a panel of it, kept for the one in its place in the next picture: only what became
 /// different is drawn and read again.
 class KeptPanel {
@@ -25,6 +21,9 @@ class KeptPanel {
   /// From the bound framebuffer, where the mosaic was drawn; paper is laid without asking it.
   template <typename Sample>
   void read(const Mosaic& mosaic, const draw::Color& background);
+  /// Puts nothing there.
+  template <typename Sample>
+  void layPaper(const std::vector<PixelBounds>& parts, const draw::Color& background);
   /// Something was painted over the picture there.
   void forget(const std::vector<PixelBounds>& places);
   /// The picture is whole. If this is not reached, nothing of it is kept.

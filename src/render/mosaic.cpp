@@ -75,7 +75,7 @@ class MosaicCutter {
 }  // namespace
 
 Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileMemory& tiles) {
-  constexpr float side = Mosaic::kTile_px;
+  constexpr float side = kTile_px;
   MosaicCutter cutter(sheets, solids, tiles);
   for (float y = 0; y < size_px.y; y += side)
     for (float x = 0; x < size_px.x; x += side)

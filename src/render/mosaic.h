@@ -19,11 +19,9 @@ struct Content {
 };
 
 /// The picture cut into rectangles by their content, those of one content together. They are as large as may be:
-/// 64 pixels (llvmpipe's own tile) or wider, and about edges and outlines as small as a cell. Tiles that show the
+/// a tile or wider, and about edges and outlines as small as a cell. Tiles that show the
 /// same as in the picture before are left out.
 struct Mosaic {
-  static constexpr int kTile_px = TileMemory::kTile_px;
-
   std::map<Content, std::vector<PixelBounds>> parts;  ///< none of them empty paper but within a tile
   std::vector<PixelBounds> drawn;                     ///< the tiles that they make up, those side by side as one
   std::vector<PixelBounds> paper;                     ///< tiles with nothing on them

@@ -68,12 +68,6 @@ class BufferShelf {
 };
 
 template <typename Sample>
-void layPaper(const draw::Color& background, image::BasicImage<Sample>& picture) {
-  const auto paper = paperRow<Sample>(picture.size.width, background, picture.channels);
-  for (int y = 0; y < picture.size.height; ++y) std::ranges::copy(paper, picture.at(0, y));
-}
-
-template <typename Sample>
 void place(const image::BasicImage<Sample>& panel, glm::ivec2 origin_px, image::BasicImage<Sample>& picture) {
   for (int y = 0; y < panel.size.height; ++y)
     std::copy_n(panel.at(0, y), panel.rowSamples(), picture.at(origin_px.x, origin_px.y + y));
@@ -185,12 +179,12 @@ struct Renderer::Passes {
       return kept[0];
     }
     joined.begin<Sample>({picture.size_px.x, picture.size_px.y}, options.transparent, {});
-    auto& whole = joined.picture<Sample>();
-    layPaper(picture.background, whole);
+    const glm::vec2 size_px(picture.size_px);
+    joined.layPaper<Sample>({{0, 0, size_px.x, size_px.y}}, picture.background);
     for (std::size_t i = 0; i < kept.size(); ++i) {
       drawPanel<Sample>(kept[i], picture.panels[i].list, options);
       kept[i].end();
-      place(kept[i].picture<Sample>(), picture.panels[i].origin_px, whole);
+      place(kept[i].picture<Sample>(), picture.panels[i].origin_px, joined.picture<Sample>());
     }
     return joined;
   }

@@ -47,7 +47,7 @@ struct PlaneSheet {
   std::array<glm::vec3, 4> edges{};
   float border_px = 0;  ///< width of the line along them
   PixelBounds bounds;   ///< empty when it is not wholly in front of the camera; so with all sheets
-  PixelBounds shadow;   ///< what may lie in it
+  PixelBounds shadow;   ///< where it may be; empty when there is none
 };
 
 struct ConeSheet {

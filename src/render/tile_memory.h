@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "render/cells.h"
 #include "render/sheets.h"
 
 namespace poinsot::render {
@@ -13,8 +14,6 @@ namespace poinsot::render {
 /// so that the same bytes come whatever the picture before was.
 class TileMemory {
  public:
-  static constexpr int kTile_px = 64;
-
   /// @param common  the numbers that all tiles depend on. If they or the size are others than last time, or that
   /// picture was not ended, nothing is remembered.
   void beginPicture(glm::ivec2 size_px, Constants common);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/error.h"
+#include "glass_over_plane.h"
 #include "picture_test.h"
 #include "random.h"
 
@@ -16,25 +17,14 @@ using draw::Picture;
 constexpr glm::ivec2 kWide(520, 390);  // some tiles whole, some cut
 
 draw::DrawList standing() {
-  draw::DrawList list;
-  list.camera = draw::lookAt({9, 2, 4}, glm::vec3(0), {0, 0, 1}, 1.0f, kWide);
-  list.camera.tanHalfFovY = 0.15f;
-  list.camera.near = 5;
-  list.camera.far = 15;
+  draw::DrawList list = glassOverPlane(kWide, 0.3f);
   list.background = draw::fromSrgb(0xF4F6F8);
   list.frustums.push_back({glm::vec3(0), {0, 0.3f, 0.5f}, 0.05f, 0, {}});
-  draw::GlassEllipsoid glass;
-  glass.graticule = draw::Graticule{};
-  glass.semiAxes_W = glm::mat3(0.3f);
-  list.glassEllipsoids = {glass};
-  draw::GridPlane plane;
-  plane.centre_W = {0, 0, -0.6f};
-  plane.u_W = {1.1f, 0, 0};
-  plane.v_W = {0, 1.2f, 0};
+  list.glassEllipsoids[0].graticule = draw::Graticule{};
+  draw::GridPlane& plane = list.planes[0];
   plane.shadowCentre_W = plane.centre_W;
   plane.shadowRadius_W = 0.15f;
   plane.shadowOpacity = 0.4f;
-  list.planes = {plane};
   list.texts = {{"$L$", {40, 60}, 24, Color(0), 1, Color(1), 3}};
   return list;
 }

@@ -7,29 +7,14 @@
 
 #include <algorithm>
 
-#include "draw/camera.h"
+#include "glass_over_plane.h"
 
 namespace poinsot::render {
 namespace {
 
 constexpr int kWidth = 330, kHeight = 210;
 
-draw::DrawList ellipsoidOverPlane() {
-  draw::DrawList list;
-  list.camera = draw::lookAt({9, 2, 4}, glm::vec3(0), {0, 0, 1}, 1.0f, {kWidth, kHeight});
-  list.camera.tanHalfFovY = 0.15f;
-  list.camera.near = 5;
-  list.camera.far = 15;
-  draw::GlassEllipsoid glass;
-  glass.semiAxes_W = glm::mat3(0.6f);
-  list.glassEllipsoids = {glass};
-  draw::GridPlane plane;
-  plane.centre_W = {0, 0, -0.6f};
-  plane.u_W = {1, 0, 0};
-  plane.v_W = {0, 1, 0};
-  list.planes = {plane};
-  return list;
-}
+draw::DrawList ellipsoidOverPlane() { return glassOverPlane({kWidth, kHeight}, 0.6f); }
 
 SolidCells someSolids() {
   SolidCells cells(glm::vec2(kWidth, kHeight));
@@ -156,7 +141,7 @@ TEST_F(SecondMosaic, HoldsTheTilesWithSolids) {
   EXPECT_TRUE(mosaic.paper.empty());
   const auto drawn = timesIn(mosaic.drawn);
   forEachPixel([&](int x, int y, std::size_t i) {
-    constexpr int side = Mosaic::kTile_px;
+    constexpr int side = kTile_px;
     const PixelBounds tile{static_cast<float>(x / side * side), static_cast<float>(y / side * side),
                            static_cast<float>((x / side + 1) * side), static_cast<float>((y / side + 1) * side)};
     EXPECT_EQ(drawn[i] == 1, solids_.reach(tile)[1] != SolidReach::kNone) << x << ", " << y;
