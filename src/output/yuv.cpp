@@ -138,6 +138,12 @@ RowSums rowSums(const std::uint8_t* upper, const std::uint8_t* lower) {
           _mm_add_epi16(lowHalf(c), lowHalf(d)), _mm_add_epi16(highHalf(c), highHalf(d))};
 }
 
+/// That of one pixel, in either half.
+__m128i pixelSum(const std::uint8_t* upper, const std::uint8_t* lower) {
+  const auto sum = [&](int c) { return static_cast<short>(upper[c] + lower[c]); };
+  return _mm_setr_epi16(sum(0), sum(1), sum(2), 0, sum(0), sum(1), sum(2), 0);
+}
+
 /// left + 2 here + right in the low half, from [.. left] and [here right].
 __m128i weighed121(__m128i left, __m128i hereRight) {
   const __m128i outer = _mm_unpackhi_epi64(_mm_add_epi16(left, hereRight), hereRight);
@@ -151,11 +157,10 @@ void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, const C
   const SplitWeights blue = split(kCb), red = split(kCr);
   const __m128i offset = _mm_set1_epi32(kChromaOffset);
   const int end = vectorEnd<kChannels>(columns, 8);
-  const auto eight = [&](int x) { return rowSums<kChannels>(upper + x * kChannels, lower + x * kChannels); };
-  __m128i before = columns.from > 0 ? eight(columns.from - 8).p67 : _mm_setzero_si128();
+  const int left = std::max(columns.from - 1, 0) * kChannels;  // column 0 stands in for -1
+  __m128i before = pixelSum(upper + left, lower + left);
   for (int x = columns.from; x < end; x += 8) {
-    const RowSums v = eight(x);
-    if (x == 0) before = _mm_unpacklo_epi64(v.p01, v.p01);  // column 0 stands in for -1
+    const RowSums v = rowSums<kChannels>(upper + x * kChannels, lower + x * kChannels);
     const __m128i s01 = _mm_unpacklo_epi64(weighed121(before, v.p01), weighed121(v.p01, v.p23));
     const __m128i s23 = _mm_unpacklo_epi64(weighed121(v.p23, v.p45), weighed121(v.p45, v.p67));
     before = v.p67;
