@@ -20,9 +20,9 @@ struct DiffPageEntry {
   PictureDiff diff;
   bool hasFigures = false;                               ///< whether diff.figures were made
   double pixelsPerDegree = image::kFlipPixelsPerDegree;  ///< of them
-  std::vector<std::pair<std::string, std::string>>
-      facts;  ///< terms, and what is to be said of them; figures stand before them
-  Png reference, actual, difference, map;
+  /// Terms, and what is to be said of them; figures stand before them.
+  std::vector<std::pair<std::string, std::string>> facts = {};
+  Png reference = {}, actual = {}, difference = {}, map = {};
 };
 
 /// A curve over time above the table: a picture on which entries are places.
@@ -37,9 +37,9 @@ struct DiffPage {
   std::string title, verdict;
   std::string reference = "reference", actual = "test";  ///< what the two are called
   std::string entry = "Picture";                         ///< what a row is called
-  std::string note;                                      ///< beside the title; empty for none
-  std::string counts;                                    ///< where entries are not all that was compared
-  std::vector<DiffPageEntry> entries;
+  std::string note = {};                                 ///< beside the title; empty for none
+  std::string counts = {};                               ///< where entries are not all that was compared
+  std::vector<DiffPageEntry> entries = {};
   std::optional<DiffPageCurve> curve = {};
 
   /// Whether pictures may be added: browsers do not read a script of half a gigabyte. Of entries for which there

@@ -32,12 +32,12 @@ int sensitivityRadius(double pixelsPerDegree) {
 std::vector<SensitivityPart> partsOf(const std::vector<Gaussian>& gaussians, double pixelsPerDegree) {
   std::vector<SensitivityPart> parts;
   double total = 0;
-  for (const auto& [a, b] : gaussians) {
+  for (const Gaussian& gaussian : gaussians) {
     Kernel profile(Kernel::Parity::kEven, sampled(sensitivityRadius(pixelsPerDegree), [&](int i) {
                      const double d = i / pixelsPerDegree;
-                     return std::exp(-kPi * kPi * d * d / b);
+                     return std::exp(-kPi * kPi * d * d / gaussian.b);
                    }));
-    const double weight = a * std::sqrt(kPi / b);
+    const double weight = gaussian.a * std::sqrt(kPi / gaussian.b);
     total += weight * profile.sum() * profile.sum();
     parts.push_back({std::move(profile), weight});
   }

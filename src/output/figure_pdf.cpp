@@ -215,9 +215,9 @@ std::string askedDate() {
 /// blanks, which keeps every offset of the file.
 void eraseDate(Bytes& pdf) {
   constexpr std::string_view kEntry = "/CreationDate (D:";  // in a title the bracket would be escaped
-  const auto found = std::ranges::search(pdf, kEntry);
-  const auto end = std::find(found.end(), pdf.end(), ')');
-  if (!found.empty() && end != pdf.end()) std::fill(found.begin(), end + 1, ' ');
+  const auto begin = std::search(pdf.begin(), pdf.end(), kEntry.begin(), kEntry.end());
+  const auto end = std::find(begin, pdf.end(), ')');
+  if (end != pdf.end()) std::fill(begin, end + 1, ' ');
 }
 
 void setMetadata(cairo_surface_t* surface, const FigureOptions& options) {

@@ -18,19 +18,19 @@ std::vector<float> numbers(const std::vector<glm::vec2>& points) {
 
 template <typename Sample>
 PixelBounds FlatPainter::paint(const draw::Area& area, image::BasicImage<Sample>& picture) {
-  const auto [width, height] = picture.size;
-  const auto make = [&] { return areaCoverage(area, {width, height}); };
-  const auto& map = coverage_.get({width, height, numbers(area.points_px), 0.0f, 0.0f, true}, make);
+  const image::PixelSize size = picture.size;
+  const auto make = [&] { return areaCoverage(area, {size.width, size.height}); };
+  const auto& map = coverage_.get({size.width, size.height, numbers(area.points_px), 0.0f, 0.0f, true}, make);
   return blendCoverage(map, area.color, area.opacity, picture);
 }
 
 template <typename Sample>
 PixelBounds FlatPainter::paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture) {
   if (stroke.width_px <= 0) return {};
-  const auto [width, height] = picture.size;
-  const auto make = [&] { return strokeCoverage(stroke, {width, height}); };
+  const image::PixelSize size = picture.size;
+  const auto make = [&] { return strokeCoverage(stroke, {size.width, size.height}); };
   const auto& map = coverage_.get(
-      {width, height, numbers(stroke.points_px), stroke.width_px, stroke.dash_px, stroke.closed}, make);
+      {size.width, size.height, numbers(stroke.points_px), stroke.width_px, stroke.dash_px, stroke.closed}, make);
   return blendCoverage(map, stroke.color, stroke.opacity, picture);
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <ranges>
+#include <span>
 
 #include "stage/to_picture.h"
 
@@ -14,8 +14,8 @@ constexpr float kPen = 3;  // a line has its full width after a third of its way
 
 /// Those that were added after the first `before`.
 template <class T>
-auto since(std::vector<T>& all, std::size_t before) {
-  return std::ranges::subrange(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+std::span<T> since(std::vector<T>& all, std::size_t before) {
+  return std::span(all).subspan(before);
 }
 
 float lengthOf(const draw::Curve& curve) {

@@ -11,7 +11,7 @@ AreaBuilder::AreaBuilder(int width, int height)
       change_(static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height), 0.0) {}
 
 void AreaBuilder::addSegment(Segment segment) {
-  auto [from, to] = segment;
+  Point from = segment.from, to = segment.to;
   if (from.y == to.y) return;
   const double sign = from.y < to.y ? 1 : -1;
   if (sign < 0) std::swap(from, to);
