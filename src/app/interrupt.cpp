@@ -43,14 +43,20 @@ extern "C" void noteSignal(int signal) {
   errno = saved;
 }
 
+sigset_t notedSignals() {
+  sigset_t all{};
+  sigemptyset(&all);
+  for (const int signal : kNoted) sigaddset(&all, signal);
+  return all;
+}
+
 void watch(int signal) {
   struct sigaction before {};
   sigaction(signal, nullptr, &before);
   if (before.sa_handler == SIG_IGN) return;
   struct sigaction action {};
   action.sa_handler = noteSignal;
-  sigemptyset(&action.sa_mask);
-  for (const int other : kNoted) sigaddset(&action.sa_mask, other);
+  action.sa_mask = notedSignals();
   sigaction(signal, &action, nullptr);
 }
 
@@ -67,11 +73,22 @@ void watchInterrupts() {
 }
 
 void watchInterruptsAsWorker() {
+  firstSignal = 0;
+  wakePipe[0] = wakePipe[1] = -1;  // the parent's
   openWakePipe();
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGHUP, SIG_IGN);
   watch(SIGTERM);
+  const sigset_t held = notedSignals();  // since the fork
+  sigprocmask(SIG_UNBLOCK, &held, nullptr);
 }
+
+SignalsHeld::SignalsHeld() {
+  const sigset_t held = notedSignals();
+  sigprocmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 int interruptSignal() { return firstSignal; }
 

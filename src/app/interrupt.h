@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signal.h>
+
 #include <exception>
 
 /// SIGINT, SIGTERM and SIGHUP as something a loop can ask for, in place of sudden death: the caller unwinds,
@@ -19,10 +21,22 @@ class Interrupted : public std::exception {
 };
 
 /// From now on the three signals are noted. One that was ignored at the start (nohup) stays so. A SIGINT more than
-/// half a second after the first signal ends the process at once. The worker side notes only SIGTERM: a terminal
-/// sends Ctrl-C to the whole group, and the parent decides what becomes of its workers.
+/// half a second after the first signal ends the process at once.
 void watchInterrupts();
+/// The same in a forked worker, which knows nothing of what its parent noted. It notes only SIGTERM: a terminal
+/// sends Ctrl-C to the whole group, and the parent decides what becomes of its workers.
 void watchInterruptsAsWorker();
+
+/// Holds the three signals back while it lives: around a fork, or a worker could take one for its parent.
+class SignalsHeld {
+ public:
+  SignalsHeld();
+  ~SignalsHeld();
+  SignalsHeld(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
+};
 
 /// The first signal noted, or 0.
 int interruptSignal();

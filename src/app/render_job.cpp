@@ -2,7 +2,6 @@
 #include "app/render_job.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -60,11 +59,25 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
 RenderJob::~RenderJob() { stopWorkers(); }
 
 RenderSummary RenderJob::run() {
-  if (isFinished()) {
+  begin();
+  while (isMaking()) {
+    awaitReports({this});
+    takeReports();
+  }
+  return end();
+}
+
+void RenderJob::begin() {
+  finished_ = isFinished();
+  if (!finished_) traced("start workers", [this] { startWorkers(); });
+}
+
+RenderSummary RenderJob::end() {
+  if (finished_) {
     summary_.reused = request_.frames.count();
     if (!request_.job->subtitles.empty()) writeSubtitles(request_.job->subtitles, request_.target.path);
   } else {
-    make();
+    traced("assemble", [this] { publish(); });
   }
   summary_.wall_s = elapsed_s();
   if (request_.manifest)
@@ -72,12 +85,6 @@ RenderSummary RenderJob::run() {
   if (trace_) trace_->commit();
   if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
-}
-
-void RenderJob::make() {
-  traced("start workers", [this] { startWorkers(); });
-  while (!workers_.empty()) awaitReports();
-  traced("assemble", [this] { publish(); });
 }
 
 void RenderJob::traced(const char* name, const std::function<void()>& work) {
@@ -111,14 +118,16 @@ void RenderJob::startWorkers() {
   }
 }
 
-void RenderJob::awaitReports() {
-  std::vector<pollfd> watched{{interruptFd(), POLLIN, 0}};
+void RenderJob::watch(std::vector<pollfd>& watched) const {
   for (const auto& worker : workers_) watched.push_back({worker->reportsFd(), POLLIN, 0});
-  if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR)
-    throw core::Error(core::ErrorKind::kGraphics, "cannot wait for the workers");
-  throwIfInterrupted();
+}
+
+void RenderJob::takeReports() {
+  std::vector<pollfd> watched;
+  watch(watched);
+  if (poll(watched.data(), watched.size(), 0) < 0) return;  // a signal, which awaitReports() tells of
   for (std::size_t i = 0; i < workers_.size(); ++i) {
-    if (watched[i + 1].revents == 0) continue;
+    if (watched[i].revents == 0) continue;
     WorkerProcess& worker = *workers_[i];
     const bool open = worker.readReports();
     while (const auto report = worker.takeReport()) handle(worker, *report);
@@ -164,8 +173,12 @@ void RenderJob::publish() {
 
 std::int64_t RenderJob::framesKept() const { return request_.job && !stream_ ? segmentFramesDone_ : 0; }
 
-void RenderJob::stopWorkers() {
+void RenderJob::askToStop() {
   for (const auto& worker : workers_) worker->askToStop();
+}
+
+void RenderJob::stopWorkers() {
+  askToStop();
   const double deadline_s = elapsed_s() + kPatience_s;
   for (const auto& worker : workers_) worker->ended(std::max(0.0, deadline_s - elapsed_s()));
   workers_.clear();  // kills what is left
@@ -173,6 +186,14 @@ void RenderJob::stopWorkers() {
 
 double RenderJob::elapsed_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void awaitReports(const std::vector<const RenderJob*>& jobs) {
+  std::vector<pollfd> watched{{interruptFd(), POLLIN, 0}};
+  for (const RenderJob* job : jobs) job->watch(watched);
+  if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR)
+    throw core::Error(core::ErrorKind::kGraphics, "cannot wait for the workers");
+  throwIfInterrupted();
 }
 
 }  // namespace poinsot::app

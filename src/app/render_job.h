@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <poll.h>
+
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -35,20 +37,32 @@ class RenderJob {
   ~RenderJob();
   RenderJob(RenderJob&&) = delete;
 
-  /// Runs to the end. Call once.
+  /// Runs to the end: begin(), takeReports() until none is to come, end().
   /// @throws core::Error of a worker, or (kGraphics) if one died; Interrupted.
   RenderSummary run();
+
+  /// Starts the workers.
+  void begin();
+  /// Whether a worker still has something to report.
+  bool isMaking() const { return !workers_.empty(); }
+  /// Reads what has been reported, without waiting for more.
+  void takeReports();
+  /// Puts the result into its place.
+  RenderSummary end();
+  /// Asks the workers to stop, for whoever has other jobs to stop as well: the destructor waits for them.
+  void askToStop();
 
   /// Frames of the segments that are complete, for another render to go on with. None of a still.
   std::int64_t framesKept() const;
 
  private:
+  friend void awaitReports(const std::vector<const RenderJob*>& jobs);
+
   bool isFinished() const;
-  void make();
   /// Calls it, and puts it into the trace as work of this process.
   void traced(const char* name, const std::function<void()>& work);
   void startWorkers();
-  void awaitReports();
+  void watch(std::vector<pollfd>& watched) const;
   void handle(WorkerProcess& worker, const WorkerReport& report);
   void sendOn(const FrameRange& segment);
   void handOut(WorkerProcess& worker);
@@ -57,6 +71,7 @@ class RenderJob {
   double elapsed_s() const;
 
   RenderRequest request_;
+  bool finished_ = false;  ///< before it began
   FrameListener listener_;
   std::chrono::steady_clock::time_point start_;
   WorkFolder folder_;
@@ -69,5 +84,8 @@ class RenderJob {
   std::int64_t segmentFramesDone_ = 0;  // of whole segments
   RenderSummary summary_;
 };
+
+/// Waits until a worker of one of these has something to report. @throws Interrupted
+void awaitReports(const std::vector<const RenderJob*>& jobs);
 
 }  // namespace poinsot::app

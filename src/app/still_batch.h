@@ -10,8 +10,7 @@
 
 namespace poinsot::app {
 
-/// Called after each picture with its place in the batch and what went wrong, if something did; one call at a
-/// time.
+/// Called after each picture with its place in the batch and what went wrong, if something did.
 using StillListener = std::function<void(std::size_t index, const std::optional<core::Error>& failure)>;
 
 /// Makes pictures of several scenes, `jobs` workers at a time. One that fails stops no other. The order in which

@@ -5,23 +5,23 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
+#include "app/interrupt.h"
+#include "app/worker.h"
 #include "core/error.h"
-#include "core/program_path.h"
-#include "core/text.h"
 
 namespace poinsot::app {
 namespace {
-
-// No exit code of this program's own; the dynamic linker, for one, uses it alike.
-constexpr int kNotStarted = 127;
 
 struct Pipe {
   core::FileHandle read, write;
@@ -38,25 +38,29 @@ Pipe makePipe() {
   return {core::FileHandle(ends[0]), core::FileHandle(ends[1])};
 }
 
-/// Between fork and exec: only calls that are safe there.
+/// What the parent has open is not the worker's: with it, it would keep the pipes of other workers open.
+void closeAllButStandardStreams() {
+  constexpr unsigned kFirst = STDERR_FILENO + 1;
+  if (close_range(kFirst, ~0U, 0) == 0) return;
+  rlimit limit{};  // a kernel before 5.9
+  getrlimit(RLIMIT_NOFILE, &limit);
+  for (auto fd = static_cast<int>(kFirst); fd < static_cast<int>(limit.rlim_cur); ++fd) close(fd);
+}
+
+/// In the new process.
 [[noreturn]] void becomeWorker(int jobs, int reports, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // it died before the line above
+  if (getppid() != parent) _exit(EXIT_FAILURE);  // it died before the line above
   dup2(jobs, STDIN_FILENO);
   dup2(reports, STDOUT_FILENO);
-  char program[] = "poinsot", command[] = "worker";
-  char* const arguments[] = {program, command, nullptr};
-  execv("/proc/self/exe", arguments);  // also where another version took this one's name
-  if (errno == ENOENT) execv(core::programAsCalled(), arguments);  // /proc is not mounted
-  _exit(kNotStarted);
+  closeAllButStandardStreams();
+  // Not a return: what the parent keeps on its stack is the parent's to clean up. But Mesa ends its work at exit.
+  std::exit(runWorker(STDIN_FILENO, STDOUT_FILENO));
 }
 
 std::string inWords(int status) {
   if (WIFSIGNALED(status))
     return fmt::format("was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
-  if (WEXITSTATUS(status) == kNotStarted)
-    return fmt::format("could not start: {}, or a library that it needs, cannot be run",
-                       core::printable(core::programPath().native()));
   return fmt::format("ended with status {}", WEXITSTATUS(status));
 }
 
@@ -65,6 +69,8 @@ std::string inWords(int status) {
 WorkerProcess::WorkerProcess(const WorkerJob& job, int number) : number_(number) {
   Pipe jobs = makePipe(), reports = makePipe();
   const pid_t parent = getpid();
+  std::fflush(nullptr);  // or both would write it
+  const SignalsHeld held;
   pid_ = fork();
   if (pid_ < 0) cannotStart("fork");
   if (pid_ == 0) becomeWorker(jobs.read.get(), reports.write.get(), parent);

@@ -13,12 +13,13 @@
 
 namespace poinsot::app {
 
-/// A worker: this program started once more with the hidden command `worker`, in the same process group, ended
-/// with its parent. Destroying one that still runs kills it.
+/// A worker: a fork of this process, in the same process group, ended with its parent. Nothing is executed, so
+/// that it works where that is forbidden (sandbox.h). Destroying one that still runs kills it.
 class WorkerProcess {
  public:
+  /// @param number  to tell it from others
+  /// @pre this process has one thread, and never opened a context: Mesa's threads are not forked with it.
   /// @throws core::Error(kGraphics) if no process can be started.
-  /// `number`: to tell it from others.
   WorkerProcess(const WorkerJob& job, int number);
   ~WorkerProcess();
   WorkerProcess(WorkerProcess&&) = delete;

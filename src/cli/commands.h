@@ -28,8 +28,6 @@ void addDiff(CLI::App& program, Action& chosen);
 void addCheck(CLI::App& program, Action& chosen);
 void addSchema(CLI::App& program, Action& chosen);
 void addBackends(CLI::App& program, Action& chosen);
-/// Hidden: the program starts itself with it.
-void addWorker(CLI::App& program, Action& chosen);
 /// Hidden: the build makes man pages and completions with it.
 void addSelfDescribe(CLI::App& program, Action& chosen);
 

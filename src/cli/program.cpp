@@ -48,7 +48,6 @@ void declare(CLI::App& program, Action& chosen) {
   addCheck(program, chosen);
   addSchema(program, chosen);
   addBackends(program, chosen);
-  addWorker(program, chosen);
   addSelfDescribe(program, chosen);
 }
 

@@ -6,11 +6,15 @@
 #include <system_error>
 
 namespace poinsot::core {
+namespace {
 
-const char* programAsCalled() noexcept {
+/// A path, good as long as the working folder is the same.
+const char* programAsCalled() {
   const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));  // the kernel's word, before main()
   return name ? name : "";
 }
+
+}  // namespace
 
 std::filesystem::path programPath() {
   std::error_code failure;

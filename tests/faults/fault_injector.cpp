@@ -10,6 +10,7 @@
 //   FAULT_MARK    a file to create when it has struck
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -31,19 +32,10 @@ std::string setting(const char* name) {
   return value ? value : "";
 }
 
-bool isWorker() {
-  std::FILE* file = std::fopen("/proc/self/cmdline", "rb");
-  char text[256] = {};
-  const std::size_t size = file ? std::fread(text, 1, sizeof text - 1, file) : 0;
-  if (file) std::fclose(file);
-  const std::size_t first = std::strlen(text) + 1;
-  return first < size && std::strcmp(text + first, "worker") == 0;
-}
-
 struct Plan {
   std::string call = setting("FAULT_CALL"), kind = setting("FAULT_KIND"), at = setting("FAULT_AT");
   std::string folder = setting("FAULT_FOLDER"), mark = setting("FAULT_MARK");
-  bool here = setting("FAULT_ROLE") == (isWorker() ? "worker" : "parent");
+  bool inWorkers = setting("FAULT_ROLE") == "worker";
   long number = std::atol(at.c_str());
   bool onwards = at.ends_with('+');
 };
@@ -71,13 +63,21 @@ bool concernsDescriptor(int fd, bool alsoReaders) {
 }
 
 std::atomic<long> count{0};
+bool isWorker = false;  // workers are forks of the program
+
+__attribute__((constructor)) void tellWorkers() {
+  pthread_atfork(nullptr, nullptr, [] {
+    isWorker = true;
+    count = 0;
+  });
+}
 
 enum class Strike { kNone, kFail, kShort };
 
 /// Whether this call, which concerns us, is the one; sets errno for a failure.
 Strike strike(const char* call) {
   const Plan& p = plan();
-  if (!p.here || p.call != call) return Strike::kNone;
+  if (p.inWorkers != isWorker || p.call != call) return Strike::kNone;
   const long now = ++count;
   if (now < p.number || (now > p.number && !p.onwards)) return Strike::kNone;
   const long mark = syscall(SYS_open, p.mark.c_str(), O_CREAT | O_WRONLY, 0600);
