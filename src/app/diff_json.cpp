@@ -53,7 +53,7 @@ nlohmann::ordered_json limitsJson(const DiffRequest& request) {
 
 /// File names are bytes; in JSON what is no UTF-8 is replaced.
 std::string dumped(const nlohmann::ordered_json& json) {
-  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 nlohmann::ordered_json headJson(image::Verdict verdict, const DiffNames& names) {

@@ -10,28 +10,22 @@
 namespace poinsot::app {
 namespace {
 
-/// Text that XML can hold: no control characters but line ends, no invalid UTF-8.
+/// Within quotes. A log of CI is read on a terminal, too.
 std::string xml(std::string_view text) {
   std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const core::CodePoint point = core::firstCodePoint(text.substr(i));
-    const std::string_view bytes = text.substr(i, std::max<std::size_t>(point.length, 1));
-    i += bytes.size();
-    const bool allowed = point.length > 0 && (point.value >= 0x20 || point.value == '\n') && point.value < 0xfffe;
-    if (!allowed)
-      out += "?";
-    else if (point.value == '<')
+  for (const char c : core::printableLines(text)) {
+    if (c == '<')
       out += "&lt;";
-    else if (point.value == '>')
+    else if (c == '>')
       out += "&gt;";
-    else if (point.value == '&')
+    else if (c == '&')
       out += "&amp;";
-    else if (point.value == '"')
+    else if (c == '"')
       out += "&quot;";
-    else if (point.value == '\n')
+    else if (c == '\n')
       out += "&#10;";
     else
-      out += bytes;
+      out += c;
   }
   return out;
 }

@@ -72,7 +72,7 @@ void write(const fs::path& picture, const std::string& bytes, const GoldenOrigin
       {"renderer", origin.renderer}, {"software", origin.software}, {"scene", origin.scene}};
   output::writeFileAtomically(picture, bytes);
   output::writeFileAtomically(originFile(picture),
-                              json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+                              json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void remove(const GoldenReference& reference) {

@@ -101,7 +101,7 @@ std::string gradeJson(const Grade& grade, const std::string& fileName, const std
   const Json json{{"file", fileName},        {"scene", sceneName},   {"rows", grade.rows},
                   {"from_s", grade.first_s}, {"to_s", grade.last_s}, {"quantities", quantities},
                   {"notes", grade.notes}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace poinsot::app

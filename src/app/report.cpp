@@ -138,7 +138,7 @@ std::string reportJson(const Report& report) {
     }
   json["units"] = units;
   json["from"] = from;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace poinsot::app

@@ -23,7 +23,7 @@ constexpr const char* kAxes =
     "q takes components along the body's axes B, as the scene gives them, to the inertial axes W";
 
 std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 std::string jsonHead(const std::string& sceneName) {

@@ -71,7 +71,7 @@ std::string jsonText(const StatusOptions& options, const app::JobFile& job, cons
     for (const app::FrameRange& segment : status.in(state)) json[word].push_back({segment.first, segment.last});
   }
   json["shards_to_run"] = rangeText(openShards(status, job.shards));
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string plainText(const StatusOptions& options, const app::JobFile& job, const app::JobStatus& status) {

@@ -13,6 +13,7 @@
 
 #include "app/line_channel.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace poinsot::cli {
 namespace {
@@ -33,19 +34,24 @@ void openStandardStreams() {
 }
 
 void writeOut(std::string_view text) {
-  const int status = app::writeText(STDOUT_FILENO, text);
+  const int status = app::writeText(STDOUT_FILENO, core::printableLines(text));
   if (status == EPIPE) throw core::BrokenPipe();
   if (status != 0)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("standard output: {}", std::generic_category().message(status)));
 }
 
-void writeErr(std::string_view text) { app::writeText(STDERR_FILENO, text); }
+void writeErr(std::string_view text) { app::writeText(STDERR_FILENO, core::printableLines(text)); }
+
+void writeControl(std::string_view text) { app::writeText(STDERR_FILENO, text); }
 
 void writeError(std::string_view message) {
   const bool red = errIsTerminal() && !isSet("NO_COLOR");
-  writeErr(fmt::format("poinsot: {} {}\n", red ? "\x1b[1;31merror:\x1b[0m" : "error:", message));
+  writeControl(
+      fmt::format("poinsot: {} {}\n", red ? "\x1b[1;31merror:\x1b[0m" : "error:", core::printableLines(message)));
 }
+
+void writeOutOfMemory() noexcept { app::writeText(STDERR_FILENO, "poinsot: error: out of memory\n"); }
 
 bool errIsTerminal() {
   const char* kind = std::getenv("TERM");

@@ -4,7 +4,8 @@
 #include <exception>
 #include <string_view>
 
-/// The two streams: data to stdout, where a lost byte is an error; all else to stderr, where it is not.
+/// The two streams: data to stdout, where a lost byte is an error; all else to stderr, where it is not. Whatever a
+/// scene, a file or its name had in it, no control character gets through here (core::printableLines).
 namespace poinsot::cli {
 
 /// Descriptors 0 to 2 exist from here on: a file opened later cannot land on one of them.
@@ -15,8 +16,14 @@ void writeOut(std::string_view text);
 
 void writeErr(std::string_view text);
 
+/// As it is: what this program itself has put control characters into, and no text of others.
+void writeControl(std::string_view text);
+
 /// "poinsot: error: MESSAGE\n" on stderr; the word in red on a terminal without NO_COLOR.
 void writeError(std::string_view message);
+
+/// That memory is out: takes none.
+void writeOutOfMemory() noexcept;
 
 /// Whether stderr is a terminal that can redraw a line, and how wide it is.
 bool errIsTerminal();

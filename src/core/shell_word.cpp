@@ -5,10 +5,15 @@
 
 #include <algorithm>
 
+#include "core/text.h"
+
 namespace poinsot::core {
 namespace {
 
-bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+/// Whether it can be shown as it is: a script, too, is printed to terminals. No line ends, in here-documents.
+bool isShown(std::string_view word) {
+  return word.find_first_of("\n\t") == std::string_view::npos && printableLines(word) == word;
+}
 
 /// Means nothing but itself to a shell, wherever in a word it stands.
 bool isPlain(char c) {
@@ -26,7 +31,7 @@ std::string inSingleQuotes(std::string_view word) {
 std::string inNumberedQuotes(std::string_view word) {
   std::string text = "$'";
   for (const char c : word)
-    if (isControl(c))
+    if (c < 0x20 || c == 0x7f)  // also what is not ASCII
       text += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
     else
       text += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
@@ -37,7 +42,7 @@ std::string inNumberedQuotes(std::string_view word) {
 
 std::string shellWord(std::string_view word) {
   if (!word.empty() && std::ranges::all_of(word, isPlain)) return std::string(word);
-  return std::ranges::any_of(word, isControl) ? inNumberedQuotes(word) : inSingleQuotes(word);
+  return isShown(word) ? inSingleQuotes(word) : inNumberedQuotes(word);
 }
 
 std::string shellWords(const std::vector<std::string>& words) {

@@ -14,8 +14,26 @@ constexpr std::size_t kTellingPart = 3;  // letters that make a part of a word e
 
 bool unsafe(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
-  const bool bidi = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069) || c == 0x200e || c == 0x200f;
-  return control || bidi || c == 0x2028 || c == 0x2029 || c == 0xfeff;
+  const bool bidi =
+      (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x206f) || c == 0x200e || c == 0x200f || c == 0x061c;
+  const bool separator = c == 0x2028 || c == 0x2029;
+  const bool unseen = c == 0xfeff || (c >= 0xfff9 && c <= 0xfffb) || (c >= 0xe0000 && c <= 0xe007f) ||
+                      (c & 0xfffe) == 0xfffe;  // the last two of each plane are no characters
+  return control || bidi || separator || unseen;
+}
+
+/// Of one character or, where there is none, one byte at the front of `text`, which it takes away.
+void appendShown(std::string_view& text, std::string& shown) {
+  const CodePoint c = firstCodePoint(text);
+  const std::size_t length = std::max<std::size_t>(c.length, 1);
+  if (c.length > 0 && !unsafe(c.value))
+    shown += text.substr(0, length);
+  else if (c.length > 0 && c.value >= 0x100)
+    shown += fmt::format("\\u{{{:x}}}", static_cast<std::uint32_t>(c.value));
+  else
+    shown += fmt::format("\\x{:02x}",
+                         c.length > 0 ? static_cast<std::uint32_t>(c.value) : static_cast<unsigned char>(text[0]));
+  text.remove_prefix(length);
 }
 
 }  // namespace
@@ -77,19 +95,20 @@ std::string printable(std::string_view untrusted) {
   std::string shown;
   for (int count = 0; !untrusted.empty(); ++count) {
     if (count == kLongestShown) return shown + "…";
-    const CodePoint c = firstCodePoint(untrusted);
-    if (c.length == 0) {
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(untrusted[0]));
-      untrusted.remove_prefix(1);
-      continue;
-    }
-    if (!unsafe(c.value))
-      shown += untrusted.substr(0, c.length);
-    else if (c.value < 0x100)
-      shown += fmt::format("\\x{:02x}", static_cast<std::uint32_t>(c.value));
-    else
-      shown += fmt::format("\\u{{{:x}}}", static_cast<std::uint32_t>(c.value));
-    untrusted.remove_prefix(c.length);
+    appendShown(untrusted, shown);
+  }
+  return shown;
+}
+
+std::string printableLines(std::string_view untrusted) {
+  std::string shown;
+  while (!untrusted.empty()) {
+    // Nearly all of it is plain: taken together.
+    const auto plain = [](char c) { return (c >= ' ' && c < 0x7f) || c == '\n' || c == '\t'; };
+    const auto end = std::ranges::find_if_not(untrusted, plain);
+    shown.append(untrusted.begin(), end);
+    untrusted.remove_prefix(static_cast<std::size_t>(end - untrusted.begin()));
+    if (!untrusted.empty()) appendShown(untrusted, shown);
   }
   return shown;
 }

@@ -43,6 +43,12 @@ TEST(Printable, NeutralisesWhatATerminalObeys) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate half
 }
 
+TEST(Printable, LinesStay) {
+  EXPECT_EQ(printableLines("a\n\tω\r\n\x1b[2J\xff"), "a\n\tω\\x0d\n\\x1b[2J\\xff");
+  EXPECT_EQ(printableLines(std::string(1000, 'x')), std::string(1000, 'x'));
+  EXPECT_EQ(printableLines(""), "");
+}
+
 // Byte sequences from the Unicode standard, table 3-7.
 TEST(FirstCodePoint, DecodesUtf8AndRefusesTheRest) {
   EXPECT_EQ(firstCodePoint("ab").value, U'a');
