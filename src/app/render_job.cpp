@@ -180,7 +180,7 @@ void RenderJob::askToStop() {
 void RenderJob::stopWorkers() {
   askToStop();
   const double deadline_s = elapsed_s() + kPatience_s;
-  for (const auto& worker : workers_) worker->ended(std::max(0.0, deadline_s - elapsed_s()));
+  for (const auto& worker : workers_) worker->awaitEnd(std::max(0.0, deadline_s - elapsed_s()));
   workers_.clear();  // kills what is left
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include <cerrno>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -24,9 +25,18 @@ TemporaryFolder::TemporaryFolder() {
   path_ = name;
 }
 
+TemporaryFolder TemporaryFolder::inMemory() {
+  std::string name = "/dev/shm/poinsot-XXXXXX";
+  return mkdtemp(name.data()) ? TemporaryFolder(name) : TemporaryFolder();
+}
+
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+  try {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  } catch (const std::bad_alloc&) {
+    // It is under TMPDIR, where the system clears up.
+  }
 }
 
 }  // namespace poinsot::app

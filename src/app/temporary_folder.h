@@ -2,14 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
 
 namespace poinsot::app {
 
-/// A folder of its own under TMPDIR, gone with all that is in it when this object is.
+/// A folder of its own, gone with all that is in it when this object is.
 class TemporaryFolder {
  public:
-  /// @throws core::Error(kIo) if there is no room for it.
+  /// Under TMPDIR. @throws core::Error(kIo) if there is no room for it.
   TemporaryFolder();
+  /// In memory, for files of which it takes many and no room; under TMPDIR where that cannot be.
+  static TemporaryFolder inMemory();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -17,6 +20,8 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+
   std::filesystem::path path_;
 };
 

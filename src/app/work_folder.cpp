@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -67,6 +68,14 @@ WorkFolder::WorkFolder(const std::filesystem::path& target, WorkFolderUse use)
 }
 
 WorkFolder::~WorkFolder() {
+  try {
+    leave();
+  } catch (const std::bad_alloc&) {
+    // What is left is taken over by the next render, or removed by it.
+  }
+}
+
+void WorkFolder::leave() const {
   if (!discarded_ && (shared_ || holdsSegments())) return;  // others may have only begun
   removeContents();
   std::error_code ignored;  // whatever else lies in it is not ours to remove

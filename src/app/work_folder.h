@@ -33,6 +33,7 @@ class WorkFolder {
   void discard() { discarded_ = true; }
 
  private:
+  void leave() const;
   bool holdsSegments() const;
   void removeContents() const;
 

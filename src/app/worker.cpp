@@ -12,6 +12,7 @@
 
 #include "app/interrupt.h"
 #include "app/job_identity.h"
+#include "app/sandbox.h"
 #include "app/scene_frames.h"
 #include "app/segment_sink.h"
 #include "app/worker_protocol.h"
@@ -104,6 +105,7 @@ void keepLargeBlocks() {
 }
 
 void work(LineReader& jobs, int reports) {
+  forbidProcessesInSandbox();
   const auto line = jobs.wait();
   if (!line) return;
   const WorkerJob job = jobFromLine(*line);
@@ -131,6 +133,23 @@ int failed(int reports, core::ErrorKind kind, const std::string& message) {
   return EXIT_FAILURE;
 }
 
+/// @throws std::bad_alloc
+int workTellingFailures(int jobs, int reports) {
+  LineReader lines(jobs);
+  try {
+    work(lines, reports);
+    return EXIT_SUCCESS;
+  } catch (const Interrupted& interrupted) {
+    return 128 + interrupted.signal();
+  } catch (const core::Error& error) {
+    return failed(reports, error.kind(), error.what());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return failed(reports, core::ErrorKind::kGraphics, error.what());
+  }
+}
+
 }  // namespace
 
 Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
@@ -153,18 +172,12 @@ Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, cons
 
 int runWorker(int jobs, int reports) {
   watchInterruptsAsWorker();
-  LineReader lines(jobs);
+  const std::string outOfMemory = toLine(WorkerFailed{core::ErrorKind::kGraphics, "out of memory"}) + '\n';
   try {
-    work(lines, reports);
-    return EXIT_SUCCESS;
-  } catch (const Interrupted& interrupted) {
-    return 128 + interrupted.signal();
-  } catch (const core::Error& error) {
-    return failed(reports, error.kind(), error.what());
-  } catch (const std::bad_alloc&) {
-    return failed(reports, core::ErrorKind::kGraphics, "out of memory");
-  } catch (const std::exception& error) {
-    return failed(reports, core::ErrorKind::kGraphics, error.what());
+    return workTellingFailures(jobs, reports);
+  } catch (const std::bad_alloc&) {  // perhaps while something else was told
+    writeText(reports, outOfMemory);
+    return EXIT_FAILURE;
   }
 }
 

@@ -82,7 +82,7 @@ WorkerProcess::WorkerProcess(const WorkerJob& job, int number) : number_(number)
 
 WorkerProcess::~WorkerProcess() {
   kill();
-  ended(1);
+  awaitEnd(1);
 }
 
 void WorkerProcess::give(const FrameRange& segment) {
@@ -106,17 +106,20 @@ void WorkerProcess::askToStop() {
 }
 
 std::optional<std::string> WorkerProcess::ended(double wait_s) {
+  awaitEnd(wait_s);
+  return pid_ < 0 ? std::optional(inWords(status_)) : std::nullopt;
+}
+
+void WorkerProcess::awaitEnd(double wait_s) noexcept {
   constexpr int kPause_us = 2000;
   for (double waited_s = 0; pid_ > 0; waited_s += 1e-6 * kPause_us) {
-    int status = 0;
-    if (waitpid(pid_, &status, WNOHANG) == pid_) {
+    if (waitpid(pid_, &status_, WNOHANG) == pid_) {
       pid_ = -1;
-      return inWords(status);
+      return;
     }
-    if (waited_s >= wait_s) return std::nullopt;
+    if (waited_s >= wait_s) return;
     usleep(kPause_us);
   }
-  return "ended";
 }
 
 void WorkerProcess::kill() {

@@ -44,11 +44,14 @@ class WorkerProcess {
   void askToStop();
   /// Whether it ended; waits up to `wait_s` for that. @returns in words how, once it has.
   std::optional<std::string> ended(double wait_s);
+  /// The same without a word, for those who cannot fail.
+  void awaitEnd(double wait_s) noexcept;
   void kill();
 
  private:
   int number_;
   pid_t pid_ = -1;
+  int status_ = 0;  ///< as waitpid has it, once pid_ is none
   core::FileHandle jobs_, reports_;
   LineReader reader_{-1};
   std::optional<FrameRange> segment_;

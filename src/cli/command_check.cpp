@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/problem.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> scenes, overrides;
+  bool untrusted = false;
 };
 
 /// Everything short of drawing: the stage finds what the motion lacks.
@@ -57,10 +59,16 @@ void addCheck(CLI::App& program, Action& chosen) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addUntrusted(*command, options->untrusted);
   command->footer(
       "Example:\n"
       "  poinsot check scenes/*.toml");
-  command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return Reach{options->scenes}; }, [&] { return check(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -18,6 +18,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
+#include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
@@ -35,7 +36,7 @@ struct DiffOptions {
   std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve, report;
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   int jobs = 0;
-  bool json = false, exact = false, quiet = false, force = false;
+  bool json = false, exact = false, quiet = false, force = false, untrusted = false;
 };
 
 enum class Kind { kPicture, kFolder, kFilm };
@@ -166,6 +167,10 @@ class Diff {
   app::DiffRequest request_;
 };
 
+Reach reachOf(const DiffOptions& options) {
+  return {{}, {options.reference, options.test}, {options.map, options.difference, options.curve, options.report}};
+}
+
 int diff(const DiffOptions& options) {
   const image::Verdict verdict = Diff(options).tell();
   const auto worstGood = options.exact ? image::Verdict::kIdentical : image::Verdict::kNear;
@@ -218,6 +223,7 @@ void addDiff(CLI::App& program, Action& chosen) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--force", options->force, "replace files that poinsot did not write");
+  addUntrusted(*command, options->untrusted);
   addLimits(*command, *options);
   command->footer(
       "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
@@ -226,7 +232,12 @@ void addDiff(CLI::App& program, Action& chosen) {
       "  poinsot diff approved.png new.png --map flip.png\n"
       "  poinsot diff approved/ new/ --report out/diff.html\n"
       "  poinsot diff a.mp4 b.mp4 --curve out/curve.svg --json");
-  command->callback([options, &chosen] { chosen = [options] { return diff(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return reachOf(*options); }, [&] { return diff(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -17,6 +17,7 @@
 #include "cli/exit_code.h"
 #include "cli/render_options.h"
 #include "cli/scenes_place.h"
+#include "cli/untrusted.h"
 #include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -223,6 +224,15 @@ class Gallery {
   int exitCode_ = kDone;
 };
 
+Reach reachOf(const GalleryOptions& options) {
+  Reach reach;
+  for (const fs::path& file : sceneFiles(options)) reach.scenes.push_back(file);
+  if (!options.dryRun) reach.made.push_back(preparedFolder(options));
+  reach.outputs.push_back(options.trace);
+  reach.reproducible = options.reproducible;
+  return reach;
+}
+
 }  // namespace
 
 void addGallery(CLI::App& program, Action& chosen) {
@@ -231,6 +241,7 @@ void addGallery(CLI::App& program, Action& chosen) {
   command->add_option("SCENE", options->places, "scene files, or folders of them (default: the scenes of poinsot)")
       ->check(notEmpty());
   addOverrides(*command, *options);
+  addUntrusted(*command, options->untrusted);
   addPictureOptions(*command, *options);
   command->add_option("-o,--output", options->output, "folder of the pictures (default: out/gallery)")
       ->type_name("FOLDER")
@@ -245,7 +256,12 @@ void addGallery(CLI::App& program, Action& chosen) {
       "  poinsot gallery\n"
       "  poinsot gallery lectures/ -q preview -o out/lectures\n"
       "  poinsot gallery --only football tennis_racket -D style.theme=dark");
-  command->callback([options, &chosen] { chosen = [options] { return Gallery(*options).make(); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return reachOf(*options); }, [&] { return Gallery(*options).make(); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -17,6 +17,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
+#include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
@@ -35,7 +36,8 @@ struct GoldenOptions {
   std::string manifest = "golden.toml", output = "out/golden", junit, report, backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
-  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false;
+  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false,
+       untrusted = false;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
@@ -98,6 +100,7 @@ class Golden {
   }
 
   void checkOptions() const {
+    if (options_.update && options_.untrusted) refuse("--update: nothing that is not trusted is approved");
     if (options_.update) expectNotInCi();
     if (options_.beside && !options_.update) refuse("--beside: goes with --update");
     if (!options_.beside) return;
@@ -192,6 +195,10 @@ class Golden {
   std::vector<GoldenOutcome> outcomes_;
 };
 
+Reach reachOf(const GoldenOptions& options) {
+  return {{options.manifest}, {}, {options.junit, options.report}, {options.output}, !options.native};
+}
+
 }  // namespace
 
 void addGolden(CLI::App& program, Action& chosen) {
@@ -223,6 +230,7 @@ void addGolden(CLI::App& program, Action& chosen) {
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
   command->add_flag("--native", options->native, "draw as fast as this CPU can, not the same on each");
   command->add_flag("--force", options->force, "replace reports that poinsot did not write");
+  addUntrusted(*command, options->untrusted);
   command->add_flag("--list", options->list, "only list the tests");
   command->add_flag("--quiet", options->quiet, "only the exit code");
   command->footer(
@@ -231,7 +239,12 @@ void addGolden(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
       "  poinsot golden tests/golden.toml --update --only racket");
-  command->callback([options, &chosen] { chosen = [options] { return Golden(*options).run(); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return reachOf(*options); }, [&] { return Golden(*options).run(); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
+#include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/make_motion.h"
@@ -79,7 +80,16 @@ void addGrade(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  poinsot grade scenes/football.toml mine.csv --max-attitude-error '0.1 deg'\n"
       "Exit code 0 when graded, however bad; 1 only beyond --max-attitude-error.");
-  command->callback([options, &chosen] { chosen = [options] { return gradeTheirs(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted,
+          [&] {
+            return Reach{{options->scene}, {options->theirs}};
+          },
+          [&] { return gradeTheirs(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

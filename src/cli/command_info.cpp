@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
+#include "cli/untrusted.h"
 
 namespace poinsot::cli {
 namespace {
@@ -62,7 +63,12 @@ void addInfo(CLI::App& program, Action& chosen) {
       "  poinsot info scenes/football.toml\n"
       "  poinsot info scenes/football.toml --alt\n"
       "Equation numbers are those of the lecture that docs/physics.md follows.");
-  command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return Reach{{options->scene}}; }, [&] { return info(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

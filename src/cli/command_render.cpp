@@ -50,6 +50,12 @@ void addPartsOptions(CLI::App& command, PartsOptions& parts) {
       ->check(notEmpty());
 }
 
+Reach reachOf(const FilmOptions& options) {
+  Reach reach = reachOf(options, namedTarget(options));
+  reach.outputs.push_back(options.parts.manifest);
+  return reach;
+}
+
 int render(const FilmOptions& options) {
   auto film = requestedFilm(options);
   checkFrameCount(film.target, film.frames);
@@ -72,7 +78,12 @@ void addRender(CLI::App& program, Action& chosen) {
       "  poinsot render scenes/football.toml -q preview -D time.duration=4\n"
       "  poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...\n"
       "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
-  command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return reachOf(*options); }, [&] { return render(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -100,7 +100,13 @@ void addStill(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm -o out/fig.pdf");
-  command->callback([options, &chosen] { chosen = [options] { return still(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted, [&] { return reachOf(*options, targetOf(*options, "SCENE")); },
+          [&] { return still(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -16,6 +16,7 @@
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/time_word.h"
+#include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
@@ -127,7 +128,16 @@ void addTrajectory(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  poinsot trajectory scenes/football.toml --rate 100 -o out/football.csv\n"
       "  poinsot trajectory scenes/football.toml --at=-3.5,0,1e6");
-  command->callback([options, &chosen] { chosen = [options] { return trajectory(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          options->untrusted,
+          [&] {
+            return Reach{{options->scene}, {}, {options->output}};
+          },
+          [&] { return trajectory(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

@@ -1,7 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/exit_code.h"
 
+#include <fmt/format.h>
+
+#include <new>
+
+#include "app/interrupt.h"
+#include "cli/console.h"
+#include "scene/problem.h"
+
 namespace poinsot::cli {
+namespace {
+
+/// @throws std::bad_alloc
+int tellingErrors(const std::function<int()>& action) {
+  try {
+    return action();
+  } catch (const core::BrokenPipe&) {
+    return kBrokenPipe;
+  } catch (const app::Interrupted& interrupted) {
+    return 128 + interrupted.signal();
+  } catch (const scene::SceneErrors& errors) {
+    writeErr(fmt::format("{}\n", errors.what()));  // already says "file:line:column: error:"
+    return exitCodeOf(errors.kind());
+  } catch (const core::Error& error) {
+    writeError(error.what());
+    return exitCodeOf(error.kind());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    writeError(error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace
 
 ExitCode exitCodeOf(core::ErrorKind kind) {
   switch (kind) {
@@ -17,6 +50,15 @@ ExitCode exitCodeOf(core::ErrorKind kind) {
       return kBadFile;
   }
   return kFailed;
+}
+
+int translatingErrors(const std::function<int()>& action) {
+  try {
+    return tellingErrors(action);
+  } catch (const std::bad_alloc&) {  // perhaps while something else was told
+    writeOutOfMemory();
+    return kFailed;
+  }
 }
 
 }  // namespace poinsot::cli

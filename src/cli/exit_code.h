@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "core/error.h"
 
 namespace poinsot::cli {
@@ -22,5 +24,8 @@ constexpr const char* kExitCodesText =
 
 /// The one place where kinds of errors become exit codes.
 ExitCode exitCodeOf(core::ErrorKind kind);
+
+/// Does it, and says on stderr what it throws. @returns its exit status, or that of what it threw.
+int translatingErrors(const std::function<int()>& action);
 
 }  // namespace poinsot::cli

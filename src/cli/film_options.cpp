@@ -37,17 +37,12 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
       ->check(CLI::Range(1, 10'000));
 }
 
-namespace {
-
-/// As far as the options alone tell: a wrong name is said before all else.
 std::optional<app::OutputTarget> namedTarget(const FilmOptions& options) {
   if (options.output == "-") return app::streamTarget(options.format);
   if (!options.format.empty())
     throw core::Error(core::ErrorKind::kUsage, "--format goes with -o -; a file's name says what it is");
   return options.output.empty() ? std::nullopt : std::optional(app::parseTarget(options.output));
 }
-
-}  // namespace
 
 app::PictureForm pictureForm(const FilmOptions& options) {
   return {std::nullopt, options.transparent, options.bits};

@@ -27,6 +27,10 @@ struct RequestedFilm {
   app::FrameRange frames;
 };
 
+/// Where it goes, as far as the options alone tell: a wrong name is said before all else.
+/// @throws core::Error(kUsage)
+std::optional<app::OutputTarget> namedTarget(const FilmOptions& options);
+
 /// How its pictures are made.
 app::PictureForm pictureForm(const FilmOptions& options);
 

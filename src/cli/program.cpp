@@ -6,18 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/interrupt.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "scene/problem.h"
 
 namespace poinsot::cli {
 namespace {
@@ -136,35 +133,13 @@ int run(int argc, char** argv) {
   return chosen();
 }
 
-int runTranslatingErrors(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const core::BrokenPipe&) {
-    return kBrokenPipe;
-  } catch (const app::Interrupted& interrupted) {
-    return 128 + interrupted.signal();
-  } catch (const scene::SceneErrors& errors) {
-    writeErr(fmt::format("{}\n", errors.what()));  // already says "file:line:column: error:"
-    return exitCodeOf(errors.kind());
-  } catch (const core::Error& error) {
-    writeError(error.what());
-    return exitCodeOf(error.kind());
-  } catch (const std::bad_alloc&) {
-    writeError("out of memory");
-    return kFailed;
-  } catch (const std::exception& error) {
-    writeError(error.what());
-    return kFailed;
-  }
-}
-
 }  // namespace
 
 int runProgram(int argc, char** argv) {
   openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);  // a write says EPIPE in its place
   std::signal(SIGXFSZ, SIG_IGN);  // and EFBIG
-  return runTranslatingErrors(argc, argv);
+  return translatingErrors([&] { return run(argc, argv); });
 }
 
 }  // namespace poinsot::cli

@@ -108,7 +108,7 @@ void sayHowToGoOn(std::int64_t kept, std::int64_t total) {
 
 app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequest request) {
   const std::int64_t total = request.frames.count();
-  app::Progress progress(styleOf(options, request.frames), request.frames.count(), errColumns(), writeErr);
+  app::Progress progress(styleOf(options, request.frames), request.frames.count(), errColumns(), writeControl);
   const LineEnd lineEnd(progress);
   app::RenderJob job(std::move(request), [&](std::int64_t done, std::int64_t reused, double elapsed_s) {
     progress.update(done, reused, elapsed_s);
@@ -149,6 +149,18 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
 }
 
 }  // namespace
+
+Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target) {
+  Reach reach{{options.scene}};
+  reach.reproducible = options.reproducible;
+  if (options.output.empty() || !target)
+    reach.made.emplace_back("out");
+  else if (target->kind == OutputKind::kSequence && !target->stream)
+    prepareFolder(*target);
+  if (target && !target->stream) reach.outputs.push_back(target->path);
+  reach.outputs.push_back(options.trace);
+  return reach;
+}
 
 void checkMakeable(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
                    const app::FrameRange& frames, const app::PictureForm& form) {

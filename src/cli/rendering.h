@@ -5,6 +5,7 @@
 
 #include "app/render_job.h"
 #include "cli/render_options.h"
+#include "cli/untrusted.h"
 
 namespace poinsot::cli {
 
@@ -14,6 +15,9 @@ struct PartsOptions {
   std::int64_t segmentFrames = app::kSegmentFrames;
   std::string shard, manifest;
 };
+
+/// What it touches. @param target  where it was named; else `out` is made.
+Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target);
 
 /// What can be refused before anything is drawn: a film of no such format, files that stand where it would go.
 /// Makes the folder of an output that was not named, unless this is a dry run.

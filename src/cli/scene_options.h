@@ -17,12 +17,13 @@ namespace poinsot::cli {
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> overrides;
+  bool untrusted = false;
 };
 
 /// Declares -D.
 void addOverrides(CLI::App& command, SceneOptions& options);
 
-/// Declares SCENE and -D.
+/// Declares SCENE, -D and --untrusted.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
 /// Refuses '' as a value, most often a shell variable without one, which would else count as not given. `words`

@@ -3,6 +3,7 @@
 
 #include <time.h>
 
+#include <new>
 #include <utility>
 
 namespace poinsot::core {
@@ -83,7 +84,12 @@ StepScope::~StepScope() {
   ledger_->add(step_, spent_s - inner_s_);
   if (outer_ != nullptr) outer_->inner_s_ += spent_s;
   ledger_->innermost_ = outer_;
-  if (ledger_->traces_) ledger_->add({nameOf(step_), begin_ns_, monotonic_ns(), ledger_->frame_});
+  if (!ledger_->traces_) return;
+  try {
+    ledger_->add({nameOf(step_), begin_ns_, monotonic_ns(), ledger_->frame_});
+  } catch (const std::bad_alloc&) {
+    // A trace without it is better than no end.
+  }
 }
 
 }  // namespace poinsot::core

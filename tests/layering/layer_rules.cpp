@@ -31,6 +31,8 @@ constexpr Door kDoors[] = {
     {R"(EGL/.*|GL/.*|KHR/.*)", R"(gl/.*)"},
     {R"(glad/.*)", R"(gl/.*|render/\w+\.cpp)"},
     {R"(cairo.*)", R"(output/\w+\.cpp)"},
+    {R"(seccomp\.h)", R"(app/call_filter\.cpp)"},
+    {R"(linux/landlock\.h)", R"(app/landlock\.cpp)"},
     {R"(libimagequant\.h)", R"(output/imagequant_library\.h)"},
     // What is linked is seen by the packagers' tools; what is opened is not, so there is one way to do it.
     {R"(dlfcn\.h)", R"(core/shared_library\.cpp)"},

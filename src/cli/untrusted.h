@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace poinsot::cli {
+
+/// What a command may touch that does not trust what it reads.
+struct Reach {
+  std::vector<std::string> scenes;        ///< files, to read with all beneath their folders
+  std::vector<std::string> inputs = {};   ///< files and folders, to read
+  std::vector<std::string> outputs = {};  ///< files: their folders are written to; "-" and "" are none
+  std::vector<std::string> made = {};     ///< folders, made where they are missing, to write to
+  std::optional<bool> reproducible = {};  ///< of those that draw
+};
+
+/// Declares --untrusted.
+void addUntrusted(CLI::App& command, bool& untrusted);
+
+/// Does `work`, in a sandbox if `untrusted`. @returns its exit status. @throws what it throws.
+int confined(bool untrusted, const std::function<Reach()>& reachOf, const std::function<int()>& work);
+
+}  // namespace poinsot::cli
