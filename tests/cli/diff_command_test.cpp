@@ -332,7 +332,7 @@ TEST_F(DiffCommand, ReplacesNothingThatItCannotRead) {
 TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
   folder_.put("s.toml", kGoodScene);
   EXPECT_EQ(run(folder_, {"render", "s.toml", "-o", "a.apng", "--frames", "0-3", "--quiet"}).exitCode, 0);
-  for (const std::string& curve : {"c.csv", "c.svg"}) {
+  for (const std::string curve : {"c.csv", "c.svg"}) {
     const std::vector<std::string> words{"a.apng", "a.apng", "--curve", curve, "--report", "r.html"};
     EXPECT_EQ(diff(words).exitCode, 0);
     EXPECT_EQ(diff(words).exitCode, 0) << "a second time";

@@ -98,8 +98,9 @@ TEST_P(Terminal, IsNotObeyed) {
     int number = 0;
     for (const std::string& scene :
          {quoted + " = 1\n", "[" + quoted + "]\n", "[body]\nshape = " + quoted + "\n",
-          "[body]\nfile = " + quoted + "\n", "[style]\nfile = " + quoted + "\n", "name = " + quoted + "\n",
-          "title = " + quoted + "\n", "[body]\nmass = " + quoted + "\n", "[motion]\nomega_body = " + quoted + "\n",
+          "[body]\nshape = 'mesh'\nfile = " + quoted + "\n", "[style]\nfile = " + quoted + "\n",
+          "[motion]\ntorque.file = " + quoted + "\n", "[show]\ntitle = " + quoted + "\n",
+          "[body]\nmass = " + quoted + "\n", "[motion]\nomega_body = " + quoted + "\n",
           "[[label]]\ntext = " + quoted + "\n", evil + " = 1\n", "a = \"" + evil + "\"\n"}) {
       const std::string name = fmt::format("s{}.toml", number++);
       folder_.put(name, scene);
@@ -111,7 +112,7 @@ TEST_P(Terminal, IsNotObeyed) {
     // Of names and words.
     folder_.put(evil + ".toml", kGoodScene);
     folder_.put(evil + ".stl", "solid " + evil + "\n facet\n");
-    folder_.put("mesh.toml", "[body]\nfile = 'a.stl'\n");
+    folder_.put("mesh.toml", "[body]\nshape = 'mesh'\nfile = 'a.stl'\n");
     folder_.put("a.stl", "solid " + evil + "\nfacet " + evil + "\n");
     for (const Texts& command : {Texts{evil},
                                  {"render", evil},
@@ -120,7 +121,7 @@ TEST_P(Terminal, IsNotObeyed) {
                                  {"info", evil + ".toml"},
                                  {"info", evil + ".toml", "--json"},
                                  {"check", evil + ".toml", "-D", evil + "=1"},
-                                 {"check", evil + ".toml", "-D", "title=" + quoted},
+                                 {"check", evil + ".toml", "-D", "show.title=" + quoted},
                                  {"render", "a", "--frames", evil},
                                  {"render", "a", "--" + evil},
                                  {"status", evil + ".mp4"},

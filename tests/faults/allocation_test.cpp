@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Memory runs out at any allocation of a small render, once or for good: the exit code says so, nothing of what
+// was begun is left, and no memory is lost (row M1 of the promises in SECURITY.md). Pictures are flat: Mesa's
+// compiler ends the process when it gets no memory, which `a worker that dies` is the test of.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <functional>
+
+#include "cli/exit_code.h"
+#include "cli/program_run.h"
+#include "core/file_handle.h"
+#include "output/figure.h"
+#include "output/film.h"
+#include "output/png_sequence.h"
+#include "output/video_segment.h"
+#include "scene/scene_file.h"
+#include "stage/stage.h"
+#include "support/failing_memory.h"
+#include "text/math_setter.h"
+
+namespace poinsot::faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Something of each kind: a mesh, curves, glass, labels, a plot, a caption.
+const char* const kScene = R"([body]
+principal_moments = [1, 2, 3]
+[motion]
+omega_body = [0.1, 2, 0.1]
+[time]
+duration = 1
+fps = 2
+[show]
+title = '$\omega$ and $\mathbf{L}$'
+[output]
+size = [64, 36]
+)";
+
+std::string texProblem(std::string_view tex) {
+  try {
+    text::setTex(tex);
+    return "";
+  } catch (const core::Error& error) {
+    return error.message();
+  }
+}
+
+/// The scene's pictures, composed in full and drawn as paper.
+class FlatFrames {
+ public:
+  explicit FlatFrames(const scene::Scene& scene)
+      : stage_(scene),
+        size_{scene.output.width, scene.output.height},
+        fps_(static_cast<double>(scene.time.fps.num) / static_cast<double>(scene.time.fps.den)) {}
+
+  image::Frame frame(std::int64_t k) {
+    picture_ = stage_.compose(static_cast<double>(k) / fps_, {size_.width, size_.height});
+    image::Image flat(size_, 3);
+    flat.pixels.assign(flat.pixels.size(), static_cast<std::uint8_t>(200 + k));
+    image_ = std::move(flat);
+    return image_;
+  }
+  const draw::Picture& picture() const { return picture_; }
+  const image::Image& image() const { return std::get<image::Image>(image_); }
+
+ private:
+  stage::Stage stage_;
+  image::PixelSize size_;
+  double fps_;
+  draw::Picture picture_;
+  image::AnyImage image_;
+};
+
+void writeFrames(FlatFrames& frames, output::FrameSink& sink) {
+  for (std::int64_t k = 0; k < 2; ++k) sink.write(frames.frame(k), k);
+  sink.finish();
+}
+
+void makeFilm(const scene::Scene& scene, FlatFrames& frames, const fs::path& folder) {
+  const fs::path segment = folder / ".segment.mp4";
+  {
+    output::VideoSegmentWriter writer(segment, {scene.output.width, scene.output.height}, scene.time.fps, {}, 0);
+    writeFrames(frames, writer);
+  }
+  output::joinSegments({segment}, folder / "film.mp4", {output::FilmContainer::kMp4, scene.time.fps},
+                       {{"title", "film"}});
+}
+
+void makeSequence(const scene::Scene&, FlatFrames& frames, const fs::path& folder) {
+  output::PngSequence sequence(output::FramePattern((folder / "film_{frame}.png").string()));
+  writeFrames(frames, sequence);
+}
+
+void makeFigure(FlatFrames& frames, const fs::path& file) {
+  frames.frame(0);
+  output::writeFigure(file, frames.picture(), frames.image(), {86, "title", "words"});
+}
+
+using Make = std::function<void(const scene::Scene&, FlatFrames&, const fs::path&)>;
+
+struct Kind {
+  const char* name;
+  Make make;
+  Whose whose = Whose::kAll;
+};
+
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+/// Keeps what is said of each failure to itself.
+class Silence {
+ public:
+  Silence() : kept_(dup(STDERR_FILENO)) {
+    const core::FileHandle null(open("/dev/null", O_WRONLY));
+    dup2(null.get(), STDERR_FILENO);
+  }
+  ~Silence() { dup2(kept_.get(), STDERR_FILENO); }
+  Silence(const Silence&) = delete;
+
+ private:
+  core::FileHandle kept_;
+};
+
+class OutOfMemory : public testing::TestWithParam<Kind> {
+ protected:
+  int render() const {
+    return cli::translatingErrors([&] {
+      const scene::Scene scene = scene::parseScene(kScene, "tiny.toml", {}, texProblem);
+      FlatFrames frames(scene);
+      GetParam().make(scene, frames, folder_.path());
+      return 0;
+    });
+  }
+
+  std::vector<std::pair<std::string, std::string>> takeFiles() const {
+    std::vector<std::pair<std::string, std::string>> files;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      const std::string name = entry.path().filename();
+      if (!name.starts_with('.')) files.emplace_back(name, bytesOf(entry.path()));
+      fs::remove_all(entry.path());
+    }
+    std::ranges::sort(files);
+    return files;
+  }
+
+  /// With the n-th allocation failing.
+  void tryAt(std::size_t n, bool onwards) {
+    int status = 0;
+    std::ptrdiff_t kept = 0;
+    {
+      const Silence silence;
+      const MemoryWatch watch(n, onwards, GetParam().whose);
+      status = render();
+      kept = watch.kept();
+    }
+    const auto files = takeFiles();
+    const std::string at = "at allocation " + std::to_string(n) + (onwards ? " and after" : "");
+    if (status == 0)
+      EXPECT_EQ(files, whole_) << at;  // it could do without
+    else
+      EXPECT_EQ(status, 3) << at;
+    for (const auto& file : files) EXPECT_THAT(whole_, testing::Contains(file)) << at;
+    EXPECT_LE(kept, 0) << "blocks lost " << at;
+    ++(status == 0 ? spared_ : told_);
+  }
+
+  ScratchFolder folder_;
+  std::vector<std::pair<std::string, std::string>> whole_;
+  std::size_t told_ = 0, spared_ = 0;
+};
+
+TEST_P(OutOfMemory, IsToldAtAnyAllocation) {
+  // Twice, for what is made once: fonts, tables, what libraries keep.
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(render(), 0);
+    whole_ = takeFiles();
+  }
+  std::size_t all = 0;
+  {
+    const MemoryWatch watch;
+    ASSERT_EQ(render(), 0);
+    all = watch.allocations();
+    EXPECT_EQ(watch.kept(), 0);
+  }
+  takeFiles();
+  const char* const every = std::getenv("POINSOT_EVERY_ALLOCATION");
+  const std::size_t stride = every ? 1 : all / 40 + 1;
+  for (std::size_t n = 1; n <= all && !HasFailure(); n += stride) {
+    tryAt(n, false);
+    tryAt(n, true);
+  }
+  EXPECT_GT(told_, spared_);
+  RecordProperty("allocations", static_cast<int>(all));
+  std::printf("%zu allocations; told %zu times, done without %zu times\n", all, told_, spared_);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, OutOfMemory,
+    testing::Values(
+        Kind{"Film", makeFilm}, Kind{"Sequence", makeSequence},
+        // cairo 1.16 takes what it failed to make for made when it clears up (cairo_surface_destroy).
+        Kind{"Pdf", [](const auto&, auto& frames, const auto& folder) { makeFigure(frames, folder / "a.pdf"); },
+             Whose::kOwn},
+        Kind{"Svg", [](const auto&, auto& frames, const auto& folder) { makeFigure(frames, folder / "a.svg"); }},
+        Kind{"Tex", [](const auto&, auto& frames, const auto& folder) { makeFigure(frames, folder / "a.tex"); }}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace poinsot::faults
