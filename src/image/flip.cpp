@@ -77,7 +77,8 @@ class PerceivedRows {
     std::fill(out.begin(), out.end(), 0.0);
     for (const SensitivityPart& part : sensitivity_[static_cast<std::size_t>(plane)]) {
       filter(plane, part.profile, part.profile, along_);
-      for (std::size_t x = 0; x < out.size(); ++x) out[x] += part.weight * along_[x];
+      std::ranges::transform(out, along_, out.begin(),
+                             [&](double sum, double v) { return sum + part.weight * v; });
     }
   }
 
@@ -92,8 +93,8 @@ class PerceivedRows {
     profile.alongRow(smoothed_.data(), window_.width(), along_.data());
     filter(kY, profile, features_.smooth, across_);
     // Of luminance, (Y + 16) / 116; the profiles sum to 0 and do not see the 16.
-    for (std::size_t x = 0; x < length.size(); ++x)
-      length[x] = std::sqrt(along_[x] * along_[x] + across_[x] * across_[x]) / 116;
+    std::ranges::transform(along_, across_, length.begin(),
+                           [](double x, double y) { return std::sqrt(x * x + y * y) / 116; });
   }
 
   void filter(int plane, const Kernel& alongY, const Kernel& alongX, Row& out) {

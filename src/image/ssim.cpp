@@ -32,7 +32,8 @@ enum Plane { kA, kB, kAA, kBB, kAB, kPlanes };
 
 template <typename Sample>
 RowWindow lumaWindow(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
-  return {a.size, kPlanes, kRadius, [&a, &b](int y, const std::vector<double*>& planes) {
+  return {a.size, kPlanes, kRadius, [&a, &b](int y, const std::vector<double*>& rows) {
+            double* const* const planes = rows.data();  // an index that is checked takes longer than the sum
             const Sample *p = a.at(0, y), *q = b.at(0, y);
             for (int x = 0; x < a.size.width; ++x, p += a.channels, q += b.channels) {
               const double va = luma(p), vb = luma(q);
