@@ -25,8 +25,10 @@ void readVertex(std::string_view rest, const FilePlace& place, MeshBuilder& buil
 
 void readFace(std::string_view rest, const FilePlace& place, MeshBuilder& builder) {
   std::vector<std::int64_t> corners;
-  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
+  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
     corners.push_back(cornerOf(word, place, builder));
+    builder.expectTriangles(corners.size() < 3 ? 0 : corners.size() - 2, place);  // before more corners are kept
+  }
   builder.addFace(corners, place);
 }
 

@@ -18,6 +18,8 @@ class Values {
  public:
   virtual ~Values() = default;
   virtual double next(PlyScalar type) = 0;
+  /// Of a whole type.
+  virtual std::int64_t nextWhole(PlyScalar type) = 0;
   virtual FilePlace place() const = 0;  ///< of the last one
 };
 
@@ -26,18 +28,27 @@ class AsciiValues : public Values {
   AsciiValues(const LineReader& lines, const MeshBuilder& builder) : lines_(lines), builder_(builder) {}
 
   double next(PlyScalar type) override {
+    if (isWhole(type)) return static_cast<double>(nextWhole(type));
+    const std::string_view word = nextWord();
+    return toNumber(word, place(), builder_);
+  }
+  std::int64_t nextWhole(PlyScalar) override {
+    const std::string_view word = nextWord();
+    return toWhole(word, place(), builder_);
+  }
+  FilePlace place() const override { return lines_.place(); }
+
+ private:
+  std::string_view nextWord() {
     std::string_view word = takeWord(line_);
     while (word.empty()) {
       if (!lines_.next()) builder_.refuse(place(), "the file ends before the last row that its header counts");
       line_ = lines_.line();
       word = takeWord(line_);
     }
-    return isWhole(type) ? static_cast<double>(toWhole(word, place(), builder_))
-                         : toNumber(word, place(), builder_);
+    return word;
   }
-  FilePlace place() const override { return lines_.place(); }
 
- private:
   LineReader lines_;
   std::string_view line_;
   const MeshBuilder& builder_;
@@ -69,6 +80,8 @@ class BinaryValues : public Values {
     }
     return take<double>();
   }
+  /// All of 32 bits or fewer: a double holds each.
+  std::int64_t nextWhole(PlyScalar type) override { return static_cast<std::int64_t>(next(type)); }
   FilePlace place() const override { return {0, last_}; }
 
  private:
@@ -142,8 +155,7 @@ class BodyReader {
     const FilePlace place = values_.place();
     builder_.expectTriangles(count, place);  // before so many corners are kept
     std::vector<std::int64_t> corners;
-    for (std::uint64_t i = 0; i < count; ++i)
-      corners.push_back(static_cast<std::int64_t>(values_.next(property.type)));
+    for (std::uint64_t i = 0; i < count; ++i) corners.push_back(values_.nextWhole(property.type));
     builder_.addFace(corners, place);
   }
 
@@ -153,7 +165,7 @@ class BodyReader {
   }
 
   std::uint64_t countOf(const PlyProperty& list) {
-    const double count = values_.next(*list.countType);
+    const std::int64_t count = values_.nextWhole(*list.countType);
     if (count < 0) builder_.refuse(values_.place(), fmt::format("a list has 0 numbers or more, got {}", count));
     return static_cast<std::uint64_t>(count);
   }

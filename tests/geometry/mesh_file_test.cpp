@@ -131,6 +131,11 @@ TEST(MeshFile, BadPlyBody) {
   EXPECT_EQ(ply(with(face, "3 0 1 8\n")), "body:30: a corner of a face is vertex 8 (counted from 0) of 8 so far");
   EXPECT_EQ(ply(with(face, "3 0 1 -1\n")),
             "body:30: a corner of a face is vertex -1 (counted from 0) of 8 so far");
+  // 2^63 - 1, which becomes 2^63 as a double.
+  EXPECT_EQ(ply(with(face, "3 0 1 9223372036854775807\n")),
+            "body:30: a corner of a face is vertex 9223372036854775807 (counted from 0) of 8 so far");
+  EXPECT_EQ(ply(with(face, "9223372036854775807 0 1 2\n")),
+            "body:30: the mesh has more than 2000000 triangles, the most that are read");
   EXPECT_EQ(ply(with(face, "3 0 1 1.5\n")), "body:30: expected a whole number, got \"1.5\"");
   EXPECT_EQ(ply(with(face, "-3 0 1 2\n")), "body:30: a list has 0 numbers or more, got -3");
   EXPECT_EQ(ply(with(face, "2 0 1\n")), "body:30: a face has three corners or more, got 2");
@@ -149,6 +154,10 @@ TEST(MeshFile, AmountsAreLimitedBeforeAnythingIsRead) {
                    "4000000000 1 2",
                    MeshFormat::kPly),
             "body:6: the mesh has more than 2000000 triangles, the most that are read");
+  std::string face = "v 0 0 0\nf";
+  for (std::size_t i = 0; i < kMostMeshTriangles + 3; ++i) face += " 1";
+  EXPECT_EQ(parsed(face + " what comes after is not looked at", MeshFormat::kObj),
+            "body:2: the mesh has more than 2000000 triangles, the most that are read");
   EXPECT_EQ(parsed(std::string(kMostMeshBytes + 1, ' '), MeshFormat::kObj),
             "body has more than 67108864 bytes, the most that are read");
   try {
