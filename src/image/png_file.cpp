@@ -33,7 +33,7 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
-constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 /// libpng's last words, filled by onError; a plain array, because the jump that follows runs no destructor.
 struct Complaint {
@@ -154,6 +154,7 @@ class Reader {
   png_structp png() const { return png_; }
   png_infop info() const { return info_; }
   const char* complaint() const { return complaint_.text.data(); }
+  Remaining remaining() const { return remaining_; }
 
  private:
   Complaint complaint_;
@@ -165,8 +166,9 @@ class Reader {
 /// Everything before the pixels, and the conversion to 8-bit RGB or RGBA.
 bool readHeader(png_structp png, png_infop info) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  constexpr png_alloc_size_t kLargestChunk = 8 << 20;  // libpng's own default in Debian, not in every build
-  constexpr png_uint_32 kMostChunks = 1000;
+  // Texts are kept, unpacked: their product is what a small file can make this one take besides its pixels.
+  constexpr png_alloc_size_t kLargestChunk = 1 << 20;
+  constexpr png_uint_32 kMostChunks = 64;
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // our limits, with our message, in checkSize
   png_set_chunk_malloc_max(png, kLargestChunk);
   png_set_chunk_cache_max(png, kMostChunks);
@@ -280,7 +282,22 @@ BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
   return picture;
 }
 
+/// libpng takes memory for a chunk as it says it is long, 2 GiB at most, before it sees that so much is not there.
+bool endsWithinAChunk(Remaining bytes) {
+  constexpr std::size_t kAround = 12;  // length, type, checksum
+  for (Remaining rest = bytes.subspan(kSignature.size()); rest.size() >= kAround;) {
+    const std::size_t length = bigEndian32(rest);
+    if (length > rest.size() - kAround) return true;
+    if (startsWith(rest.subspan(4), "IEND")) return false;
+    rest = rest.subspan(kAround + length);
+  }
+  return false;  // where a chunk is missing, libpng says so
+}
+
 void readHeader(Reader& reader, std::string_view name) {
+  if (startsWith(reader.remaining(), kSignature) && endsWithinAChunk(reader.remaining()))
+    throw Error(ErrorKind::kIo,
+                fmt::format("{}: not a readable PNG: the file ends too early", core::printable(name)));
   check(readHeader(reader.png(), reader.info()), reader, name);
   checkSize(reader.png(), reader.info(), name);
 }
@@ -321,9 +338,14 @@ PngPicture readPngAsStored(const std::filesystem::path& path) {
 Image readPng(const std::filesystem::path& path) { return decodePng(asBytes(fileBytes(path)), path.native()); }
 
 std::optional<std::vector<PngText>> textsOfWholePng(const std::filesystem::path& path) try {
-  const std::string bytes = fileBytes(path);
-  Reader reader(asBytes(bytes));
-  decoded(reader, path.native());
+  return textsOfWholePng(asBytes(fileBytes(path)));
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+std::optional<std::vector<PngText>> textsOfWholePng(std::span<const std::uint8_t> bytes) try {
+  Reader reader(bytes);
+  decoded(reader, "");
   png_textp chunks = nullptr;
   const png_uint_32 count = png_get_text(reader.png(), reader.info(), &chunks, nullptr);
   std::vector<PngText> texts;
@@ -343,9 +365,7 @@ bool isOwnPng(const std::filesystem::path& path) try {
   constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
   const auto bytes = asBytes(head);
-  if (!std::equal(kSignature.begin(), kSignature.end(), bytes.begin(),
-                  bytes.begin() + std::min(bytes.size(), kSignature.size())))
-    return false;
+  if (!startsWith(bytes, kSignature)) return false;
   // A chunk: length, type, data, checksum.
   for (auto rest = std::span(bytes).subspan(kSignature.size()); rest.size() >= 12;) {
     const std::uint64_t length = bigEndian32(rest);

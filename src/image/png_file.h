@@ -55,6 +55,8 @@ Image readPng(const std::filesystem::path& path);
 /// The texts of a PNG file that is whole: every checksum right, every pixel there. Nothing of one that is damaged,
 /// truncated, no PNG or cannot be read.
 std::optional<std::vector<PngText>> textsOfWholePng(const std::filesystem::path& path);
+/// Of its bytes.
+std::optional<std::vector<PngText>> textsOfWholePng(std::span<const std::uint8_t> bytes);
 
 /// Whether the file is a PNG written by encodePng. False for whatever cannot be read; never throws for content.
 bool isOwnPng(const std::filesystem::path& path);

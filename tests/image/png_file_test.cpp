@@ -312,6 +312,29 @@ TEST(Png, HasLimits) {
   EXPECT_THAT(failure(declared(0x7fffffff, 0x7fffffff), core::ErrorKind::kLimit), ::testing::HasSubstr("pixels"));
 }
 
+// Found by fuzzing: memory was taken for a text of 1.4 GB in a file of 500 bytes.
+TEST(Png, TakesNoMemoryForWhatAChunkOnlySaysItHas) {
+  Bytes bytes = encodePng(noise({4, 4}, 3), {{"Title", "Rolling"}});
+  const std::string key = "tEXtTitle";
+  const auto type = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+  ASSERT_NE(type, bytes.end());
+  *(type - 4) = 0x54;
+  EXPECT_THAT(failure(bytes), ::testing::HasSubstr("not a readable PNG: the file ends too early"));
+}
+
+// What a small file unpacks to in texts is limited, and its picture is read all the same.
+TEST(Png, KeepsFewTexts) {
+  const Image picture = noise({4, 4}, 3);
+  const std::vector<PngText> many(1000, {"Title", "x"});
+  const Bytes crowded = encodePng(picture, many);
+  EXPECT_EQ(decodePng(crowded, "crowded.png"), picture);
+  EXPECT_LE(textsOfWholePng(crowded).value().size(), 64u);
+  const Bytes kept = encodePng(picture, {{"Title", std::string(1'000'000, 'x')}});
+  EXPECT_EQ(textsOfWholePng(kept).value().at(1).value.size(), 1'000'000u);
+  const Bytes large = encodePng(picture, {{"Title", std::string(2'000'000, 'x')}});
+  EXPECT_EQ(decodePng(large, "large.png"), picture);
+}
+
 TEST_F(PngFile, ReadsBackFromDisk) {
   const Image picture = noise({12, 8}, 3);
   EXPECT_EQ(readPng(save("a.png", encodePng(picture))), picture);
