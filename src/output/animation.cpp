@@ -27,21 +27,24 @@ constexpr std::int64_t kPicturesForPalette = 100;
 
 using PictureListener = std::function<void(const image::Image&)>;
 
+[[noreturn]] void refuse(const path& segment, std::string_view reason) {
+  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(segment.native()), reason));
+}
+
 CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
   auto decoder = checkAlloc(
       CodecContextPtr(ffmpeg().avcodec_alloc_context3(ffmpeg().avcodec_find_decoder(parameters.codec_id))));
   checkAv(ffmpeg().avcodec_parameters_to_context(decoder.get(), &parameters), "describing the segments");
   decoder->thread_count = 1;
-  checkAv(ffmpeg().avcodec_open2(decoder.get(), nullptr, nullptr), "reading the segments");
+  decoder->max_pixels = kMostFilmPixels;
+  checkAv(ffmpeg().avcodec_open2(decoder.get(), nullptr, nullptr), "reading the segments", ErrorKind::kIo);
   return decoder;
 }
 
 /// All pictures of one segment, in order.
 void readSegment(const path& file, const PictureListener& listen) {
   TrackReader reader(file, FileFormat::kMatroska);
-  if (reader.mark() != ownMark())
-    throw Error(ErrorKind::kIo,
-                core::printable(file.native()) + ": is no segment written by this version of poinsot");
+  if (reader.mark() != ownMark()) refuse(file, "is no segment written by this version of poinsot");
   const auto decoder = decoderOf(reader.parameters());
   const auto packet = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
   const auto frame = checkAlloc(FramePtr(ffmpeg().av_frame_alloc()));
@@ -49,12 +52,25 @@ void readSegment(const path& file, const PictureListener& listen) {
     const std::string doing = core::printable(file.native());
     checkAv(ffmpeg().avcodec_send_packet(decoder.get(), packet.get()), doing, ErrorKind::kIo);
     checkAv(ffmpeg().avcodec_receive_frame(decoder.get(), frame.get()), doing, ErrorKind::kIo);
+    if (frame->format != AV_PIX_FMT_BGR0 && frame->format != AV_PIX_FMT_BGRA)
+      refuse(file, "has pictures of another kind than this version of poinsot writes");
     listen(pictureOf(*frame));
   }
 }
 
+/// Those of all, which are of one size and kind: what takes the first has room for each.
 void readAll(const std::vector<path>& segments, const PictureListener& listen) {
-  for (const path& file : segments) readSegment(file, listen);
+  std::optional<image::PixelSize> size;
+  int channels = 0;
+  for (const path& file : segments)
+    readSegment(file, [&](const image::Image& picture) {
+      if (!size) channels = picture.channels;
+      if (size.value_or(picture.size) != picture.size || channels != picture.channels)
+        refuse(file, "has pictures of another size or kind than the segments before it");
+      size = picture.size;
+      listen(picture);
+    });
+  if (!size) refuse(segments.front(), "has no frames");
 }
 
 std::int64_t countPictures(const std::vector<path>& segments) {

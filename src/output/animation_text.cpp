@@ -72,6 +72,8 @@ class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) {
     in_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+    std::error_code ignored;  // what cannot be asked is not opened either
+    expect(std::filesystem::is_regular_file(file, ignored));
     in_.open(file, std::ios::binary);
   }
   std::string bytes(std::size_t count) {

@@ -132,14 +132,6 @@ void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps
   }
 }
 
-void checkRegular(const std::filesystem::path& path) {
-  struct stat status {};
-  const bool found = ::stat(path.c_str(), &status) == 0;
-  if (found && S_ISREG(status.st_mode)) return;
-  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
-                                          found ? "not a regular file" : "cannot be read"));
-}
-
 }  // namespace
 
 FileFormat fileFormat(FilmContainer container) {
@@ -238,7 +230,7 @@ void TrackWriter::finish() {
 
 TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format)
     : path_(path), markKey_(factsOf(format).readMarkKey) {
-  checkRegular(path);
+  expectRegularFile(path);
   captureAvLog();
   AvOptions options;
   options.set("ignore_editlist", "1");

@@ -2,6 +2,7 @@
 #include "output/ffmpeg_handles.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cstdarg>
@@ -55,6 +56,14 @@ CodecParametersPtr parametersOf(const AVCodecContext& context) {
   auto parameters = checkAlloc(CodecParametersPtr(ffmpeg().avcodec_parameters_alloc()));
   checkAv(ffmpeg().avcodec_parameters_from_context(parameters.get(), &context), "describing the stream");
   return parameters;
+}
+
+void expectRegularFile(const std::filesystem::path& path) {
+  struct stat status {};
+  const bool found = ::stat(path.c_str(), &status) == 0;
+  if (found && S_ISREG(status.st_mode)) return;
+  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
+                                                      found ? "not a regular file" : "cannot be read"));
 }
 
 std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.native(); }

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <span>
 #include <string_view>
 
 #include "core/expect.h"
@@ -41,6 +41,7 @@ class Segment {
     if (reader_.mark() != ownMark()) refuse(file_, "is no segment written by this version of poinsot");
     if (!advance()) refuse(file_, "has no frames");
     if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuse(file_, "does not start with a key frame");
+    if (frameTicks_.num <= 0 || frameTicks_.den <= 0) refuse(file_, "has no clock that fits the film");
     firstPts_ = packet_->pts;
     // Matroska's clock ticks in milliseconds.
     const double off = std::abs(static_cast<double>(packet_->duration) - av_q2d(frameTicks_));
@@ -55,14 +56,22 @@ class Segment {
 
   /// The current packet's place in the shown order: the first packet is a key frame with nothing before it.
   std::int64_t frame() const {
+    // Also that which means "no time", the least of all numbers. Differences of others cannot overflow.
+    constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
+    if (std::min(packet_->pts, firstPts_) < -kFarthest || std::max(packet_->pts, firstPts_) > kFarthest)
+      refuse(file_, "has a frame without a time");
     const std::int64_t ticks = packet_->pts - firstPts_;
     const std::int64_t frame = ffmpeg().av_rescale_q(ticks, {1, 1}, frameTicks_);
     if (ticks < 0 || ffmpeg().av_rescale_q(frame, frameTicks_, {1, 1}) != ticks)
       refuse(file_, "has frames between the frames");
+    if (frame > kLastFrame) refuse(file_, fmt::format("has a frame {}", frame));
     return frame;
   }
 
  private:
+  // Far beyond the longest segment; times of the film, which come of it, stay numbers.
+  static constexpr std::int64_t kLastFrame = 100'000;
+
   path file_;
   TrackReader reader_;
   PacketPtr packet_;
@@ -70,10 +79,14 @@ class Segment {
   std::int64_t firstPts_ = 0;
 };
 
+/// None where there are none: memcmp takes no null.
+std::span<const std::uint8_t> bytesOf(const AVCodecParameters& p) {
+  return {p.extradata, static_cast<std::size_t>(p.extradata_size)};
+}
+
 bool sameHeader(const AVCodecParameters& a, const AVCodecParameters& b) {
   return a.codec_id == b.codec_id && a.width == b.width && a.height == b.height &&
-         a.extradata_size == b.extradata_size &&
-         std::memcmp(a.extradata, b.extradata, static_cast<std::size_t>(a.extradata_size)) == 0;
+         std::ranges::equal(bytesOf(a), bytesOf(b));
 }
 
 void checkLike(const Segment& first, const Segment& segment) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "core/text.h"
 #include "image/png_file.h"
@@ -24,7 +26,31 @@ using ScalerPtr = std::unique_ptr<SwsContext, ScalerDeleter>;
 /// Kinds of file that hold nothing but themselves: a play list would have others opened.
 constexpr const char* kContainers = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,gif,apng";
 
+void checkSize(image::PixelSize size, const std::string& name) {
+  const auto most = static_cast<int>(image::kLargestPngSide);
+  const std::int64_t pixels = std::int64_t{size.width} * size.height;
+  if (size.width > 0 && size.height > 0 && size.width <= most && size.height <= most && pixels <= kMostFilmPixels)
+    return;
+  throw Error(ErrorKind::kLimit,
+              fmt::format("{}: pictures of {}x{}; at most {} a side and {} million pixels are read", name,
+                          size.width, size.height, most, kMostFilmPixels >> 20));
+}
+
+/// Looks into the streams, which decodes pictures: none that is too large.
+void findStreamFacts(AVFormatContext& format, const std::string& name) {
+  std::vector<AvOptions> options(format.nb_streams);
+  std::vector<AVDictionary*> entries;
+  for (AvOptions& one : options) {
+    one.set("max_pixels", fmt::format("{}", kMostFilmPixels));
+    entries.push_back(std::exchange(*one.address(), nullptr));
+  }
+  const int code = ffmpeg().avformat_find_stream_info(&format, entries.data());
+  for (std::size_t i = 0; i < entries.size(); ++i) *options[i].address() = entries[i];  // to be freed
+  checkAv(code, name, ErrorKind::kIo);
+}
+
 FormatInputPtr opened(const std::filesystem::path& film, const std::string& name) {
+  expectRegularFile(film);
   captureAvLog();
   AvOptions options;
   options.set("format_whitelist", kContainers);
@@ -34,7 +60,7 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), nullptr, options.address()), name,
           ErrorKind::kIo);
   FormatInputPtr format(context);
-  checkAv(ffmpeg().avformat_find_stream_info(context, nullptr), name, ErrorKind::kIo);
+  findStreamFacts(*context, name);
   return format;
 }
 
@@ -54,16 +80,10 @@ CodecContextPtr decoder(const AVStream& stream, const std::string& name) {
   CodecContextPtr context(checkAlloc(ffmpeg().avcodec_alloc_context3(codec)));
   checkAv(ffmpeg().avcodec_parameters_to_context(context.get(), stream.codecpar), name, ErrorKind::kIo);
   context->thread_count = 1;
+  context->max_pixels = kMostFilmPixels;
   context->err_recognition = AV_EF_EXPLODE;
   checkAv(ffmpeg().avcodec_open2(context.get(), codec, nullptr), name, ErrorKind::kIo);
   return context;
-}
-
-void checkSize(image::PixelSize size, const std::string& name) {
-  const auto most = static_cast<int>(image::kLargestPngSide);
-  if (size.width > 0 && size.height > 0 && size.width <= most && size.height <= most) return;
-  throw Error(ErrorKind::kLimit, fmt::format("{}: pictures of {}x{}; at most {} a side are read", name, size.width,
-                                             size.height, most));
 }
 
 /// RGB with what the film's own format has of bits and transparency.
@@ -86,15 +106,17 @@ const int* coefficientsOf(const AVFrame& frame) {
   return ffmpeg().sws_getCoefficients(frame.height >= kHighDefinition ? SWS_CS_ITU709 : SWS_CS_ITU601);
 }
 
-ScalerPtr scaler(const AVFrame& frame, AVPixelFormat rgb) {
+ScalerPtr scaler(const AVFrame& frame, AVPixelFormat rgb, const std::string& name) {
   const auto format = static_cast<AVPixelFormat>(frame.format);
   constexpr int kExact = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP | SWS_BITEXACT;
-  ScalerPtr made(checkAlloc(ffmpeg().sws_getContext(frame.width, frame.height, format, frame.width, frame.height,
-                                                    rgb, kExact, nullptr, nullptr, nullptr)));
+  ScalerPtr made(ffmpeg().sws_getContext(frame.width, frame.height, format, frame.width, frame.height, rgb, kExact,
+                                         nullptr, nullptr, nullptr));
   constexpr int kOne = 1 << 16;
   const int* matrix = coefficientsOf(frame);
-  ffmpeg().sws_setColorspaceDetails(made.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
-                                    ffmpeg().sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne);
+  if (!made ||
+      ffmpeg().sws_setColorspaceDetails(made.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
+                                        ffmpeg().sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne) < 0)
+    throw Error(ErrorKind::kIo, name + ": this FFmpeg does not turn its pictures into RGB");
   return made;
 }
 
@@ -163,9 +185,9 @@ struct FilmReader::Parts {
       throw Error(ErrorKind::kIo, name + ": its pictures change their size");
     const AVPixelFormat rgb = rgbFormat(static_cast<AVPixelFormat>(frame->format), name);
     const FramePtr out = rgbFrame(size, rgb, name);
-    checkAv(ffmpeg().sws_scale(scaler(*frame, rgb).get(), frame->data, frame->linesize, 0, frame->height,
-                               out->data, out->linesize),
-            name, ErrorKind::kIo);
+    const int rows = ffmpeg().sws_scale(scaler(*frame, rgb, name).get(), frame->data, frame->linesize, 0,
+                                        frame->height, out->data, out->linesize);
+    if (checkAv(rows, name, ErrorKind::kIo) != frame->height) throw Error(ErrorKind::kIo, name + ": lacks rows");
     const bool deep = rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64;
     return deep ? imageOf<std::uint16_t>(*out, channelsOf(rgb)) : imageOf<std::uint8_t>(*out, channelsOf(rgb));
   }
@@ -193,7 +215,7 @@ image::PixelSize FilmReader::size() const { return parts_->size; }
 core::Rational FilmReader::fps() const {
   const AVRational rate =
       ffmpeg().av_guess_frame_rate(parts_->format.get(), parts_->format->streams[parts_->stream], nullptr);
-  return {rate.num, rate.den == 0 ? 1 : rate.den};
+  return rate.num > 0 && rate.den > 0 ? core::Rational{rate.num, rate.den} : core::Rational{0, 1};
 }
 
 std::optional<image::AnyImage> FilmReader::next() {

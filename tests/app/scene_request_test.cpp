@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/scene_request.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -39,7 +40,7 @@ TEST(SceneRequest, IsReadOnce) {
 
 TEST(SceneRequest, TexThatCannotBeSetIsAProblemOfTheScene) {
   const ScratchFolder folder;
-  const auto file = folder.put("a.toml", std::string(kScene) + "[show]\ntitle = '$\\omgea$'\nsubtitle = '$x'\n");
+  const auto file = folder.put("a.toml", fmt::format("{}[show]\ntitle = '$\\omgea$'\nsubtitle = '$x'\n", kScene));
   try {
     loadRequested(readSceneRequest(file.string(), {}));
     FAIL() << "nothing was thrown";

@@ -3,6 +3,7 @@
 // they see is what was put in, and what the file says of it is true.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -194,6 +195,63 @@ TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) * 2 / 3);
   const auto cut = readFilmFacts(file);
   EXPECT_TRUE(!cut || cut->frames < 17);
+}
+
+class MadeWhole : public ScratchFolder, public ::testing::WithParamInterface<FilmContainer> {
+ protected:
+  std::filesystem::path segment(const std::string& name, const image::Image& picture) const {
+    const FilmFormat format = of(GetParam(), codecsOf(GetParam()).front(), Chroma::k420, picture.channels == 4);
+    VideoSegmentWriter writer(in(name), picture.size, {25, 1}, format, 0);
+    writer.write({picture}, 0);
+    writer.finish();
+    return in(name);
+  }
+  std::string refusal(const std::vector<std::filesystem::path>& segments) const {
+    return messageOf(core::ErrorKind::kIo, [&] { joinSegments(segments, in("film"), {GetParam(), {25, 1}}, {}); });
+  }
+};
+
+// What is written has room for pictures of the first one's size only.
+TEST_P(MadeWhole, OfPicturesOfOneSizeAndKind) {
+  const auto first = segment("first.mkv", primaries(0, false)),
+             large = segment("large.mkv", image::Image({2 * kSize.width, 2 * kSize.height}, 3));
+  EXPECT_EQ(refusal({first, first}), "");
+  EXPECT_THAT(refusal({first, large}), HasSubstr("large.mkv: has pictures of another size or kind"));
+  EXPECT_THAT(refusal({large, first}), HasSubstr("first.mkv: has pictures of another size or kind"));
+  if (GetParam() == Box::kGif) return;  // whose pictures have no alpha
+  const auto alpha = segment("alpha.mkv", primaries(0, true));
+  EXPECT_THAT(refusal({first, alpha}), HasSubstr("alpha.mkv: has pictures of another size or kind"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MadeWhole, testing::Values(Box::kGif, Box::kApng),
+                         [](const auto& tested) { return tested.param == Box::kGif ? "Gif" : "Apng"; });
+
+class Reader : public ScratchFolder {};
+
+TEST_F(Reader, DoesNotWaitForAPipe) {
+  ASSERT_EQ(::mkfifo(in("fifo.mp4").c_str(), 0600), 0);
+  EXPECT_THAT(messageOf(core::ErrorKind::kIo, [&] { FilmReader(in("fifo.mp4")); }),
+              HasSubstr("not a regular file"));
+  EXPECT_FALSE(isOwnFilm(in("fifo.mp4")));
+  ASSERT_EQ(::mkfifo(in("fifo.gif").c_str(), 0600), 0);
+  EXPECT_FALSE(isOwnFilm(in("fifo.gif")));
+}
+
+// In Matroska the width, here of two bytes, stands after the mark of its element and its length.
+TEST_F(Reader, RefusesLargePictures) {
+  const image::PixelSize size{320, 64};
+  VideoSegmentWriter writer(in("a.mkv"), size, {25, 1}, of(Box::kApng, Codec::kApng), 0);
+  writer.write({image::Image(size, 3)}, 0);
+  writer.finish();
+  const Bytes whole = content(in("a.mkv"));
+  std::string text(whole.begin(), whole.end());
+  const auto width = text.find(std::string("\xb0\x82\x01\x40", 4));
+  ASSERT_NE(width, text.npos);
+  EXPECT_EQ(FilmReader(in("a.mkv")).size(), size);
+  text.replace(width + 2, 2, "\xff\xff");
+  const auto file = save("b.mkv", text);
+  EXPECT_THAT(messageOf(core::ErrorKind::kLimit, [&] { FilmReader reader(file); }),
+              HasSubstr("b.mkv: pictures of 65535x64; at most 16384 a side and 64 million pixels are read"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FilmFormats, testing::ValuesIn(formats()),

@@ -167,6 +167,26 @@ TEST_F(FilmTest, RefusesWhatIsNoSegment) {
   EXPECT_THAT(message(in("fifo.mp4")), HasSubstr("not a regular file"));  // and does not wait
 }
 
+// A frame's time is moved far away, in the table that has the times of what is shown in another order than
+// decoded.
+TEST_F(FilmTest, RefusesTimesThatAreNone) {
+  const auto good = segments({10}).front();
+  const Bytes whole = content(good);
+  const std::string text(whole.begin(), whole.end());
+  const auto entries =
+      text.find("ctts") + 12;  // after its name, version and count: 4 bytes of count, 4 of time each
+  ASSERT_LT(entries, text.size());
+  const auto message = [&](std::size_t entry, const std::string& time) {
+    std::string forged = text;
+    forged.replace(entries + 8 * entry + 4, 4, time);
+    return messageOf(kIo, [&] { joinSegments({save("forged.mp4", forged)}, in("film.mp4"), kTrack); });
+  };
+  const std::string far("\x06\x1a\x80\x00", 4);  // 200 000 frames of 512 ticks
+  EXPECT_THAT(message(1, far), ::testing::ContainsRegex("has a frame 19999[0-9]$"));
+  EXPECT_THAT(message(1, far.substr(0, 3) + "\x01"), HasSubstr("has frames between the frames"));
+  EXPECT_THAT(message(0, far), HasSubstr("has frames between the frames"));
+}
+
 // A segment is cut at every 23rd byte: none of them gives a film.
 TEST_F(FilmTest, RefusesATruncatedSegment) {
   const auto good = segments({5}).front();
