@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <system_error>
 
 #include "app/trajectory_number.h"
 #include "core/error.h"
+#include "core/regular_file.h"
 #include "core/text.h"
 
 namespace poinsot::app {
@@ -68,16 +66,16 @@ std::size_t columnNamed(std::string_view name) {
 /// Goes through the lines of one file.
 class Reader {
  public:
-  Reader(std::istream& csv, const std::string& fileName) : csv_(csv), fileName_(fileName) {}
+  Reader(std::string_view csv, const std::string& fileName) : rest_(csv), fileName_(fileName) {}
 
   TrajectoryTable table() {
     readHeader();
     TrajectoryTable table(known_);
     while (nextLine()) {
+      if (table.rows() == kMostTableRows) refuse(fmt::format("more than {} rows", kMostTableRows));
       readRow();
       table.append(row_);
     }
-    if (csv_.bad()) fail("cannot be read to its end");
     if (table.rows() == 0) fail("has a header and no rows");
     return table;
   }
@@ -87,10 +85,17 @@ class Reader {
     throw core::Error(core::ErrorKind::kIo, what, core::SourceLocation{core::printable(fileName_), line, column});
   }
 
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw core::Error(core::ErrorKind::kLimit, what, core::SourceLocation{core::printable(fileName_), number_, 0});
+  }
+
   /// The next line that says something.
   bool nextLine() {
-    while (std::getline(csv_, line_)) {
-      if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.erase(0, 3);
+    while (!rest_.empty()) {
+      line_ = rest_.substr(0, rest_.find('\n'));
+      rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
+      if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
+      if (line_.size() > kLongestTableLine) refuse(fmt::format("a line of more than {} bytes", kLongestTableLine));
       const std::string_view text = trimmed(line_);
       if (!text.empty() && text.front() != '#') return true;
     }
@@ -148,9 +153,9 @@ class Reader {
     return *value;
   }
 
-  std::istream& csv_;
+  std::string_view rest_;
   std::string fileName_;
-  std::string line_;
+  std::string_view line_;
   int number_ = 0;
   std::vector<Field> fields_;
   std::vector<std::size_t> columns_;  // of the file: which of ours, or foreign
@@ -165,20 +170,22 @@ TrajectoryTable::TrajectoryTable(const std::vector<std::size_t>& columns) : widt
   for (std::size_t i = 0; i < columns.size(); ++i) stored_[columns[i]] = i;
 }
 
-TrajectoryTable readTrajectoryTable(std::istream& csv, const std::string& fileName) {
+TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName) {
   return Reader(csv, fileName).table();
 }
 
 TrajectoryTable readTrajectoryTable(const std::string& fileName) {
-  errno = 0;
-  std::ifstream file(fileName, std::ios::binary);
-  if (!file || file.peek() == std::ifstream::traits_type::eof())
-    if (const int code = errno; code != 0)
-      throw core::Error(core::ErrorKind::kIo,
-                        fmt::format("cannot be read: {}", std::generic_category().message(code)),
-                        core::SourceLocation{core::printable(fileName), 0, 0});
-  file.clear();
-  return readTrajectoryTable(file, fileName);
+  const core::SourceLocation place{core::printable(fileName), 0, 0};
+  std::string csv;
+  try {
+    csv = core::bytesOf(core::openForReading(fileName), kMostTableBytes, core::ErrorKind::kIo);
+  } catch (const core::Error& error) {
+    throw core::Error(core::ErrorKind::kIo, "cannot be read: " + error.message(), place);
+  }
+  if (csv.size() > kMostTableBytes)
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("has more than {} MiB, the most that are read", kMostTableBytes >> 20), place);
+  return parseTrajectoryTable(csv, fileName);
 }
 
 }  // namespace poinsot::app

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/trajectory_row.h"
@@ -32,13 +32,18 @@ class TrajectoryTable {
   std::vector<double> values_;
 };
 
+/// Limits on one file: a run of two hours at 500 rows a second, with all columns and 17 digits each.
+inline constexpr std::size_t kMostTableBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kMostTableRows = 4'000'000;
+inline constexpr std::size_t kLongestTableLine = std::size_t{64} << 10;
+
 /// Reads CSV with a header: names of kTrajectoryColumns in any order, other columns ignored. At least t and one of
 /// q, omega_B, omega_W; of a vector all components or none. Blank lines, blanks round a field, "quoted" fields, a
 /// byte order mark, CRLF and lines that start with # are all right; values may be inf or nan, times may not.
-/// @throws core::Error(kIo) with file, line and column.
-TrajectoryTable readTrajectoryTable(std::istream& csv, const std::string& fileName);
+/// @throws core::Error(kIo) with file, line and column; core::Error(kLimit) beyond the limits above.
+TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName);
 
-/// The same for a file. @throws core::Error(kIo) also if it cannot be read.
+/// The same for a regular file. @throws core::Error(kIo) also if it cannot be read.
 TrajectoryTable readTrajectoryTable(const std::string& fileName);
 
 }  // namespace poinsot::app

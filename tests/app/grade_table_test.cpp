@@ -3,9 +3,9 @@
 #include "app/grade_table.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
-#include <sstream>
 
 #include "core/error.h"
 #include "support/scratch_folder.h"
@@ -13,10 +13,7 @@
 namespace poinsot::app {
 namespace {
 
-TrajectoryTable table(const std::string& csv) {
-  std::istringstream stream(csv);
-  return readTrajectoryTable(stream, "a.csv");
-}
+TrajectoryTable table(const std::string& csv) { return parseTrajectoryTable(csv, "a.csv"); }
 
 TEST(GradeTable, AnyOrderAndForeignColumns) {
   const auto t = table("note,omega_B_z,omega_B_x,t,omega_B_y\nfast,3,1,0.5,2\nslow,6,4,1.5,5\n");
@@ -82,8 +79,34 @@ TEST(GradeTable, FilesThatCannotBeRead) {
   folder.put("empty.csv", "");
   std::filesystem::create_directory(folder / "folder");
   EXPECT_EQ(says("missing.csv"), "cannot be read: No such file or directory");
-  EXPECT_EQ(says("folder"), "cannot be read: Is a directory");
+  EXPECT_EQ(says("folder"), "cannot be read: it is a directory");
   EXPECT_EQ(says("empty.csv"), "is empty; its first line names the columns");
+  ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
+  EXPECT_EQ(says("fifo"), "cannot be read: it is not a regular file");  // and does not wait
+  std::filesystem::create_symlink("/dev/zero", folder / "zero");
+  EXPECT_EQ(says("zero"), "cannot be read: it is not a regular file");
+}
+
+std::string limitOn(const std::string& csv) {
+  try {
+    table(csv);
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(GradeTable, LinesAndRowsAreLimited) {
+  const std::string header = "t,omega_B_x,omega_B_y,omega_B_z,note\n";
+  const std::string row = "0,1,2,3,";
+  EXPECT_EQ(limitOn(header + row + std::string(kLongestTableLine - row.size(), 'x')), "none");
+  EXPECT_EQ(limitOn(header + row + std::string(kLongestTableLine - row.size() + 1, 'x')),
+            "a.csv:2: a line of more than 65536 bytes");
+  std::string rows = "t,omega_B_x,omega_B_y,omega_B_z\n";
+  for (std::size_t i = 0; i < kMostTableRows; ++i) rows += "0,1,2,3\n";
+  EXPECT_EQ(limitOn(rows), "none");
+  EXPECT_EQ(limitOn(rows + "0,1,2,3\n"), "a.csv:4000002: more than 4000000 rows");
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/grade_engines.h"
 #include "app/grade_text.h"
@@ -29,10 +28,7 @@ const EngineState kStart{Quaterniond(1, 0, 0, 0), Vector3d(.5, .25, 1)};
 
 physics::FreeMotion truth() { return {physics::PrincipalMoments(kMoments), kStart.omega_B, kStart.q_WB}; }
 
-TrajectoryTable table(const std::string& csv) {
-  std::istringstream stream(csv);
-  return readTrajectoryTable(stream, "theirs.csv");
-}
+TrajectoryTable table(const std::string& csv) { return parseTrajectoryTable(csv, "theirs.csv"); }
 
 Grade gradeOf(const std::string& csv) { return grade(truth(), table(csv)); }
 
