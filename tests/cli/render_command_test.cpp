@@ -52,6 +52,16 @@ TEST_F(RenderCommand, WorkersDoNotChangeAByte) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml", "one.mp4", "seven.mp4", "two.mp4"));
 }
 
+// A name is bytes: what is written of it as text is UTF-8 all the same.
+TEST_F(RenderCommand, NamesNeedNotBeUtf8) {
+  folder_.put("\xe9\xff.toml", kGoodScene);
+  good({"render", "\xe9\xff.toml", "--frames", "0-1", "-o", "\xff.mp4", "--manifest", "m.json"});
+  good({"render", "\xe9\xff.toml", "--frames", "0-1", "-o", "\xff_{frame}.png"});
+  good({"render", "\xe9\xff.toml", "--frames", "0", "-o", "\xfe.png"});
+  EXPECT_EQ(nlohmann::json::parse(bytes("m.json"))["title"], "\\xe9\\xff");
+  EXPECT_EQ(image::textsOfWholePng(folder_ / "\xfe.png").value().at(1).value, "\\xe9\\xff");
+}
+
 TEST_F(RenderCommand, StillIsTheFrameOfASequence) {
   good({"render", "a.toml", "-o", "frames/a_{frame:04}.png", "--frames", "58-61", "-j", "2"});
   EXPECT_THAT(namesIn(folder_ / "frames"), ElementsAre("a_0058.png", "a_0059.png", "a_0060.png", "a_0061.png"));
