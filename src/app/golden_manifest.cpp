@@ -14,6 +14,7 @@
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "scene/document.h"
+#include "scene/limits.h"
 #include "scene/units.h"
 
 namespace poinsot::app {
@@ -22,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using scene::Entry;
 using scene::Node;
-
-constexpr std::int64_t kLargestSide = 16384;
 
 /// What a key may be, and what takes its value. A taker that throws core::Error has its message said at the value.
 using Takers = std::map<std::string, std::function<void(const Node&)>, std::less<>>;
@@ -38,8 +37,9 @@ const std::string& textOf(const Node& node) {
 
 int sideOf(const Node& node) {
   const auto* side = node.as<std::int64_t>();
-  if (!side || *side < 1 || *side > kLargestSide)
-    refuse(fmt::format("expected pixels from 1 to {}, got {}", kLargestSide, describe(node)));
+  if (!side || *side < scene::kLeastSide || *side > scene::kMostSide)
+    refuse(
+        fmt::format("expected pixels from {} to {}, got {}", scene::kLeastSide, scene::kMostSide, describe(node)));
   return static_cast<int>(*side);
 }
 
@@ -84,9 +84,8 @@ bool isName(std::string_view name) {
 /// Reads one manifest; all that is wrong is gathered.
 class Reader {
  public:
-  explicit Reader(const fs::path& file)
-      : source_(file.native(), core::readRegularFile(file, scene::kMostBytes, core::ErrorKind::kIo)),
-        folder_(file.parent_path()) {
+  Reader(const fs::path& file, std::string text)
+      : source_(file.native(), std::move(text)), folder_(file.parent_path()) {
     manifest_.file = file;
     manifest_.references = folder_ / "golden";
   }
@@ -98,7 +97,7 @@ class Reader {
     take(document, "",
          {{"references", [&](const Node& n) { manifest_.references = folder_ / textOf(n); }},
           {"size", [&](const Node& n) { usual.size = sizeOf(n); }},
-          {"height", [&](const Node& n) { usual.height = sideOf(n); }},
+          {"height", [&](const Node& n) { takeHeight(n, usual); }},
           {"rule", [&](const Node& n) { usual.rule = rule(n, "rule."); }},
           {"test", [&](const Node& n) { tests = tables(n); }}});
     for (const Node* test : tests) addTest(*test, usual);
@@ -115,6 +114,11 @@ class Reader {
     std::vector<const Node*> tables;
     for (const Node& one : *array) tables.push_back(&one);
     return tables;
+  }
+
+  static void takeHeight(const Node& node, GoldenTest& test) {
+    test.height = sideOf(node);
+    test.heightAt = locationOf(node.place);
   }
 
   void take(const Node& node, const std::string& prefix, const Takers& takers) {
@@ -166,7 +170,7 @@ class Reader {
           {"size", [&](const Node& n) { test.size = sizeOf(n); }},
           {"height",
            [&](const Node& n) {
-             test.height = sideOf(n);
+             takeHeight(n, test);
              test.size.reset();
            }},
           {"set", [&](const Node& n) { test.overrides = listOf(n, textOf); }},
@@ -227,6 +231,12 @@ class Reader {
 
 }  // namespace
 
-GoldenManifest readGoldenManifest(const fs::path& file) { return Reader(file).read(); }
+GoldenManifest parseGoldenManifest(std::string text, const fs::path& file) {
+  return Reader(file, std::move(text)).read();
+}
+
+GoldenManifest readGoldenManifest(const fs::path& file) {
+  return parseGoldenManifest(core::readRegularFile(file, scene::kMostBytes, core::ErrorKind::kIo), file);
+}
 
 }  // namespace poinsot::app

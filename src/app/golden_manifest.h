@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "image/near_rule.h"
 
 namespace poinsot::app {
@@ -24,6 +25,7 @@ struct GoldenTest {
   std::vector<double> times_s;  ///< film times; empty: the scene's time.still
   std::optional<image::PixelSize> size;
   std::optional<int> height;           ///< in place of the size: the width keeps the scene's proportion
+  core::SourceLocation heightAt;       ///< where the manifest says so
   std::vector<std::string> overrides;  ///< "key=value"
   GoldenRule rule;
 };
@@ -38,5 +40,7 @@ struct GoldenManifest {
 /// Reads it; paths in it are from its folder. A scene's file name may be a pattern with a *: a test for each.
 /// @throws scene::SceneErrors with all that is wrong and where; core::Error(kIo) if it cannot be read.
 GoldenManifest readGoldenManifest(const std::filesystem::path& file);
+/// The same of its text, as if it stood in that file. @throws scene::SceneErrors.
+GoldenManifest parseGoldenManifest(std::string text, const std::filesystem::path& file);
 
 }  // namespace poinsot::app

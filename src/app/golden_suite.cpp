@@ -14,6 +14,7 @@
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/target_check.h"
+#include "scene/limits.h"
 
 namespace poinsot::app {
 namespace {
@@ -35,7 +36,15 @@ image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene) {
   if (test.size) return *test.size;
   const image::PixelSize own{scene.output.width, scene.output.height};
   if (!test.height) return own;
-  return {static_cast<int>(std::int64_t{own.width} * *test.height / own.height), *test.height};
+  const std::int64_t width = std::int64_t{own.width} * *test.height / own.height;
+  if (width < scene::kLeastSide || width > scene::kMostSide)
+    throw core::Error(
+        core::ErrorKind::kLimit,
+        fmt::format("height: of {} pixels makes this scene of {}x{} one of a width of {}; sides are from "
+                    "{} to {} pixels",
+                    *test.height, own.width, own.height, width, scene::kLeastSide, scene::kMostSide),
+        test.heightAt);
+  return {static_cast<int>(width), *test.height};
 }
 
 /// A scene's picture, ready to be made.

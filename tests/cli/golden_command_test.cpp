@@ -223,10 +223,18 @@ TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
               HasSubstr("golden.toml:3:1: error: test.name: s is the name of another test"));
   EXPECT_THAT(refusal("[[test]]\nscene = 'no*.toml'\n"), HasSubstr("no file is there of the name no*.toml"));
   EXPECT_THAT(refusal("[[test]]\nsize = [0, 5]\nscene = 's.toml'\n"),
-              HasSubstr("expected pixels from 1 to 16384, got 0"));
-  EXPECT_THAT(refusal("size = [8, 8]\n"), HasSubstr("expected [[test]]"));
+              HasSubstr("expected pixels from 16 to 8192, got 0"));
+  EXPECT_THAT(refusal("size = [64, 64]\n"), HasSubstr("expected [[test]]"));
   fs::remove(folder_ / "golden.toml");
   EXPECT_EQ(golden().exitCode, 4);
+}
+
+TEST_F(GoldenCommand, HoldsWidthsToTheLimitsOfAPicture) {
+  folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\nset = 'output.size=[8192, 16]'\nheight = 17\n");
+  const RunResult result = golden();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.out, HasSubstr("golden.toml:4:10: height: of 17 pixels makes this scene of 8192x16 one of a "
+                                    "width of 8704; sides are from 16 to 8192 pixels"));
 }
 
 TEST_F(GoldenCommand, ReportsForMachinesAndForPeople) {
