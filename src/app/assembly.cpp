@@ -62,9 +62,9 @@ std::vector<FrameRange> JobStatus::in(SegmentState state) const {
   return those;
 }
 
-JobStatus statusOf(const path& workFolder, const JobFile& job) {
+JobStatus statusOf(const path& workFolder, const JobFile& job, const OutputTarget& output) {
   JobStatus status{job.segments(), {}};
-  const SegmentRecords records(workFolder);
+  const SegmentRecords records(workFolder, output);
   for (const FrameRange& segment : status.segments) status.states.push_back(records.stateOf(segment, job.job));
   return status;
 }
@@ -83,14 +83,14 @@ bool isFinished(const JobFile& job, const path& target) {
   return film && film->frames == job.frames.count() && film->comment.starts_with(originText(job));
 }
 
-void assemble(const path& workFolder, const JobFile& job, const path& target) {
-  const JobStatus status = statusOf(workFolder, job);
+void assemble(const path& workFolder, const JobFile& job, const OutputTarget& output, const path& target) {
+  const JobStatus status = statusOf(workFolder, job, output);
   if (!status.complete()) refuse(target, status);
   if (job.kind != OutputKind::kFilm) return;
   std::vector<path> files;
   for (const FrameRange& segment : status.segments)
     files.push_back(segmentFile(workFolder, job.film.container, segment));
-  const auto first = SegmentRecords(workFolder).find(status.segments.front());
+  const auto first = SegmentRecords(workFolder, output).find(status.segments.front());
   const bool beside = output::folderOf(target) == output::folderOf(workFolder);  // elsewhere may be another disk
   output::joinSegments(files, target, job.film, textsOf(job, first->renderer), beside ? workFolder : path());
   if (!job.subtitles.empty()) writeSubtitles(job.subtitles, target);

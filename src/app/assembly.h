@@ -19,7 +19,8 @@ struct JobStatus {
   std::vector<FrameRange> in(SegmentState state) const;
 };
 
-JobStatus statusOf(const std::filesystem::path& workFolder, const JobFile& job);
+/// `output`: what the render was told to make.
+JobStatus statusOf(const std::filesystem::path& workFolder, const JobFile& job, const OutputTarget& output);
 
 /// "0-29, 60-89 and 12 more": frames of segments, neighbours joined, at most so many ranges.
 std::string framesText(const std::vector<FrameRange>& segments, std::size_t most = 8);
@@ -27,9 +28,11 @@ std::string framesText(const std::vector<FrameRange>& segments, std::size_t most
 /// Whether the film stands under its final name already, whole and of this job.
 bool isFinished(const JobFile& job, const std::filesystem::path& target);
 
-/// Makes the target of its segments: joins a film's under its final name, with its texts and subtitles. The frames
+/// Makes the target of its segments: joins a film's under its final name, of the output or another, with its texts
+/// and subtitles. The frames
 /// of a sequence have their names already.
 /// @throws core::Error(kIo) naming the frames that are missing, stale or corrupt; or what cannot be written.
-void assemble(const std::filesystem::path& workFolder, const JobFile& job, const std::filesystem::path& target);
+void assemble(const std::filesystem::path& workFolder, const JobFile& job, const OutputTarget& output,
+              const std::filesystem::path& target);
 
 }  // namespace poinsot::app

@@ -59,12 +59,11 @@ Shard parseShard(std::string_view text) {
   const auto slash = text.find('/');
   const auto k = parseFrameNumber(text.substr(0, slash));
   const auto n = slash == std::string_view::npos ? std::nullopt : parseFrameNumber(text.substr(slash + 1));
-  constexpr std::int64_t kMost = 100'000;
-  if (!k || !n || *k < 1 || *k > *n || *n > kMost)
+  if (!k || !n || *k < 1 || *k > *n || *n > kMostShards)
     throw core::Error(
         core::ErrorKind::kUsage,
         fmt::format("--shard '{}': a shard is k/n, such as 2/7: the k-th of n, from 1/n to n/n, at most {}",
-                    core::printable(text), kMost));
+                    core::printable(text), kMostShards));
   return {static_cast<int>(*k), static_cast<int>(*n)};
 }
 

@@ -39,6 +39,9 @@ struct Shard {
   int k = 1, n = 1;
 };
 
+/// Of one film.
+inline constexpr int kMostShards = 100'000;
+
 /// "k/n". @throws core::Error(kUsage).
 Shard parseShard(std::string_view text);
 

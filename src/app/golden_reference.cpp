@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "app/json_file.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
@@ -27,15 +28,10 @@ GoldenOrigin originOf(const fs::path& picture) {
   const fs::path file = originFile(picture);
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
-  const auto json =
-      nlohmann::json::parse(core::readRegularFile(file, kMostOrigin, core::ErrorKind::kIo), nullptr, false);
-  if (!json.is_object())
+  const auto origin = parseGoldenOrigin(core::readRegularFile(file, kMostOrigin, core::ErrorKind::kIo));
+  if (!origin)
     throw core::Error(core::ErrorKind::kIo, core::printable(file.native()) + ": is no JSON object of poinsot's");
-  const auto text = [&](const char* key) {
-    const auto found = json.find(key);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-  };
-  return {text("renderer"), text("software"), text("scene")};
+  return *origin;
 }
 
 /// A renderer's name as part of a file name: what is no letter, digit or point becomes one _.
@@ -91,6 +87,18 @@ fs::path placeOf(const std::vector<GoldenReference>& there, const GoldenOrigin& 
 }
 
 }  // namespace
+
+std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text) try {
+  const auto json = parseJson(text);
+  if (!json.is_object()) return std::nullopt;
+  const auto textAt = [&](const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  return GoldenOrigin{textAt("renderer"), textAt("software"), textAt("scene")};
+} catch (const core::Error&) {
+  return std::nullopt;
+}
 
 std::vector<GoldenReference> referencesOf(const fs::path& folder, const std::string& name) {
   std::vector<GoldenReference> references;

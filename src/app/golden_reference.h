@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poinsot::app {
@@ -20,6 +22,9 @@ struct GoldenReference {
   std::filesystem::path picture;
   GoldenOrigin origin;
 };
+
+/// What a NAME.json says: a text that is missing is empty. Nothing where it is no JSON object.
+std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 
 /// Those of a test: the usual one first. @throws core::Error(kIo) for a NAME.json that is none of ours.
 std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, const std::string& name);

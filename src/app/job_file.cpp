@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/json_file.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "output/atomic_file.h"
@@ -15,8 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using std::filesystem::path;
-
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
 path fileIn(const path& workFolder) { return workFolder / "job.json"; }
 
@@ -29,7 +28,7 @@ Json toJson(const std::vector<Subtitle>& subtitles) {
 std::vector<Subtitle> subtitlesOf(const Json& json) {
   std::vector<Subtitle> subtitles;
   for (const Json& s : json)
-    subtitles.push_back({s.at(0).get<std::int64_t>(), s.at(1).get<std::int64_t>(), s.at(2).get<std::string>()});
+    subtitles.push_back({wholeNumber(s.at(0)), wholeNumber(s.at(1)), s.at(2).get<std::string>()});
   return subtitles;
 }
 
@@ -39,6 +38,13 @@ output::FilmTrack filmOf(const Json& json) {
   const auto fps = core::parseRational(json.at("fps").get<std::string>());
   if (!container || !fps) throw core::Error(core::ErrorKind::kIo, "no film of this version");
   return {*container, *fps};
+}
+
+/// Frames that can be gone through.
+bool isSound(const JobFile& job) {
+  const auto [first, last] = job.frames;
+  return first >= 0 && last >= first && last < kMostJobFrames && job.segmentFrames > 0 &&
+         job.segmentFrames <= kMostJobFrames;
 }
 
 }  // namespace
@@ -60,26 +66,35 @@ void writeJobFile(const path& workFolder, const JobFile& job) {
   output::writeFileAtomically(fileIn(workFolder), text);
 }
 
-std::optional<JobFile> readJobFile(const path& workFolder) try {
-  const Json json = Json::parse(core::readRegularFile(fileIn(workFolder), kMostBytes, core::ErrorKind::kIo));
+std::optional<JobFile> parseJobFile(std::string_view text, const OutputTarget& target) try {
+  const Json json = parseJson(text);
   JobFile job;
   job.job = json.at("job").get<std::string>();
   job.scene = json.at("scene").get<std::string>();
   job.settings = json.at("settings").get<std::string>();
-  job.kind = static_cast<OutputKind>(json.at("kind").get<int>());
+  job.kind = target.kind;
   if (job.kind == OutputKind::kFilm) job.film = filmOf(json);
-  job.frames = {json.at("frames").at(0).get<std::int64_t>(), json.at("frames").at(1).get<std::int64_t>()};
-  job.segmentFrames = json.at("segment_frames").get<std::int64_t>();
-  job.shards = json.at("shards").get<int>();
+  job.frames = {wholeNumber(json.at("frames").at(0)), wholeNumber(json.at("frames").at(1))};
+  job.segmentFrames = wholeNumber(json.at("segment_frames"));
+  const std::int64_t shards = wholeNumber(json.at("shards"));
+  if (shards < 1 || shards > kMostShards) return std::nullopt;
+  job.shards = static_cast<int>(shards);
   job.title = json.at("title").get<std::string>();
   job.description = json.at("description").get<std::string>();
   job.subtitles = subtitlesOf(json.at("subtitles"));
-  const bool sound =
-      job.frames.first >= 0 && job.frames.last >= job.frames.first && job.segmentFrames > 0 && job.shards > 0;
-  return sound ? std::optional(job) : std::nullopt;
+  const bool ofTarget =
+      wholeNumber(json.at("kind")) == static_cast<int>(target.kind) &&
+      (job.kind != OutputKind::kFilm || job.film.container == output::filmContainer(target.path));
+  return ofTarget && isSound(job) ? std::optional(job) : std::nullopt;
 } catch (const core::Error&) {
   return std::nullopt;
 } catch (const nlohmann::json::exception&) {
+  return std::nullopt;
+}
+
+std::optional<JobFile> readJobFile(const path& workFolder, const OutputTarget& target) try {
+  return parseJobFile(core::readRegularFile(fileIn(workFolder), kMostJsonBytes, core::ErrorKind::kIo), target);
+} catch (const core::Error&) {
   return std::nullopt;
 }
 

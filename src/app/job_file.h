@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/frame_plan.h"
@@ -31,11 +32,17 @@ struct JobFile {
   std::vector<FrameRange> segments() const { return segmentsOf(frames, segmentFrames); }
 };
 
+/// Frames that a job in a work folder may have: far more than a scene's, and few enough to go through them.
+inline constexpr std::int64_t kMostJobFrames = 1'000'000;
+
 /// @throws core::Error(kIo).
 void writeJobFile(const std::filesystem::path& workFolder, const JobFile& job);
 
-/// Nothing where there is none or it cannot be understood.
-std::optional<JobFile> readJobFile(const std::filesystem::path& workFolder);
+/// What writeJobFile() wrote for this target. Nothing where it cannot be understood, is of another kind of output,
+/// or has frames or shards beyond the limits: a work folder may come from anyone.
+std::optional<JobFile> parseJobFile(std::string_view text, const OutputTarget& target);
+/// Likewise of a work folder; nothing where there is none, too.
+std::optional<JobFile> readJobFile(const std::filesystem::path& workFolder, const OutputTarget& target);
 
 /// File of a film's segment in the work folder.
 std::filesystem::path segmentFile(const std::filesystem::path& workFolder, output::FilmContainer container,

@@ -49,11 +49,11 @@ Json toJson(const RenderSummary& summary) {
 
 }  // namespace
 
-void writeManifest(const path& file, const path& workFolder, const JobFile& job, const path& target,
+void writeManifest(const path& file, const path& workFolder, const JobFile& job, const OutputTarget& target,
                    const RenderSummary& summary) {
   Json digests = Json::object(), files = Json::array();
   std::set<std::string> renderers;
-  const SegmentRecords records(workFolder);
+  const SegmentRecords records(workFolder, target);
   for (const FrameRange& segment : job.segments()) {
     const auto record = records.find(segment);
     if (!record) continue;  // it was whole a moment ago
@@ -63,7 +63,7 @@ void writeManifest(const path& file, const path& workFolder, const JobFile& job,
     if (job.kind == OutputKind::kSequence)
       for (const RecordedFile& frame : record->files) files.push_back(toJson(frame));
   }
-  if (job.kind == OutputKind::kFilm) files.push_back(toJson(recordOf(target)));
+  if (job.kind == OutputKind::kFilm) files.push_back(toJson(recordOf(target.path)));
   const Json manifest{{"poinsot", core::version()},
                       {"title", job.title},
                       {"scene_sha256", job.scene},

@@ -13,6 +13,6 @@ namespace poinsot::app {
 /// gone.
 /// @throws core::Error(kIo).
 void writeManifest(const std::filesystem::path& file, const std::filesystem::path& workFolder, const JobFile& job,
-                   const std::filesystem::path& target, const RenderSummary& summary);
+                   const OutputTarget& target, const RenderSummary& summary);
 
 }  // namespace poinsot::app

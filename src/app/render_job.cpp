@@ -81,7 +81,7 @@ RenderSummary RenderJob::end() {
   }
   summary_.wall_s = elapsed_s();
   if (request_.manifest)
-    writeManifest(*request_.manifest, folder_.path(), *request_.job, request_.target.path, summary_);
+    writeManifest(*request_.manifest, folder_.path(), *request_.job, request_.target, summary_);
   if (trace_) trace_->commit();
   if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
@@ -168,7 +168,8 @@ void RenderJob::sendOn(const FrameRange& segment) try { stream_->add(segment); }
 
 void RenderJob::publish() {
   if (stream_) return stream_->finish();
-  if (request_.job && !request_.shard) assemble(folder_.path(), *request_.job, request_.target.path);
+  if (request_.job && !request_.shard)
+    assemble(folder_.path(), *request_.job, request_.target, request_.target.path);
 }
 
 std::int64_t RenderJob::framesKept() const { return request_.job && !stream_ ? segmentFramesDone_ : 0; }

@@ -18,7 +18,7 @@ bool samePictures(const SegmentRecord& record, FrameSource& source) {
 SegmentKeeper::SegmentKeeper(const WorkerJob& job, std::string renderer)
     : target_(job.target),
       workFolder_(job.workFolder),
-      records_(job.workFolder),
+      records_(job.workFolder, job.target),
       resume_(job.resume),
       job_(job.job),
       renderer_(std::move(renderer)) {}

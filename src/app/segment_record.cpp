@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +12,8 @@
 #include <span>
 #include <system_error>
 
+#include "app/job_file.h"
+#include "app/json_file.h"
 #include "app/json_text.h"
 #include "core/error.h"
 #include "core/regular_file.h"
@@ -24,20 +27,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 using std::filesystem::path;
 
-constexpr std::size_t kMostRecordBytes = std::size_t{64} << 20;
-
 [[noreturn]] void cannotRead(const path& file) {
   throw core::Error(core::ErrorKind::kIo, fmt::format("cannot read {}: {}", core::printable(file.native()),
                                                       std::generic_category().message(errno)));
 }
 
-// Paths from the work folder, so that both can be moved, or seen from elsewhere.
+// From the work folder, so that both can be moved, or seen from elsewhere.
+std::string nameOf(const path& file, const path& folder) {
+  return utf8FromBytes(file.lexically_relative(folder).native());
+}
+
 Json toJson(const SegmentRecord& record, const path& folder) {
   Json files = Json::array();
   for (const RecordedFile& file : record.files)
-    files.push_back({{"path", utf8FromBytes(file.path.lexically_relative(folder).native())},
-                     {"bytes", file.bytes},
-                     {"sha256", file.sha256}});
+    files.push_back({{"path", nameOf(file.path, folder)}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   return {{"frames", {record.frames.first, record.frames.last}},
           {"job", record.job},
           {"renderer", record.renderer},
@@ -45,15 +48,16 @@ Json toJson(const SegmentRecord& record, const path& folder) {
           {"files", std::move(files)}};
 }
 
-SegmentRecord fromJson(const Json& json, const path& folder) {
+/// Of files as they stand in the record, without their paths.
+SegmentRecord fromJson(const Json& json) {
   SegmentRecord record;
-  record.frames = {json.at("frames").at(0).get<std::int64_t>(), json.at("frames").at(1).get<std::int64_t>()};
+  record.frames = {wholeNumber(json.at("frames").at(0)), wholeNumber(json.at("frames").at(1))};
   record.job = json.at("job").get<std::string>();
   record.renderer = json.at("renderer").get<std::string>();
   record.digests = json.at("digests").get<std::vector<std::string>>();
   for (const Json& file : json.at("files"))
-    record.files.push_back({folder / bytesFromUtf8(file.at("path").get<std::string>()),
-                            file.at("bytes").get<std::uint64_t>(), file.at("sha256").get<std::string>()});
+    record.files.push_back(
+        {{}, static_cast<std::uint64_t>(wholeNumber(file.at("bytes"))), file.at("sha256").get<std::string>()});
   return record;
 }
 
@@ -61,7 +65,10 @@ SegmentRecord fromJson(const Json& json, const path& folder) {
 
 RecordedFile recordOf(const path& file) {
   const core::FileHandle handle = core::openForReading(file);
-  if (!handle) cannotRead(file);
+  struct stat status {};
+  if (!handle || ::fstat(handle.get(), &status) != 0) cannotRead(file);
+  if (!S_ISREG(status.st_mode))
+    throw core::Error(core::ErrorKind::kIo, core::printable(file.native()) + " is not a regular file");
   core::Sha256 sum;
   RecordedFile record;
   record.path = file;
@@ -82,15 +89,28 @@ path SegmentRecords::fileOf(const FrameRange& frames) const {
   return folder_ / fmt::format("segment-{:09}-{:09}.json", frames.first, frames.last);
 }
 
-std::optional<SegmentRecord> SegmentRecords::find(const FrameRange& frames) const try {
-  const SegmentRecord record = fromJson(
-      Json::parse(core::readRegularFile(fileOf(frames), kMostRecordBytes, core::ErrorKind::kIo)), folder_);
-  const bool fits = record.frames == frames &&
-                    static_cast<std::int64_t>(record.digests.size()) == frames.count() && !record.files.empty();
-  return fits ? std::optional(record) : std::nullopt;
+std::optional<SegmentRecord> SegmentRecords::parse(std::string_view text, const FrameRange& frames) const try {
+  const Json json = parseJson(text);
+  SegmentRecord record = fromJson(json);
+  if (record.frames != frames || static_cast<std::int64_t>(record.digests.size()) != frames.count())
+    return std::nullopt;
+  const std::vector<path> files = segmentFiles(folder_, target_, frames);
+  if (record.files.size() != files.size()) return std::nullopt;
+  // A record is no reason to open any other file than those.
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (json.at("files").at(i).at("path").get<std::string>() != nameOf(files[i], folder_)) return std::nullopt;
+    record.files[i].path = files[i];
+  }
+  return record;
 } catch (const core::Error&) {
   return std::nullopt;
 } catch (const nlohmann::json::exception&) {
+  return std::nullopt;
+}
+
+std::optional<SegmentRecord> SegmentRecords::find(const FrameRange& frames) const try {
+  return parse(core::readRegularFile(fileOf(frames), kMostJsonBytes, core::ErrorKind::kIo), frames);
+} catch (const core::Error&) {
   return std::nullopt;
 }
 

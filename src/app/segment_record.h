@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/frame_plan.h"
+#include "app/output_target.h"
 
 namespace poinsot::app {
 
@@ -31,7 +33,7 @@ struct SegmentRecord {
   friend bool operator==(const SegmentRecord&, const SegmentRecord&) = default;
 };
 
-/// The file as it is on disk. @throws core::Error(kIo) if it cannot be read.
+/// The file as it is on disk. @throws core::Error(kIo) if it cannot be read or is no regular file.
 RecordedFile recordOf(const std::filesystem::path& file);
 
 /// How a segment stands.
@@ -45,10 +47,14 @@ enum class SegmentState {
 /// The records of a render's segments, each a file of JSON in the work folder.
 class SegmentRecords {
  public:
-  explicit SegmentRecords(std::filesystem::path workFolder) : folder_(std::move(workFolder)) {}
+  /// `target`: of the render, by which the names of its files are known.
+  SegmentRecords(std::filesystem::path workFolder, OutputTarget target)
+      : folder_(std::move(workFolder)), target_(std::move(target)) {}
 
-  /// Nothing where there is none, or what is there is no record of these frames.
+  /// Nothing where there is none, or what is there is no record of these frames and of the files that they go to.
   std::optional<SegmentRecord> find(const FrameRange& frames) const;
+  /// The same of a record's text.
+  std::optional<SegmentRecord> parse(std::string_view text, const FrameRange& frames) const;
   /// Durable when it returns. @throws core::Error(kIo).
   void keep(const SegmentRecord& record) const;
   /// Its files are there, byte for byte.
@@ -60,6 +66,7 @@ class SegmentRecords {
 
  private:
   std::filesystem::path folder_;
+  OutputTarget target_;
 };
 
 }  // namespace poinsot::app

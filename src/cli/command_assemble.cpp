@@ -37,13 +37,13 @@ app::OutputTarget filmTarget(const AssembleOptions& options, const app::OutputTa
 int assemble(const AssembleOptions& options) {
   const auto output = app::parseTarget(options.output), film = filmTarget(options, output);
   const auto folder = app::workFolderOf(output.path);
-  const auto job = app::readJobFile(folder);
+  const auto job = app::readJobFile(folder, output);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: there are no segments of it here", core::printable(options.output)));
   if (film.kind == app::OutputKind::kFilm) output::checkTarget(film.path, options.force);
   app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
-  app::assemble(work.path(), *job, film.path);
+  app::assemble(work.path(), *job, output, film.path);
   if (!options.keep) work.discard();
   if (!options.quiet)
     writeErr(fmt::format("poinsot: {} is ready ({} frames)\n", core::printable(film.path.string()),

@@ -92,7 +92,7 @@ std::string plainText(const StatusOptions& options, const app::JobFile& job, con
 int status(const StatusOptions& options) {
   const auto target = app::parseTarget(options.output);
   const auto folder = app::workFolderOf(target.path);
-  const auto job = app::readJobFile(folder);
+  const auto job = app::readJobFile(folder, target);
   if (!job && target.kind == app::OutputKind::kFilm && output::isOwnFilm(target.path)) {
     if (!options.shards)
       writeOut(options.json ? "{\"complete\": true}\n"
@@ -102,7 +102,7 @@ int status(const StatusOptions& options) {
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: no render of it is under way here", core::printable(options.output)));
-  const app::JobStatus state = app::statusOf(folder, *job);
+  const app::JobStatus state = app::statusOf(folder, *job, target);
   if (options.shards)
     writeOut(rangeText(openShards(state, job->shards)) + "\n");
   else

@@ -37,7 +37,8 @@ constexpr Door kDoors[] = {
     // What is linked is seen by the packagers' tools; what is opened is not, so there is one way to do it.
     {R"(dlfcn\.h)", R"(core/shared_library\.cpp)"},
     {R"(CLI/.*)", R"(cli/.*)"},
-    {R"(nlohmann/.*)", R"(\w+/\w+\.cpp)"},
+    {R"(nlohmann/json_fwd\.hpp)", R"(\w+/\w+\.cpp|app/json_file\.h)"},
+    {R"(nlohmann/json\.hpp)", R"(\w+/\w+\.cpp)"},
     // Doubles up to the draw list, floats from there on.
     {R"(Eigen/.*|unsupported/Eigen/.*)", R"((physics|geometry|scene|stage|app|cli)/.*)"},
     {R"(glm/.*)", R"((gl|draw|output|stage|render|app|cli)/.*)"},
