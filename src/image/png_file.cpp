@@ -285,7 +285,8 @@ BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
 /// libpng takes memory for a chunk as it says it is long, 2 GiB at most, before it sees that so much is not there.
 bool endsWithinAChunk(Remaining bytes) {
   constexpr std::size_t kAround = 12;  // length, type, checksum
-  for (Remaining rest = bytes.subspan(kSignature.size()); rest.size() >= kAround;) {
+  for (Remaining rest = bytes.subspan(kSignature.size()); !rest.empty();) {
+    if (rest.size() < kAround) return true;
     const std::size_t length = bigEndian32(rest);
     if (length > rest.size() - kAround) return true;
     if (startsWith(rest.subspan(4), "IEND")) return false;

@@ -319,6 +319,8 @@ TEST(Png, TakesNoMemoryForWhatAChunkOnlySaysItHas) {
   const auto type = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
   ASSERT_NE(type, bytes.end());
   *(type - 4) = 0x54;
+  const Bytes cut(bytes.begin(), type + 4);  // to where its contents would begin
+  EXPECT_THAT(failure(cut), ::testing::HasSubstr("not a readable PNG: the file ends too early"));
   EXPECT_THAT(failure(bytes), ::testing::HasSubstr("not a readable PNG: the file ends too early"));
 }
 
