@@ -1,145 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "cli/commands.h"
+#include "cli/command_line.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "core/error.h"
-#include "core/text.h"
 
 namespace poinsot::cli {
-namespace {
-
-constexpr std::string_view kExamples =
-    "Examples:\n"
-    "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
-    "  poinsot still scenes/tennis_racket.toml --time 1.25 -o out/fig.png\n"
-    "  poinsot help render\n"
-    "Exit codes: ";
-
-void declare(CLI::App& program, Action& chosen) {
-  program.description("Films and stills of rotating rigid bodies, from scene files.");
-  program.set_version_flag("--version", versionText, "versions of the program and its libraries");
-  program.footer(std::string(kExamples) + kExitCodesText);
-  program.require_subcommand(1);
-  addRender(program, chosen);
-  addStill(program, chosen);
-  addGallery(program, chosen);
-  addStatus(program, chosen);
-  addAssemble(program, chosen);
-  addSubmit(program, chosen);
-  addDiff(program, chosen);
-  addGolden(program, chosen);
-  addInfo(program, chosen);
-  addTrajectory(program, chosen);
-  addGrade(program, chosen);
-  addCheck(program, chosen);
-  addSchema(program, chosen);
-  addBackends(program, chosen);
-  addSelfDescribe(program, chosen);
-}
-
-/// Of the commands that --help lists.
-std::vector<std::string> commandNames(const CLI::App& program) {
-  std::vector<std::string> names{"help"};
-  for (const CLI::App* command :
-       program.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); }))
-    names.push_back(command->get_name());
-  return names;
-}
-
-bool isCommand(const CLI::App& program, const std::string& word) {
-  const auto named = [&](const CLI::App* command) { return command->get_name() == word; };
-  return !program.get_subcommands(named).empty();
-}
-
-std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates) {
-  const auto near = core::closest(word, candidates);
-  return near ? fmt::format("; did you mean '{}'?", *near) : "";
-}
-
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
-/// "help" and "help render" are "--help" and "render --help".
-std::vector<std::string> wordsOf(int argc, char** argv) {
-  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty()) return {"--help"};
-  if (words[0] != "help") return words;
-  words.erase(words.begin());
-  if (words.size() > 1) refuse("help takes one command");
-  words.push_back("--help");
-  return words;
-}
-
-void checkCommandWord(const CLI::App& program, const std::string& word) {
-  if (word.starts_with('-') || isCommand(program, word)) return;
-  refuse(fmt::format("unknown command '{}'{} (poinsot --help lists the commands)", core::printable(word),
-                     didYouMean(word, commandNames(program))));
-}
-
-std::vector<std::string> optionNames(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-[[noreturn]] void refuseExtra(const CLI::App& program) {
-  const auto used = program.get_subcommands();
-  const CLI::App& command = used.empty() ? program : *used.front();
-  const auto extra = program.remaining(true);
-  const std::string word = extra.empty() ? "" : extra.front();
-  const std::string help = used.empty() ? "poinsot --help" : fmt::format("poinsot {} --help", command.get_name());
-  refuse(fmt::format("unexpected '{}'{} ({} lists what works)", core::printable(word),
-                     didYouMean(word.substr(0, word.find('=')), optionNames(command)), help));
-}
-
-void parse(CLI::App& program, std::vector<std::string> words) {
-  checkCommandWord(program, words.front());
-  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
-  try {
-    program.parse(std::move(words));
-  } catch (const CLI::ExtrasError&) {
-    refuseExtra(program);
-  } catch (const CLI::Success&) {
-    throw;  // help and version
-  } catch (const CLI::ParseError& error) {
-    refuse(core::printable(error.what()));
-  }
-}
-
-int run(int argc, char** argv) {
-  Action chosen;
-  CLI::App program("", "poinsot");
-  declare(program, chosen);
-  try {
-    parse(program, wordsOf(argc, argv));
-  } catch (const CLI::CallForVersion& version) {
-    writeOut(std::string(version.what()));
-    return kDone;
-  } catch (const CLI::Success&) {
-    writeOut(program.help());
-    return kDone;
-  }
-  return chosen();
-}
-
-}  // namespace
 
 int runProgram(int argc, char** argv) {
   openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);  // a write says EPIPE in its place
   std::signal(SIGXFSZ, SIG_IGN);  // and EFBIG
-  return translatingErrors([&] { return run(argc, argv); });
+  return translatingErrors([&] { return CommandLine({argv + std::min(argc, 1), argv + argc}).run(); });
 }
 
 }  // namespace poinsot::cli
