@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the programs of tests/fuzz, which a build folder has: see --help. Writes into that folder and nowhere else."""
+
+import argparse
+import concurrent.futures
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import seeds
+
+SCENE_RUNS, OTHER_RUNS = 10_000_000, 2_000_000
+# Longest input in bytes: texts are 4 KiB, which is more than any scene of the gallery has.
+LONGEST = {"mesh": 65536, "png": 65536}
+ABSENT = 77  # what CTest takes for "skipped"
+
+
+def words():
+    parser = argparse.ArgumentParser(prog="poinsot fuzz", description=__doc__)
+    parser.add_argument("target", nargs="*", help=f"of {', '.join(seeds.TARGETS)}; all if none is named")
+    parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
+    amount = parser.add_mutually_exclusive_group()
+    amount.add_argument("--runs", type=int, help=f"of each; {SCENE_RUNS:,} of scene and {OTHER_RUNS:,} of others if not said")
+    amount.add_argument("--seconds", type=float, help="of all together, in place of a number of runs")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="targets at a time; one per CPU if not said")
+    parser.add_argument("--afresh", action="store_true", help="begin with the seeds alone, not with what earlier runs found")
+    parser.add_argument("--built", action="store_true", help=argparse.SUPPRESS)  # all that are built
+    asked = parser.parse_args()
+    unknown = set(asked.target) - set(seeds.TARGETS)
+    if unknown:
+        parser.error(f"no such target: {', '.join(sorted(unknown))}")
+    asked.target = asked.target or [target for target in seeds.TARGETS if not asked.built or program(asked, target).exists()]
+    return asked
+
+
+def program(asked, target):
+    return asked.build / "bin" / f"fuzz_{target}"
+
+
+def prepare(folder, target, afresh):
+    """Its folders: what to begin with, what was learnt, what was found."""
+    if afresh:
+        shutil.rmtree(folder / "corpus", ignore_errors=True)
+    shutil.rmtree(folder / "seeds", ignore_errors=True)
+    for name in ("seeds", "corpus", "found"):
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    for number, seed in enumerate(seeds.TARGETS[target]()):
+        (folder / "seeds" / f"{number:03}").write_bytes(seed)
+    (folder / "words.dict").write_text(seeds.dictionary(target))
+
+
+def command(asked, target):
+    limits = [f"-max_len={LONGEST.get(target, 4096)}", "-timeout=10", "-rss_limit_mb=1024", "-print_final_stats=1"]
+    if asked.seconds is not None:
+        limits.append(f"-max_total_time={max(1, round(asked.seconds / len(asked.target)))}")
+    else:
+        limits.append(f"-runs={asked.runs or (SCENE_RUNS if target == 'scene' else OTHER_RUNS)}")
+    return [program(asked, target), "corpus", "seeds", "-dict=words.dict", "-artifact_prefix=found/", "-verbosity=1", *limits]
+
+
+def run(asked, target):
+    """True if nothing was found."""
+    folder = asked.build / "fuzz" / target
+    prepare(folder, target, asked.afresh)
+    begin = time.monotonic()
+    with open(folder / "log", "wb") as log:
+        # Stacks of allocations cost a tenth of the time, and the report of a leak needs them: it is repeated by hand.
+        environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=32:malloc_context_size=4"}
+        code = subprocess.call(command(asked, target), cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+    spent = time.monotonic() - begin
+    text = (folder / "log").read_text(errors="replace")
+    said = re.search(r"number_of_executed_units: (\d+)", text)
+    count = int(said.group(1)) if said else 0
+    print(f"{target:17} {count:>11,} runs, {count / spent:>6,.0f}/s  {'nothing found' if code == 0 else 'FOUND: ' + str(folder / 'log')}",
+          flush=True)
+    return code == 0
+
+
+def main():
+    asked = words()
+    if not asked.target or not all(program(asked, target).exists() for target in asked.target):
+        print(f"the programs are not in {asked.build}: ./poinsot fuzz builds them", file=sys.stderr)
+        return ABSENT
+    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+        return 0 if all(list(pool.map(lambda target: run(asked, target), asked.target))) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/frame_plan.h"
+#include "app/limit_words.h"
+#include "app/output_target.h"
+#include "app/trajectory_target.h"
+#include "cli/command_line.h"
+#include "cli/render_options.h"
+#include "cli/time_word.h"
+#include "core/error.h"
+#include "fuzz/input.h"
+
+namespace {
+
+using namespace poinsot;
+
+template <class Parse>
+void attempt(const Parse& parse) {
+  try {
+    parse();
+  } catch (const core::Error& error) {
+    fuzz::expectPrintable(error.what());
+  }
+}
+
+/// What the values of options are read by, once a command runs.
+void readValue(const std::string& word) {
+  attempt([&] { app::parseTarget(word); });
+  attempt([&] { app::parseStillTarget(word); });
+  attempt([&] { app::parseTrajectoryTarget(word); });
+  attempt([&] { app::parseFrameRange(word); });
+  attempt([&] { app::parseShard(word); });
+  attempt([&] { cli::parseSize(word); });
+  attempt([&] { cli::parseTimes_s("--at", word); });
+  image::NearRule rule;
+  attempt([&] { app::setMaxDifference(rule, "--max", word); });
+  attempt([&] { app::setDifferingPixels(rule, "--pixels", word); });
+  attempt([&] { app::setFlipMean(rule, "--flip-mean", word); });
+}
+
+}  // namespace
+
+// The words after the program's name, each on a line. Nothing is run.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::vector<std::string> words = fuzz::wordsOf({data, size}, '\n');
+  attempt([&] { const cli::CommandLine line(words); });
+  readValue(words.back());
+  return 0;
+}

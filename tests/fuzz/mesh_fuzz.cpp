@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/error.h"
+#include "fuzz/input.h"
+#include "geometry/mesh_file.h"
+#include "geometry/mesh_integrals.h"
+
+// A byte that says which format, then the file.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using poinsot::geometry::MeshFormat;
+  if (size == 0) return 0;
+  const MeshFormat format = data[0] == 'o'   ? MeshFormat::kObj
+                            : data[0] == 's' ? MeshFormat::kStl
+                                             : MeshFormat::kPly;
+  try {
+    const auto mesh = poinsot::geometry::parseMesh(poinsot::fuzz::textOf({data + 1, size - 1}), format, "mesh");
+    poinsot::geometry::checkClosed(mesh);
+    poinsot::geometry::integrals(mesh);
+  } catch (const poinsot::core::Error& error) {
+    poinsot::fuzz::expectPrintable(error.what());
+  }
+  return 0;
+}
