@@ -24,8 +24,20 @@ std::string_view indexIn(std::string_view path) {
   return number ? digits : std::string_view();
 }
 
-bool someKeyStarts(const std::string& prefix) {
-  return std::any_of(keys().begin(), keys().end(), [&](const Key& key) { return key.path.starts_with(prefix); });
+using KeysByPath = std::map<std::string_view, const Key*>;
+
+const KeysByPath& keysByPath() {
+  static const auto byPath = [] {
+    KeysByPath map;
+    for (const Key& key : keys()) map.emplace(key.path, &key);
+    return map;
+  }();
+  return byPath;
+}
+
+bool someKeyStarts(std::string_view prefix) {
+  const auto first = keysByPath().lower_bound(prefix);
+  return first != keysByPath().end() && first->first.starts_with(prefix);
 }
 
 }  // namespace
@@ -45,13 +57,8 @@ std::size_t elementOf(std::string_view path) {
 }
 
 const Key* findKey(std::string_view path) {
-  static const auto byPath = [] {
-    std::map<std::string_view, const Key*> map;
-    for (const Key& key : keys()) map.emplace(key.path, &key);
-    return map;
-  }();
-  const auto found = byPath.find(patternOf(path));
-  return found == byPath.end() ? nullptr : found->second;
+  const auto found = keysByPath().find(patternOf(path));
+  return found == keysByPath().end() ? nullptr : found->second;
 }
 
 bool isTable(std::string_view path) { return someKeyStarts(patternOf(path) + "."); }

@@ -13,7 +13,7 @@
 namespace poinsot::scene {
 
 inline std::string dataPath(const std::string& name) {
-  return std::string(POINSOT_SOURCE_DIR) + "/tests/scene/data/" + name;
+  return POINSOT_SOURCE_DIR "/tests/scene/data/" + name;
 }
 
 constexpr const char* kMinimal =
