@@ -80,6 +80,7 @@ OrderedDither::Mix OrderedDither::mixOf(const std::uint8_t* rgb) const {
 }
 
 void OrderedDither::apply(const image::Image& picture, std::span<std::uint8_t> indices, std::ptrdiff_t stride) {
+  POINSOT_EXPECT(stride >= picture.size.width && std::ssize(indices) >= stride * picture.size.height);
   for (int y = 0; y < picture.size.height; ++y) {
     const std::uint8_t* from = picture.at(0, y);
     std::uint8_t* to = indices.data() + y * stride;

@@ -54,7 +54,7 @@ def prepare(folder, target, afresh):
 
 
 def command(asked, target):
-    limits = [f"-max_len={LONGEST.get(target, 4096)}", "-timeout=10", "-rss_limit_mb=1024", "-print_final_stats=1"]
+    limits = [f"-max_len={LONGEST.get(target, 4096)}", "-timeout=10", "-rss_limit_mb=1024", "-reload=0", "-print_final_stats=1"]
     if asked.seconds is not None:
         limits.append(f"-max_total_time={max(1, round(asked.seconds / len(asked.target)))}")
     else:
@@ -64,7 +64,7 @@ def command(asked, target):
 
 def run(asked, target):
     """True if nothing was found."""
-    folder = asked.build / "fuzz" / target
+    folder = asked.build / "runs" / target
     prepare(folder, target, asked.afresh)
     begin = time.monotonic()
     with open(folder / "log", "wb") as log:
