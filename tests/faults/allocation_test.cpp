@@ -246,7 +246,9 @@ TEST(OutOfMemory, WhileASceneIsReadIsTold) {
 INSTANTIATE_TEST_SUITE_P(
     Of, OutOfMemoryWhile,
     testing::Values(
-        Kind{"Film", makeFilm}, Kind{"Sequence", makeSequence},
+        // libavformat 59 leaves texts out of an MP4's trailer for which it gets no memory, and says that all is
+        // well.
+        Kind{"Film", makeFilm, Whose::kOwn}, Kind{"Sequence", makeSequence},
         // cairo 1.16 takes what it failed to make for made when it clears up (cairo_surface_destroy).
         Kind{"Pdf", [](const auto&, auto& frames, const auto& folder) { makeFigure(frames, folder / "a.pdf"); },
              Whose::kOwn},

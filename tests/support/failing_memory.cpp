@@ -55,13 +55,18 @@ Range codeOf(const char* library) {
 Range program, standardLibrary;  // which has operator new
 bool failOwnOnly = false;
 
+/// For a debugger to stop at: who asked.
+[[gnu::noinline]] void allocationFails() {
+  hasFailed = true;
+  errno = ENOMEM;
+}
+
 /// Whether the one that is asked for from there fails.
 bool fails(const void* caller) {
   if (!watching || (failOwnOnly && !program.holds(caller) && !standardLibrary.holds(caller))) return false;
   ++count;
   if (failAtCount == 0 || count < failAtCount || (count > failAtCount && !failOnwards)) return false;
-  hasFailed = true;
-  errno = ENOMEM;
+  allocationFails();
   return true;
 }
 
