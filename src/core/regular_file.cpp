@@ -17,11 +17,17 @@ namespace {
 
 std::string reasonOfErrno() { return std::generic_category().message(errno); }
 
-void expectRegular(const FileHandle& file, ErrorKind kind) {
+/// Its size as the file says.
+std::size_t expectRegular(const FileHandle& file, ErrorKind kind) {
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) throw Error(kind, reasonOfErrno());
   if (S_ISDIR(status.st_mode)) throw Error(kind, "it is a directory");
   if (!S_ISREG(status.st_mode)) throw Error(kind, "it is not a regular file");
+  return static_cast<std::size_t>(status.st_size);
+}
+
+[[noreturn]] void refuseSize(std::size_t bytes, std::size_t mostBytes) {
+  throw Error(ErrorKind::kLimit, fmt::format("it has {} bytes, more than the {} that are read", bytes, mostBytes));
 }
 
 }  // namespace
@@ -45,17 +51,19 @@ std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kin
   return bytes;
 }
 
+std::string allBytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind) {
+  if (const std::size_t said = expectRegular(file, kind); said > mostBytes) refuseSize(said, mostBytes);
+  std::string bytes = bytesOf(file, mostBytes, kind);
+  if (bytes.size() > mostBytes) refuseSize(bytes.size(), mostBytes);  // it grew, or is one of the kernel's
+  return bytes;
+}
+
 std::string readRegularFile(const std::filesystem::path& path, std::size_t mostBytes, ErrorKind kind) {
-  const std::string name = printable(path.string());
-  std::string bytes;
   try {
-    bytes = bytesOf(openForReading(path), mostBytes, kind);
+    return allBytesOf(openForReading(path), mostBytes, kind);
   } catch (const Error& error) {
-    throw Error(kind, fmt::format("cannot read {}: {}", name, error.message()));
+    throw Error(error.kind(), fmt::format("cannot read {}: {}", printable(path.string()), error.message()));
   }
-  if (bytes.size() <= mostBytes) return bytes;
-  throw Error(ErrorKind::kLimit,
-              fmt::format("{} has more than {} bytes, the most that are read", name, mostBytes));
 }
 
 }  // namespace poinsot::core

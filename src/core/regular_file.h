@@ -19,8 +19,12 @@ FileHandle openForReading(const std::filesystem::path& path);
 /// @throws Error(kind) saying only why. An empty handle is errno's reason.
 std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind);
 
+/// All of them, if they are not more than `mostBytes`: a file that says so itself is not read.
+/// @throws Error(kind) as bytesOf(); Error(kLimit) "it has N bytes, more than the M that are read".
+std::string allBytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind);
+
 /// All bytes of a regular file.
-/// @throws Error(kind) "cannot read FILE: why"; Error(kLimit) if it has more than `mostBytes`.
+/// @throws Error(kind) "cannot read FILE: why"; Error(kLimit) likewise, if it has more than `mostBytes`.
 std::string readRegularFile(const std::filesystem::path& path, std::size_t mostBytes, ErrorKind kind);
 
 }  // namespace poinsot::core

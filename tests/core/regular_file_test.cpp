@@ -30,7 +30,21 @@ TEST(RegularFile, AllBytesUpToTheLimit) {
   EXPECT_EQ(readRegularFile(folder.put("empty", ""), 0, ErrorKind::kIo), "");
   const auto [kind, message] = refusal(file, 5);
   EXPECT_EQ(kind, ErrorKind::kLimit);
-  EXPECT_EQ(message, file.string() + " has more than 5 bytes, the most that are read");
+  EXPECT_EQ(message, "cannot read " + file.string() + ": it has 6 bytes, more than the 5 that are read");
+}
+
+// A file that says that it is large is not read: a terabyte without a block on the disk.
+TEST(RegularFile, TooManyAreRefusedUnread) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.put("large", "");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);
+  EXPECT_EQ(refusal(file, 1 << 20).second,
+            "cannot read " + file.string() + ": it has 1099511627776 bytes, more than the 1048576 that are read");
+}
+
+// The kernel's own files say that they have none.
+TEST(RegularFile, OneThatSaysNoSizeIsReadToTheLimit) {
+  EXPECT_EQ(refusal("/proc/self/maps", 10).first, ErrorKind::kLimit);
 }
 
 TEST(RegularFile, NothingElseIsOpened) {

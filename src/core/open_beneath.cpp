@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/open_beneath.h"
+
+#include <fcntl.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <optional>
+
+namespace poinsot::core {
+namespace {
+
+using std::filesystem::path;
+
+// No flag that makes or changes anything. O_NONBLOCK: a pipe that took the file's place must not make us wait.
+constexpr int kForReading = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW;
+constexpr int kToLookAt = O_PATH | O_CLOEXEC | O_NOFOLLOW;
+
+FileHandle failed(int reason) {
+  errno = reason;
+  return FileHandle();
+}
+
+/// Nothing where the kernel has no such call, or a sandbox forbids it.
+std::optional<FileHandle> openByTheKernel(int folder, const path& relative, int flags) {
+  open_how how{};
+  how.flags = static_cast<std::uint64_t>(flags);
+  how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS | RESOLVE_NO_SYMLINKS;
+  // EAGAIN: something was renamed meanwhile, and the kernel cannot tell whether the path stayed beneath.
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    const auto fd = static_cast<int>(syscall(SYS_openat2, folder, relative.c_str(), &how, sizeof how));
+    if (fd >= 0) return FileHandle(fd);
+    if (errno == ENOSYS || errno == EPERM) return std::nullopt;
+    if (errno != EAGAIN && errno != EINTR) break;
+  }
+  return FileHandle();
+}
+
+/// O_PATH with O_NOFOLLOW opens a link itself.
+bool isLink(const FileHandle& file) {
+  struct stat status {};
+  return file && fstat(file.get(), &status) == 0 && S_ISLNK(status.st_mode);
+}
+
+/// `reached`: what folder by folder has come to.
+FileHandle openFolderByFolder(int folder, const path& relative, int flags) {
+  FileHandle reached;
+  int at = folder;
+  for (auto part = relative.begin(); part != relative.end();) {
+    if (*part == ".." || part->is_absolute()) return failed(EXDEV);
+    const path name = *part;
+    const bool last = ++part == relative.end();
+    FileHandle next(openat(at, name.empty() ? "." : name.c_str(), last ? flags : kToLookAt));
+    if (!next) return failed(errno);
+    if (isLink(next)) return failed(ELOOP);
+    reached = std::move(next);
+    at = reached.get();
+  }
+  return reached;
+}
+
+/// 0, or why it is not opened for reading.
+int whyNot(const FileHandle& file) {
+  struct stat status {};
+  if (fstat(file.get(), &status) != 0) return errno;
+  if (S_ISREG(status.st_mode)) return 0;
+  if (S_ISLNK(status.st_mode)) return ELOOP;
+  return S_ISDIR(status.st_mode) ? EISDIR : EINVAL;
+}
+
+}  // namespace
+
+FileHandle openBeneath(const path& folder, const path& relative, Following following) {
+  const FileHandle root(open(folder.empty() ? "." : folder.c_str(), O_PATH | O_CLOEXEC | O_DIRECTORY));
+  if (!root) return failed(errno);
+  const auto opened = [&](int flags) {
+    if (following == Following::kByTheKernel)
+      if (auto file = openByTheKernel(root.get(), relative, flags)) return std::move(*file);
+    return openFolderByFolder(root.get(), relative, flags);
+  };
+  const FileHandle seen = opened(kToLookAt);
+  if (!seen) return failed(errno);
+  if (const int reason = whyNot(seen)) return failed(reason);
+  FileHandle file = opened(kForReading);  // perhaps another by now, so it is asked once more
+  if (!file) return failed(errno);
+  const int reason = whyNot(file);
+  return reason == 0 ? std::move(file) : failed(reason);
+}
+
+}  // namespace poinsot::core
