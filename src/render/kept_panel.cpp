@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/gl_includes.h"
+#include "gl/storage.h"
 
 namespace poinsot::render {
 namespace {
@@ -29,6 +30,7 @@ void readPart(const PixelBounds& part, std::vector<Sample>& rgba, image::BasicIm
   rgba.resize(4 * width * static_cast<std::size_t>(rows));
   glReadPixels(x, y, widthOf(part), rows, GL_RGBA, sizeof(Sample) == 1 ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT,
                rgba.data());
+  gl::expectStored("pixels to be read", rgba.size() * sizeof(Sample));  // which may need a copy of its own
   for (int row = 0; row < rows; ++row) {
     const Sample* from = rgba.data() + 4 * width * static_cast<std::size_t>(row);
     if (picture.channels == 4)

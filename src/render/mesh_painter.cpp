@@ -152,6 +152,7 @@ void MeshPainter::resetMarks(glm::ivec2 size_px) {
   if (!resized) return;
   glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
   glTexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_R8, size_px.x, size_px.y, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+  gl::expectStored("marks", static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y));
 }
 
 // What is beside the part is of pictures before, and not read.

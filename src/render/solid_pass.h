@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/shader_program.h"
+#include "gl/storage.h"
 #include "render/constants.h"
 
 /// What the painters of solids share.
@@ -33,11 +34,12 @@ void useForSolid(const gl::ShaderProgram& program, const Constants& ofPicture, c
 /// Describes `components` floats of each vertex in the bound buffer.
 void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset);
 
-/// Fills a buffer, which stays bound.
+/// Fills a buffer, which stays bound. @throws core::Error(kGraphics) if the back end has no room for it.
 template <typename Value>
 void upload(GLenum target, const gl::BufferName& buffer, const std::vector<Value>& values, GLenum usage) {
   glBindBuffer(target, buffer.id());
   glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), usage);
+  gl::expectStored("a buffer", values.size() * sizeof(Value));
 }
 
 }  // namespace poinsot::render

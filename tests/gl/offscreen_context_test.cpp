@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "gl/framebuffer.h"
 #include "gl/shader_program.h"
+#include "gl/storage.h"
 
 namespace poinsot::gl {
 namespace {
@@ -48,6 +49,17 @@ TEST_P(OffscreenContextTest, ClearsAndReadsBack) {
     EXPECT_EQ(pixels[4 * i + 1], 51);  // 0.2 * 255
     EXPECT_EQ(pixels[4 * i + 2], 0);
   }
+}
+
+// An exbibyte is refused by every driver, and is said in this program's words.
+TEST_P(OffscreenContextTest, SaysThatItHasNoRoom) {
+  const BufferName buffer = BufferName::make();
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  glBufferData(GL_ARRAY_BUFFER, 16, nullptr, GL_STATIC_DRAW);
+  EXPECT_EQ(messageOf([] { expectStored("a buffer", 16); }), "no error");
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr{1} << 60, nullptr, GL_STATIC_DRAW);
+  EXPECT_EQ(messageOf([] { expectStored("a buffer", std::size_t{1} << 60); }),
+            "the back end cannot hold a buffer of 1152921504606846976 bytes: it has no memory left (error 0x505)");
 }
 
 TEST_P(OffscreenContextTest, AShaderErrorNamesTheShaderAndTheLine) {
