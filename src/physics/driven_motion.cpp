@@ -82,7 +82,7 @@ struct DrivenMotion::Solution {
   Solution(const PrincipalAxes& axes_, const Forcing& forcing_) : axes(axes_), forcing(forcing_) {}
 
   void solveInClosedForm(const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB, const TimeSpan& span);
-  void integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad);
+  void integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad, double allowedSteps);
   RigidBodyState at(double t_s) const;
   double totalEnergy(const RigidBodyState& state) const {
     return state.kineticEnergy + potentialEnergy(forcing, state.q_WB);
@@ -114,8 +114,9 @@ void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, 
   report.limitedByRounding = report.estimatedAttitudeError_rad > report.tolerance_rad;
 }
 
-void DrivenMotion::Solution::integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad) {
-  run = chosenRun({axes, forcing, start, span.from_s, span.to_s}, tolerance_rad);
+void DrivenMotion::Solution::integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad,
+                                       double allowedSteps) {
+  run = chosenRun({axes, forcing, start, span.from_s, span.to_s, allowedSteps}, tolerance_rad);
   report.method = run->composition->name;
   report.order = run->composition->order;
   report.steps = run->forward.steps() + run->backward.steps();
@@ -152,7 +153,7 @@ RigidBodyState DrivenMotion::Solution::at(double t_s) const {
 
 DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B,
                            const Eigen::Quaterniond& q0_WB, const Forcing& forcing, const TimeSpan& span,
-                           double tolerance_rad) {
+                           double tolerance_rad, double allowedSteps) {
   validate(forcing);
   requireSpan(span, tolerance_rad);
   const FreeMotion checked(axes, omega0_B, q0_WB);  // refuses an impossible start
@@ -162,7 +163,7 @@ DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& ome
   if (hasClosedForm(forcing))
     solution->solveInClosedForm(omega0_B, q0_WB, whole);
   else
-    solution->integrate(startOf(axes, omega0_B, q0_WB), whole, tolerance_rad);
+    solution->integrate(startOf(axes, omega0_B, q0_WB), whole, tolerance_rad, allowedSteps);
   solution_ = std::move(solution);
 }
 

@@ -44,13 +44,16 @@ struct TimeSpan {
 class DrivenMotion final : public Motion {
  public:
   static constexpr double kDefaultTolerance_rad = 1e-12;
+  static constexpr double kDefaultSteps = 2e6;  ///< of a run; with losses, where one takes longer, a fifth
 
   /// Start at t = 0. omega0_B in rad/s; q0_WB takes B to W, any nonzero quaternion. tolerance_rad: of the
   /// attitude, anywhere in the span; what cannot be reached in double precision is said in the report.
   /// @throws core::Error(kPhysics) for a start that FreeMotion refuses, a forcing that validate() refuses, a span
-  /// or a tolerance that is not finite, a tolerance that is not positive, or a run of too many steps.
+  /// or a tolerance that is not finite, a tolerance that is not positive; (kLimit) for a run of more steps than
+  /// allowed.
   DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
-               const Forcing& forcing, const TimeSpan& span, double tolerance_rad = kDefaultTolerance_rad);
+               const Forcing& forcing, const TimeSpan& span, double tolerance_rad = kDefaultTolerance_rad,
+               double allowedSteps = kDefaultSteps);
   ~DrivenMotion() override;
   DrivenMotion(DrivenMotion&&) noexcept;
   DrivenMotion& operator=(DrivenMotion&&) noexcept;

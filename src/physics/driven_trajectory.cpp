@@ -27,7 +27,7 @@ void requireFinite(const DrivenState& state, double t) {
 
 void requireFewEnough(double steps, double tolerated) {
   if (steps <= tolerated) return;
-  throw core::Error(core::ErrorKind::kPhysics,
+  throw core::Error(core::ErrorKind::kLimit,
                     fmt::format("the driven motion needs {:.3g} steps, more than the {:.0f} allowed in a run; "
                                 "shorten the run, or ask for a larger tolerance",
                                 steps, tolerated));
@@ -35,14 +35,15 @@ void requireFewEnough(double steps, double tolerated) {
 
 }  // namespace
 
-std::vector<DrivenTrajectory::Run> DrivenTrajectory::plannedRuns(const StepPlan& plan, double scale, bool finer) {
+std::vector<DrivenTrajectory::Run> DrivenTrajectory::plannedRuns(const StepPlan& plan, double scale, bool finer,
+                                                                 double allowedSteps) {
   std::vector<Run> runs;
   double total = 0;
   for (const Stretch& stretch : plan.stretches) {
     const double coarse = stepsIn(stretch, scale, 1);
     const double n = finer ? coarse + std::ceil(coarse / 3) : coarse;
     total += n;
-    requireFewEnough(total, mostSteps(*composition_));
+    requireFewEnough(total, mostSteps(*composition_, allowedSteps));
     runs.push_back({stretch, (stretch.end_s - stretch.begin_s) / n, static_cast<std::size_t>(n) - 1, 0});
   }
   steps_ = static_cast<std::size_t>(total);
@@ -51,9 +52,10 @@ std::vector<DrivenTrajectory::Run> DrivenTrajectory::plannedRuns(const StepPlan&
 }
 
 DrivenTrajectory::DrivenTrajectory(const Splitting& splitting, const Composition& composition,
-                                   const DrivenState& start, const StepPlan& plan, double scale, bool finer)
+                                   const DrivenState& start, const StepPlan& plan, double scale, bool finer,
+                                   double allowedSteps)
     : splitting_(splitting), composition_(&composition), start_(start) {
-  runs_ = plannedRuns(plan, scale, finer);
+  runs_ = plannedRuns(plan, scale, finer, allowedSteps);
   DrivenState state = start;
   for (Run& run : runs_) {
     run.stored = checkpoints_.size();

@@ -14,9 +14,9 @@ class DrivenTrajectory {
  public:
   /// Every stretch of the plan in steps of `scale` times the plan's length: `finer` by a third or more than
   /// without, so that the two can be compared.
-  /// @throws core::Error(kPhysics) for more than mostSteps(), or where the state is no longer finite.
+  /// @throws core::Error(kLimit) for more than mostSteps(), (kPhysics) where the state is no longer finite.
   DrivenTrajectory(const Splitting& splitting, const Composition& composition, const DrivenState& start,
-                   const StepPlan& plan, double scale, bool finer);
+                   const StepPlan& plan, double scale, bool finer, double allowedSteps = kMostSteps);
 
   /// @pre t_s is between 0 and the end.
   DrivenState at(double t_s) const;
@@ -33,7 +33,7 @@ class DrivenTrajectory {
     std::size_t stored = 0;  // where its checkpoints begin
   };
 
-  std::vector<Run> plannedRuns(const StepPlan& plan, double scale, bool finer);
+  std::vector<Run> plannedRuns(const StepPlan& plan, double scale, bool finer, double allowedSteps);
   DrivenState integrated(const Run& run, DrivenState state);
   void step(DrivenState& state, const Run& run, std::size_t index) const;
   void sideStep(DrivenState& state, const Run& run, std::size_t index, double t_s) const;

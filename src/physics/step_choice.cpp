@@ -77,11 +77,12 @@ StepPlan StepChoice::planTo(double end_s) const {
   const Forcing& f = problem_.forcing;
   const bool conservative = !splitting_.dependsOnMomentum() && f.dragRate_P.isZero(0) && f.torque_B.isZero(0) &&
                             f.torque_W.isZero(0) && f.torqueHistory_B.empty() && f.torqueHistory_W.empty();
-  return pilotPlan(splitting_, composition_, problem_.start, forcingPieces(f, problem_.axes, end_s), conservative);
+  return pilotPlan(splitting_, composition_, problem_.start, forcingPieces(f, problem_.axes, end_s), conservative,
+                   problem_.allowedSteps);
 }
 
 DrivenTrajectory StepChoice::trajectory(const StepPlan& plan, double scale, bool finer) const {
-  return DrivenTrajectory(splitting_, composition_, problem_.start, plan, scale, finer);
+  return DrivenTrajectory(splitting_, composition_, problem_.start, plan, scale, finer, problem_.allowedSteps);
 }
 
 ChosenRun StepChoice::attempt(double scale) const {

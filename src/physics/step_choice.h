@@ -12,6 +12,7 @@ struct DrivenProblem {
   DrivenState start;
   double from_s = 0;  ///< <= 0
   double to_s = 0;    ///< >= 0
+  double allowedSteps = kMostSteps;
 };
 
 /// A run that meets a tolerance, or the best that was found.
@@ -27,7 +28,7 @@ struct ChosenRun {
 /// Integrates the whole span with two step lengths, shorter and shorter until the two agree to the tolerance, or
 /// rounding alone is left. Chaos, growth by an unstable motion and the roundings themselves are all in that
 /// difference, as they are in the error.
-/// @throws core::Error(kPhysics) if that needs more than mostSteps().
+/// @throws core::Error(kLimit) if that needs more than mostSteps(); (kPhysics) as pilotPlan().
 ChosenRun chosenRun(const DrivenProblem& problem, double tolerance_rad);
 
 }  // namespace poinsot::physics

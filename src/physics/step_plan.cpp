@@ -39,8 +39,12 @@ double size(const DrivenState& s) { return norm({s.L_W[0].hi, s.L_W[1].hi, s.L_W
 
 class Pilot {
  public:
-  Pilot(const Splitting& splitting, const Composition& composition, const DrivenState& start)
-      : splitting_(splitting), composition_(composition), state_(start), largest_(size(start)) {}
+  Pilot(const Splitting& splitting, const Composition& composition, const DrivenState& start, double allowedSteps)
+      : splitting_(splitting),
+        composition_(composition),
+        most_(mostSteps(composition, allowedSteps)),
+        state_(start),
+        largest_(size(start)) {}
 
   /// The steps over one piece.
   std::vector<PilotStep> over(const ForcingPiece& piece);
@@ -54,6 +58,7 @@ class Pilot {
 
   const Splitting& splitting_;
   const Composition& composition_;
+  double most_;  // steps
   DrivenState state_;
   double largest_;  // |L| so far
   double h_ = 0;    // > 0, carried from piece to piece
@@ -81,13 +86,14 @@ double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenSta
 
 void Pilot::refuseIfHopeless(const ForcingPiece& piece, double since) const {
   const double t = piece.begin_s + since;
-  const double rest = std::abs(piece.end_s - t), most = mostSteps(composition_);
-  if (h_ > 0x1p-50 * std::abs(t) && h_ > 0 && taken_ + rest / h_ < 4 * most && taken_ < most) return;
-  throw core::Error(core::ErrorKind::kPhysics,
+  const double rest = std::abs(piece.end_s - t);
+  const bool endless = !(h_ > 0x1p-50 * std::abs(t) && h_ > 0);
+  if (!endless && taken_ + rest / h_ < 4 * most_ && taken_ < most_) return;
+  throw core::Error(endless ? core::ErrorKind::kPhysics : core::ErrorKind::kLimit,
                     fmt::format("the driven motion needs steps of {:.3g} s at t = {:.6g} s, with {:.6g} s to go: "
                                 "more than the {:.0f} steps allowed in a run; shorten the run, or weaken what "
                                 "drives the body",
-                                h_, t, rest, most));
+                                h_, t, rest, most_));
 }
 
 std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
@@ -128,8 +134,8 @@ Stretch stretchOf(const ForcingPiece& piece, const std::vector<PilotStep>& steps
 }  // namespace
 
 StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, const DrivenState& start,
-                   const std::vector<ForcingPiece>& pieces, bool conservative) {
-  Pilot pilot(splitting, composition, start);
+                   const std::vector<ForcingPiece>& pieces, bool conservative, double allowedSteps) {
+  Pilot pilot(splitting, composition, start, allowedSteps);
   StepPlan plan;
   for (const ForcingPiece& piece : pieces) {
     const std::vector<PilotStep> steps = pilot.over(piece);
@@ -142,7 +148,9 @@ StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, c
   return plan;
 }
 
-double mostSteps(const Composition& composition) { return composition.ofSymmetricSteps ? 4e5 : 2e6; }
+double mostSteps(const Composition& composition, double allowed) {
+  return composition.ofSymmetricSteps ? std::floor(allowed / 5) : allowed;
+}
 
 double stepsIn(const Stretch& stretch, double scale, double fewest) {
   return std::max(fewest, std::ceil(std::abs(stretch.end_s - stretch.begin_s) / (stretch.step_s * scale)));

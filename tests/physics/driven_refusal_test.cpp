@@ -18,7 +18,7 @@ std::string refusal(const Action& action) {
   try {
     action();
   } catch (const core::Error& error) {
-    EXPECT_EQ(error.kind(), core::ErrorKind::kPhysics);
+    EXPECT_THAT(error.kind(), testing::AnyOf(core::ErrorKind::kPhysics, core::ErrorKind::kLimit));
     return error.message();
   }
   return "not refused";
@@ -93,6 +93,24 @@ TEST(DrivenRefusal, RunsOfTooManySteps) {
   c.forcing.dragRate_P = {1, 2, 1};
   c.span = {-1e4, 0};
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("weaken what drives the body"));
+}
+
+// As many as it takes, and one less.
+TEST(DrivenRefusal, StepsAreAllowedByTheCaller) {
+  const DrivenCase c = heavyTop(1);
+  const PrincipalAxes axes{PrincipalMoments(c.I)};
+  const auto made = [&](double allowed) {
+    return DrivenMotion(axes, c.omega0, c.q0, c.forcing, c.span, DrivenMotion::kDefaultTolerance_rad, allowed);
+  };
+  const auto steps = static_cast<double>(made(DrivenMotion::kDefaultSteps).report().steps);
+  EXPECT_EQ(made(steps).report().steps, steps);
+  try {
+    made(steps - 1);
+    FAIL();
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
+    EXPECT_THAT(error.message(), HasSubstr("steps, more than the"));
+  }
 }
 
 // A needle with a torque about it: in 20 s it would turn 2e9 rad. With energy loss alpha L²/I is 5e6 a
