@@ -23,12 +23,12 @@ MeshFormat meshFormatOf(const std::filesystem::path& path) {
                                 core::printable(path.filename().string())));
 }
 
-Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& name, const MeshLimits& limits) {
   const std::string shown = core::printable(name);
-  if (bytes.size() > kMostMeshBytes)
+  if (bytes.size() > limits.bytes)
     throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("{} has more than {} bytes, the most that are read", shown, kMostMeshBytes));
-  MeshBuilder builder(shown);
+                      fmt::format("{} has more than {} bytes, the most that are read", shown, limits.bytes));
+  MeshBuilder builder(shown, limits);
   switch (format) {
     case MeshFormat::kObj:
       readObj(bytes, builder);
@@ -43,9 +43,10 @@ Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& nam
   return builder.finished();
 }
 
-Mesh readMesh(const std::filesystem::path& path) {
+Mesh readMesh(const std::filesystem::path& path, const MeshLimits& limits) {
   const MeshFormat format = meshFormatOf(path);
-  return parseMesh(core::readRegularFile(path, kMostMeshBytes, core::ErrorKind::kScene), format, path.string());
+  return parseMesh(core::readRegularFile(path, limits.bytes, core::ErrorKind::kScene), format, path.string(),
+                   limits);
 }
 
 }  // namespace poinsot::geometry

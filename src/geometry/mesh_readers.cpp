@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "geometry/mesh_file.h"
 
 namespace poinsot::geometry {
 namespace {
@@ -39,15 +38,15 @@ void MeshBuilder::refuseAmount(const FilePlace& place, const std::string& messag
 }
 
 void MeshBuilder::expectTriangles(std::uint64_t count, const FilePlace& place) const {
-  if (count > kMostMeshTriangles)
+  if (count > limits_.triangles)
     refuseAmount(place,
-                 fmt::format("the mesh has more than {} triangles, the most that are read", kMostMeshTriangles));
+                 fmt::format("the mesh has more than {} triangles, the most that are read", limits_.triangles));
 }
 
 void MeshBuilder::expectVertices(std::uint64_t count, const FilePlace& place) const {
-  if (count > kMostMeshVertices)
+  if (count > limits_.vertices())
     refuseAmount(place,
-                 fmt::format("the mesh has more than {} vertices, the most that are read", kMostMeshVertices));
+                 fmt::format("the mesh has more than {} vertices, the most that are read", limits_.vertices()));
 }
 
 void MeshBuilder::addVertex(const Eigen::Vector3d& v, const FilePlace& place) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "geometry/mesh.h"
+#include "geometry/mesh_file.h"
 
 // The readers behind parseMesh(). Internal to this layer.
 namespace poinsot::geometry {
@@ -21,7 +22,7 @@ struct FilePlace {
 /// Takes what a reader finds, checks it, and says where it is wrong.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(std::string name) : name_(std::move(name)) {}
+  MeshBuilder(std::string name, const MeshLimits& limits) : name_(std::move(name)), limits_(limits) {}
 
   std::size_t vertexCount() const { return mesh_.vertices_M.size(); }
 
@@ -45,6 +46,7 @@ class MeshBuilder {
   [[noreturn]] void refuseAmount(const FilePlace& place, const std::string& message) const;
 
   std::string name_;
+  MeshLimits limits_;
   Mesh mesh_;
 };
 

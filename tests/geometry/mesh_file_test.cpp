@@ -155,13 +155,13 @@ TEST(MeshFile, AmountsAreLimitedBeforeAnythingIsRead) {
                    MeshFormat::kPly),
             "body:6: the mesh has more than 2000000 triangles, the most that are read");
   std::string face = "v 0 0 0\nf";
-  for (std::size_t i = 0; i < kMostMeshTriangles + 3; ++i) face += " 1";
+  for (std::size_t i = 0; i < MeshLimits().triangles + 3; ++i) face += " 1";
   EXPECT_EQ(parsed(face + " what comes after is not looked at", MeshFormat::kObj),
             "body:2: the mesh has more than 2000000 triangles, the most that are read");
-  EXPECT_EQ(parsed(std::string(kMostMeshBytes + 1, ' '), MeshFormat::kObj),
-            "body has more than 67108864 bytes, the most that are read");
+  EXPECT_EQ(parsed(std::string(MeshLimits().bytes + 1, ' '), MeshFormat::kObj),
+            "body has more than 134217728 bytes, the most that are read");
   try {
-    parsed(std::string(kMostMeshBytes + 1, ' '), MeshFormat::kObj);
+    parsed(std::string(MeshLimits().bytes + 1, ' '), MeshFormat::kObj);
   } catch (const core::Error& error) {
     EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
   }
