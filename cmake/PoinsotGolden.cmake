@@ -54,8 +54,8 @@ function(poinsot_add_golden_test)
   set(text "references = ${references}\n[[test]]\nname = \"${reference}\"\n")
   if(DEFINED ARG_SCENE)
     get_filename_component(scene ${ARG_SCENE} ABSOLUTE)
-    _poinsot_toml(scene ${scene})
-    string(APPEND text "scene = ${scene}\n")
+    _poinsot_toml(word ${scene})
+    string(APPEND text "scene = ${word}\n")
     if(DEFINED ARG_TIME)
       _poinsot_toml(time "${ARG_TIME}")
       if(ARG_TIME MATCHES "^[0-9.]+$")
@@ -101,7 +101,12 @@ function(poinsot_add_golden_test)
   file(WRITE ${folder}/golden.toml "${text}${rule}")
 
   # ---- the test, and what approves
+  # Where this project says that they are, which a golden.toml may not by itself.
   set(golden ${POINSOT_PROGRAM} golden ${folder}/golden.toml --only ${reference} -o ${folder})
+  foreach(file ${baseline} ${scene} ${image})
+    get_filename_component(place ${file} DIRECTORY)
+    list(APPEND golden --asset-root ${place})
+  endforeach()
   if(DEFINED ARG_COMMAND)
     # A picture of an earlier run must not stand for one that the command does not write any more.
     set(forget ${CMAKE_COMMAND} -E rm -f ${image})

@@ -35,18 +35,32 @@ const std::string& textOf(const Node& node) {
   return *text;
 }
 
-int sideOf(const Node& node) {
+int sideOf(const Node& node, const scene::Limits& limits) {
   const auto* side = node.as<std::int64_t>();
-  if (!side || *side < scene::kLeastSide || *side > scene::kMostSide)
-    refuse(
-        fmt::format("expected pixels from {} to {}, got {}", scene::kLeastSide, scene::kMostSide, describe(node)));
+  const std::int64_t most = limits[scene::Limit::kSide];
+  if (!side || *side < scene::kLeastSide || *side > most)
+    refuse(fmt::format("expected pixels from {} to {}, got {}{}", scene::kLeastSide, most, describe(node),
+                       side && *side > most ? "; " + howToRaise(scene::Limit::kSide) : ""));
   return static_cast<int>(*side);
 }
 
-image::PixelSize sizeOf(const Node& node) {
+image::PixelSize sizeOf(const Node& node, const scene::Limits& limits) {
   const auto* sides = node.as<Node::Array>();
   if (!sides || sides->size() != 2) refuse(fmt::format("expected [width, height], got {}", describe(node)));
-  return {sideOf((*sides)[0]), sideOf((*sides)[1])};
+  return {sideOf((*sides)[0], limits), sideOf((*sides)[1], limits)};
+}
+
+/// Without links; of what is not there, as far as it is.
+fs::path real(const fs::path& path) {
+  std::error_code failure;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, failure), failure);
+  if (failure) return {};
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+bool isBeneath(const fs::path& path, const fs::path& folder) {
+  const fs::path inner = real(path), outer = real(folder);
+  return !inner.empty() && !outer.empty() && std::ranges::mismatch(outer, inner).in1 == outer.end();
 }
 
 double timeOf(const Node& node) {
@@ -84,19 +98,19 @@ bool isName(std::string_view name) {
 /// Reads one manifest; all that is wrong is gathered.
 class Reader {
  public:
-  Reader(const fs::path& file, std::string text)
-      : source_(file.native(), std::move(text)), folder_(file.parent_path()) {
+  Reader(const fs::path& file, std::string text, const scene::Allowance& allowance)
+      : source_(file.native(), std::move(text)), folder_(file.parent_path()), allowance_(allowance) {
     manifest_.file = file;
     manifest_.references = folder_ / "golden";
   }
 
   GoldenManifest read() {
-    const Node document = scene::parseDocument(source_);
+    const Node document = scene::parseDocument(source_, allowance_.limits);
     GoldenTest usual;
     std::vector<const Node*> tests;
     take(document, "",
-         {{"references", [&](const Node& n) { manifest_.references = folder_ / textOf(n); }},
-          {"size", [&](const Node& n) { usual.size = sizeOf(n); }},
+         {{"references", [&](const Node& n) { manifest_.references = written(n); }},
+          {"size", [&](const Node& n) { usual.size = sizeOf(n, allowance_.limits); }},
           {"height", [&](const Node& n) { takeHeight(n, usual); }},
           {"rule", [&](const Node& n) { usual.rule = rule(n, "rule."); }},
           {"test", [&](const Node& n) { tests = tables(n); }}});
@@ -108,6 +122,35 @@ class Reader {
   }
 
  private:
+  bool isAllowed(const fs::path& path) const {
+    const auto holds = [&](const fs::path& folder) { return isBeneath(path, folder); };
+    return holds(folder_) || std::ranges::any_of(allowance_.assetRoots, holds);
+  }
+
+  bool mayBeRead(const fs::path& path) const { return isAllowed(path) || isBeneath(path, "."); }
+
+  /// The folder of references, into which --update writes.
+  fs::path written(const Node& node) const {
+    const fs::path path = folder_ / textOf(node);
+    if (!isAllowed(path))
+      refuse(fmt::format("{} is not below the folder of this file; --asset-root FOLDER allows another",
+                         describe(node)));
+    return path;
+  }
+
+  fs::path read(const Node& node) const {
+    const fs::path path = folder_ / textOf(node);
+    if (!mayBeRead(path)) refuseOutside(describe(node));
+    return path;
+  }
+
+  [[noreturn]] static void refuseOutside(const std::string& what) {
+    refuse(
+        fmt::format("{} is neither below the folder of this file nor below the current one; --asset-root FOLDER "
+                    "allows another",
+                    what));
+  }
+
   static std::vector<const Node*> tables(const Node& node) {
     const auto* array = node.as<Node::Array>();
     if (!array) refuse("expected [[test]], each with a heading of its own");
@@ -116,8 +159,8 @@ class Reader {
     return tables;
   }
 
-  static void takeHeight(const Node& node, GoldenTest& test) {
-    test.height = sideOf(node);
+  void takeHeight(const Node& node, GoldenTest& test) const {
+    test.height = sideOf(node, allowance_.limits);
     test.heightAt = locationOf(node.place);
   }
 
@@ -164,10 +207,14 @@ class Reader {
     std::string scene;
     take(node, "test.",
          {{"name", [&](const Node& n) { test.name = textOf(n); }},
-          {"scene", [&](const Node& n) { scene = textOf(n); }},
-          {"image", [&](const Node& n) { test.image = folder_ / textOf(n); }},
+          {"scene",
+           [&](const Node& n) {
+             scene = textOf(n);
+             if (!mayBeRead((folder_ / scene).parent_path())) refuseOutside(describe(n));
+           }},
+          {"image", [&](const Node& n) { test.image = read(n); }},
           {"times", [&](const Node& n) { test.times_s = listOf(n, timeOf); }},
-          {"size", [&](const Node& n) { test.size = sizeOf(n); }},
+          {"size", [&](const Node& n) { test.size = sizeOf(n, allowance_.limits); }},
           {"height",
            [&](const Node& n) {
              takeHeight(n, test);
@@ -186,7 +233,12 @@ class Reader {
                            fmt::format("test.scene: no file is there of the name {}", core::printable(scene)));
     for (const fs::path& file : files) {
       test.scene = file;
-      add(test, file.stem(), node);
+      if (mayBeRead(file))
+        add(test, file.stem(), node);
+      else
+        problems_.add(node.place,
+                      fmt::format("test.scene: {} is a link that leads out of the folders that are allowed",
+                                  core::printable(file.native())));
     }
   }
 
@@ -199,7 +251,8 @@ class Reader {
     const std::string head = name.substr(0, star), tail = name.substr(star + 1);
     std::vector<fs::path> files;
     std::error_code ignored;  // no folder has no files
-    for (const auto& entry : fs::directory_iterator(pattern.parent_path(), ignored)) {
+    const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
       const std::string there = entry.path().filename();
       if (there.size() >= head.size() + tail.size() && there.starts_with(head) && there.ends_with(tail))
         files.push_back(entry.path());
@@ -224,6 +277,7 @@ class Reader {
 
   scene::Source source_;
   fs::path folder_;
+  const scene::Allowance& allowance_;
   scene::Problems problems_;
   GoldenManifest manifest_;
   std::set<std::string> names_;
@@ -231,12 +285,13 @@ class Reader {
 
 }  // namespace
 
-GoldenManifest parseGoldenManifest(std::string text, const fs::path& file) {
-  return Reader(file, std::move(text)).read();
+GoldenManifest parseGoldenManifest(std::string text, const fs::path& file, const scene::Allowance& allowance) {
+  return Reader(file, std::move(text), allowance).read();
 }
 
-GoldenManifest readGoldenManifest(const fs::path& file) {
-  return parseGoldenManifest(core::readRegularFile(file, scene::kMostBytes, core::ErrorKind::kIo), file);
+GoldenManifest readGoldenManifest(const fs::path& file, const scene::Allowance& allowance) {
+  const std::size_t most = allowance.limits.bytes(scene::Limit::kSceneBytes);
+  return parseGoldenManifest(core::readRegularFile(file, most, core::ErrorKind::kIo), file, allowance);
 }
 
 }  // namespace poinsot::app

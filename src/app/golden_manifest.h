@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "image/near_rule.h"
+#include "scene/limits.h"
 
 namespace poinsot::app {
 
@@ -37,10 +38,13 @@ struct GoldenManifest {
   std::vector<GoldenTest> tests;     ///< those of a pattern by name
 };
 
-/// Reads it; paths in it are from its folder. A scene's file name may be a pattern with a *: a test for each.
+/// Reads it; paths in it are from its folder. A scene's file name may be a pattern with a *: a test for each. It
+/// may be a stranger's, so scenes and images must lie below its folder, the current one or an asset root, and
+/// references, which are written, below its folder or an asset root; links lead no further.
 /// @throws scene::SceneErrors with all that is wrong and where; core::Error(kIo) if it cannot be read.
-GoldenManifest readGoldenManifest(const std::filesystem::path& file);
+GoldenManifest readGoldenManifest(const std::filesystem::path& file, const scene::Allowance& allowance = {});
 /// The same of its text, as if it stood in that file. @throws scene::SceneErrors.
-GoldenManifest parseGoldenManifest(std::string text, const std::filesystem::path& file);
+GoldenManifest parseGoldenManifest(std::string text, const std::filesystem::path& file,
+                                   const scene::Allowance& allowance = {});
 
 }  // namespace poinsot::app

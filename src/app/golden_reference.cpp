@@ -54,11 +54,12 @@ std::string testOf(const fs::path& picture) {
   return stem.substr(0, stem.find('@'));
 }
 
+/// A link may lead anywhere, and is none.
 std::vector<fs::path> picturesIn(const fs::path& folder) {
   std::vector<fs::path> pictures;
   std::error_code ignored;  // no folder has no pictures
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (image::isPngName(entry.path())) pictures.push_back(entry.path());
+    if (image::isPngName(entry.path()) && !entry.is_symlink(ignored)) pictures.push_back(entry.path());
   std::sort(pictures.begin(), pictures.end());
   return pictures;
 }

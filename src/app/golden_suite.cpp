@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/job_identity.h"
+#include "app/memory.h"
 #include "app/parallel.h"
 #include "app/still_batch.h"
 #include "core/text.h"
@@ -32,17 +33,19 @@ std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) 
   return cases;
 }
 
-image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene) {
+image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene, const scene::Limits& limits) {
   if (test.size) return *test.size;
   const image::PixelSize own{scene.output.width, scene.output.height};
   if (!test.height) return own;
   const std::int64_t width = std::int64_t{own.width} * *test.height / own.height;
-  if (width < scene::kLeastSide || width > scene::kMostSide)
+  const std::int64_t most = limits[scene::Limit::kSide];
+  if (width < scene::kLeastSide || width > most)
     throw core::Error(
         core::ErrorKind::kLimit,
         fmt::format("height: of {} pixels makes this scene of {}x{} one of a width of {}; sides are from "
-                    "{} to {} pixels",
-                    *test.height, own.width, own.height, width, scene::kLeastSide, scene::kMostSide),
+                    "{} to {} pixels; {}",
+                    *test.height, own.width, own.height, width, scene::kLeastSide, most,
+                    howToRaise(scene::Limit::kSide)),
         test.heightAt);
   return {static_cast<int>(width), *test.height};
 }
@@ -55,9 +58,9 @@ struct Drawing {
 };
 
 Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
-  SceneRequest request = readSceneRequest(one.test.scene, one.test.overrides);
+  SceneRequest request = readSceneRequest(one.test.scene, one.test.overrides, golden.allowance);
   const scene::Scene scene = loadRequested(request);
-  request.size = sizeOf(one.test, scene);
+  request.size = sizeOf(one.test, scene, golden.allowance.limits);
   const std::string digest = core::toHex(sceneDigest(request, scene));
   RenderRequest render{std::move(request),
                        {OutputKind::kPicture, one.actual},
@@ -66,6 +69,10 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
                        1,
                        golden.backend,
                        golden.reproducible};
+  const image::PixelSize size = *render.scene.size;
+  render.worker_bytes = workerMemory_bytes(size, std::nullopt) + meshMemory_bytes(scene);
+  expectWithinMemory(std::max(render.worker_bytes, compareMemory_bytes(size)), pictureText(size),
+                     golden.allowance.limits);
   return {place, std::move(render), digest};
 }
 
@@ -98,8 +105,8 @@ std::string messageOf(const PictureDiff& diff, const GoldenRule& rule) {
 /// The references that a picture is compared with, and the nearest of them.
 class Comparing {
  public:
-  Comparing(const GoldenCase& one, const fs::path& references, const fs::path& output)
-      : one_(one), references_(references), output_(output) {}
+  Comparing(const GoldenCase& one, const fs::path& references, const GoldenRequest& golden)
+      : one_(one), references_(references), output_(golden.output), limits_(golden.allowance.limits) {}
 
   void into(GoldenOutcome& outcome) const {
     outcome.actual = one_.actual;
@@ -121,7 +128,7 @@ class Comparing {
   ComparedPictures nearestOf(const std::vector<GoldenReference>& references, fs::path& which) const {
     ComparedPictures nearest;
     for (const GoldenReference& reference : references) {
-      ComparedPictures compared = compareFiles(reference.picture, one_.actual, {one_.test.rule.limits});
+      ComparedPictures compared = compareFiles(reference.picture, one_.actual, places());
       if (!which.empty() && badness(compared.diff) >= badness(nearest.diff)) continue;
       which = reference.picture;
       nearest = std::move(compared);
@@ -131,6 +138,7 @@ class Comparing {
 
   DiffRequest places() const {
     DiffRequest request{one_.test.rule.limits};
+    request.limits = limits_;
     request.map = output_ / (one_.name + ".flip.png");
     request.difference = output_ / (one_.name + ".difference.png");
     return request;
@@ -145,6 +153,7 @@ class Comparing {
 
   const GoldenCase& one_;
   const fs::path &references_, &output_;
+  const scene::Limits& limits_;
 };
 
 /// One run over the cases: first all are drawn, then all compared.
@@ -188,12 +197,23 @@ class Run {
   void draw() {
     std::vector<RenderRequest> requests;
     for (const Drawing& drawing : drawings_) requests.push_back(drawing.request);
-    const auto failures = makeStills(requests, request_.jobs, [](std::size_t, const auto&) {});
+    const auto failures = makeStills(requests, jobsThatFit(requests), [](std::size_t, const auto&) {});
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       const std::size_t place = drawings_[i].place;
       if (failures[i]) fail(place, *failures[i]);
       outcomes_[place].origin.scene = drawings_[i].scene;
     }
+  }
+
+  /// While each makes the largest picture.
+  int jobsThatFit(const std::vector<RenderRequest>& requests) const {
+    double most_bytes = 0;
+    for (const RenderRequest& request : requests) most_bytes = std::max(most_bytes, request.worker_bytes);
+    const int fit = workersThatFit(request_.jobs, most_bytes, freeMemory());
+    if (fit > 0) return fit;
+    throw core::Error(
+        core::ErrorKind::kGraphics,
+        fmt::format("the largest picture takes about {} of memory, which is not free", memoryText(most_bytes)));
   }
 
   void compare(std::size_t place) {
@@ -203,7 +223,7 @@ class Run {
     try {
       image::readPngAsStored(cases_[place].actual);  // what is wrong with it is said of it
       outcome.origin = originOf(cases_[place].actual, outcome.origin.scene);
-      Comparing(cases_[place], manifest_.references, request_.output).into(outcome);
+      Comparing(cases_[place], manifest_.references, request_).into(outcome);
     } catch (const core::Error& error) {
       outcome.status = GoldenStatus::kError;
       outcome.message = error.what();

@@ -55,6 +55,7 @@ struct GoldenRequest {
   int jobs = 1;
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = true;
+  scene::Allowance allowance = {};
 };
 
 /// The cases of a manifest that are asked for. @throws core::Error(kUsage) for a name that is none.

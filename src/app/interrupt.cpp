@@ -2,15 +2,20 @@
 #include "app/interrupt.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
+#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 
+#include "app/time_limit.h"
 #include "core/error.h"
+#include "core/expect.h"
 
 namespace poinsot::app {
 namespace {
@@ -24,6 +29,9 @@ constexpr int kNoted[] = {SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t firstSignal = 0;
 std::int64_t firstAt_ms = 0;  // touched only in the handler, which the signals never interrupt
 int wakePipe[2] = {-1, -1};
+volatile std::sig_atomic_t watching = 0;
+std::int64_t allowed_s = 0;  // by the clock
+char tooLong[80] = "";       // what is said where nobody can throw
 
 /// Safe in a handler, as clock_gettime is.
 std::int64_t now_ms() {
@@ -41,6 +49,13 @@ extern "C" void noteSignal(int signal) {
   // One byte into an empty pipe cannot fail; the flag is what counts.
   [[maybe_unused]] const auto written = write(wakePipe[1], "!", 1);
   errno = saved;
+}
+
+extern "C" void noteAlarm(int signal) {
+  if (watching != 0 && firstSignal != signal) return noteSignal(signal);
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, tooLong, std::strlen(tooLong));
+  constexpr int kLimitExceeded = 2;  // as the command line has it (cli/exit_code.h)
+  _exit(kLimitExceeded);
 }
 
 sigset_t notedSignals() {
@@ -70,6 +85,7 @@ void openWakePipe() {
 void watchInterrupts() {
   openWakePipe();
   for (const int signal : kNoted) watch(signal);
+  watching = 1;
 }
 
 void watchInterruptsAsWorker() {
@@ -95,7 +111,25 @@ int interruptSignal() { return firstSignal; }
 int interruptFd() { return wakePipe[0]; }
 
 void throwIfInterrupted() {
+  if (firstSignal == SIGALRM)
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("stopped after {} s, as --max-seconds says", allowed_s));
   if (firstSignal != 0) throw Interrupted(firstSignal);
+}
+
+void limitTime(std::int64_t seconds) {
+  POINSOT_EXPECT(seconds > 0);
+  allowed_s = seconds;
+  *fmt::format_to_n(tooLong, sizeof tooLong - 1, "poinsot: error: stopped after {} s, as --max-seconds says\n",
+                    seconds)
+       .out = '\0';
+  struct sigaction action {};
+  action.sa_handler = noteAlarm;
+  action.sa_mask = notedSignals();
+  sigaction(SIGALRM, &action, nullptr);
+  constexpr std::int64_t kPatience_s = 5;  // for whoever looks only now and then, and for putting things away
+  const itimerval times{{kPatience_s, 0}, {seconds, 0}};
+  setitimer(ITIMER_REAL, &times, nullptr);
 }
 
 }  // namespace poinsot::app

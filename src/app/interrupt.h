@@ -44,7 +44,7 @@ int interruptSignal();
 /// Readable once a signal was noted, for poll(). @pre watchInterrupts() was called.
 int interruptFd();
 
-/// @throws Interrupted once a signal was noted.
+/// @throws Interrupted once a signal was noted; core::Error(kLimit) if the time is over (time_limit.h).
 void throwIfInterrupted();
 
 }  // namespace poinsot::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/memory.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -8,11 +9,13 @@
 #include <charconv>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 
 #include "app/film_choice.h"
+#include "core/error.h"
 
 namespace poinsot::app {
 namespace {
@@ -101,6 +104,44 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked
   std::optional<output::FilmFormat> film;
   if (target.kind == OutputKind::kFilm) film = filmFormat(target, asked, form);
   return workerMemory_bytes({asked.width, asked.height}, film, form.bits);
+}
+
+// Measured, see tests/faults/memory_nightly_test.cpp: the scene's own copy in doubles, the edges by which its
+// outline is found, and the triangles in floats, here and in the driver.
+double meshMemory_bytes(const scene::Scene& scene) {
+  constexpr double kTriangle_bytes = 200;
+  std::set<const geometry::Mesh*> meshes;
+  for (const auto* parts : {&scene.body.parts, &scene.show.body.parts})
+    for (const scene::Part& part : *parts)
+      if (const auto* mesh = std::get_if<std::shared_ptr<const geometry::Mesh>>(&part.figure))
+        meshes.insert(mesh->get());
+  double bytes = 0;
+  for (const geometry::Mesh* mesh : meshes) bytes += kTriangle_bytes * static_cast<double>(mesh->triangles.size());
+  return bytes;
+}
+
+double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form) {
+  return workerMemory_bytes(target, scene.output, form) + meshMemory_bytes(scene);
+}
+
+// Measured of two pictures that differ everywhere, maps included: 39.5 MB of 1024x1024, 246 MB of 3000x3000.
+double compareMemory_bytes(image::PixelSize size) {
+  constexpr double kStart_bytes = 12e6, kPixel_bytes = 26;
+  return kStart_bytes + kPixel_bytes * size.width * size.height;
+}
+
+std::string pictureText(image::PixelSize size) {
+  return fmt::format("a worker that makes pictures of {}x{}", size.width, size.height);
+}
+
+std::string memoryText(double bytes) { return fmt::format("{:.1f} GiB", bytes / (1 << 30)); }
+
+void expectWithinMemory(double bytes, const std::string& what, const scene::Limits& limits) {
+  constexpr auto kMemory = scene::Limit::kMemory;
+  if (bytes <= static_cast<double>(limits[kMemory])) return;
+  throw core::Error(core::ErrorKind::kLimit,
+                    fmt::format("{}: about {} of memory, more than the {} that it may take; {}", what,
+                                memoryText(bytes), limitText(kMemory, limits[kMemory]), howToRaise(kMemory)));
 }
 
 FreeMemory freeMemory(const path& root) { return {std::min(ofMachine(root), ofGroups(root)), ofProcess()}; }

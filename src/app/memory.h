@@ -3,22 +3,43 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/output_target.h"
 #include "app/picture_form.h"
 #include "image/image.h"
 #include "output/film_format.h"
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 /// What a render takes of memory, known before it begins.
 namespace poinsot::app {
 
 /// Bytes that a worker process holds at its peak, of the picture's size, the bits of its samples and the film's
-/// encoder; a picture has none. Measured; a scene of large meshes takes more. See memory.cpp.
+/// encoder; a picture has none. Measured; meshes come on top. See memory.cpp.
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits = 8);
 
 /// The same of an output as it is asked for.
 double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form);
+
+/// What the meshes of a scene add to that.
+double meshMemory_bytes(const scene::Scene& scene);
+
+/// Both.
+double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form);
+
+/// Bytes that comparing two pictures of a size takes at its peak, maps included.
+double compareMemory_bytes(image::PixelSize size);
+
+/// "a worker that makes pictures of 640x360", for what follows.
+std::string pictureText(image::PixelSize size);
+
+/// "1.5 GiB".
+std::string memoryText(double bytes);
+
+/// @throws core::Error(kLimit) with the estimate, if it is above Limit::kMemory. @param what  takes so much:
+/// "a worker that makes pictures of 640x360"
+void expectWithinMemory(double bytes, const std::string& what, const scene::Limits& limits);
 
 /// Bytes that may be had.
 struct FreeMemory {

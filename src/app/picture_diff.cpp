@@ -7,6 +7,7 @@
 #include <system_error>
 #include <variant>
 
+#include "app/memory.h"
 #include "image/magma.h"
 #include "image/png_file.h"
 #include "output/png_sequence.h"
@@ -47,6 +48,9 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
   diff.channels = compared.reference.channels;
   diff.mismatch = mismatchOf(compared.reference, compared.test);
   if (!diff.mismatch.empty()) return compared;
+  expectWithinMemory(compareMemory_bytes(diff.size),
+                     fmt::format("comparing pictures of {}x{}", diff.size.width, diff.size.height),
+                     request.limits);
   image::Comparison made =
       image::compare(compared.reference.pixels, compared.test.pixels, request.pixelsPerDegree);
   compared.flip = std::move(made.flip);

@@ -9,6 +9,7 @@
 
 #include "image/difference.h"
 #include "image/near_rule.h"
+#include "scene/limits.h"
 
 namespace poinsot::app {
 
@@ -18,6 +19,7 @@ struct DiffRequest {
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   std::optional<std::filesystem::path> map = {};         ///< FLIP's, in the colours of magma
   std::optional<std::filesystem::path> difference = {};  ///< amplified
+  scene::Limits limits = {};                             ///< of these the memory counts
 };
 
 /// A picture to be compared.
@@ -53,7 +55,7 @@ struct ComparedPictures {
   image::FlipMap flip;  ///< empty where there are no figures
 };
 
-/// Compares by the rule of the request.
+/// Compares by the rule of the request. @throws core::Error(kLimit) if that takes more memory than it may.
 ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request);
 /// Two PNG files. @throws core::Error(kIo) with the file, if one cannot be read.
 ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,

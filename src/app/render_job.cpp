@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
+#include <system_error>
 
 #include "app/assembly.h"
 #include "app/interrupt.h"
 #include "app/manifest.h"
+#include "app/memory.h"
 #include "core/error.h"
 #include "core/expect.h"
 
@@ -19,14 +22,23 @@ namespace {
 // A worker looks for a signal after each frame; one frame takes well under this. All must be over in 2 s.
 constexpr double kPatience_s = 1.5;
 
+/// LLVM aborts when it gets no memory, the kernel kills who takes too much, and a page that cannot be had is a bus
+/// error.
+std::string perhapsMemory(const std::string& how, double estimate_bytes) {
+  const auto by = [&](int signal) { return how.find(fmt::format("by signal {} ", signal)) != std::string::npos; };
+  if (!by(SIGABRT) && !by(SIGKILL) && !by(SIGBUS)) return "";
+  return fmt::format("; perhaps memory ran out: it was expected to take about {}", memoryText(estimate_bytes));
+}
+
 /// What became of a worker that closed its reports without having finished.
-[[noreturn]] void reportDeath(WorkerProcess& worker) {
+[[noreturn]] void reportDeath(WorkerProcess& worker, double estimate_bytes) {
   worker.kill();
   const std::string how = worker.ended(1).value_or("does not end");
   const std::string task =
       worker.segment() ? fmt::format("while making frames {}-{}", worker.segment()->first, worker.segment()->last)
                        : "at its end";
-  throw core::Error(core::ErrorKind::kGraphics, fmt::format("a worker process {} {}", how, task));
+  throw core::Error(core::ErrorKind::kGraphics,
+                    fmt::format("a worker process {} {}{}", how, task, perhapsMemory(how, estimate_bytes)));
 }
 
 WorkFolderUse useOf(const RenderRequest& request) {
@@ -131,7 +143,7 @@ void RenderJob::takeReports() {
     WorkerProcess& worker = *workers_[i];
     const bool open = worker.readReports();
     while (const auto report = worker.takeReport()) handle(worker, *report);
-    if (!open && !worker.finished()) reportDeath(worker);
+    if (!open && !worker.finished()) reportDeath(worker, request_.worker_bytes);
   }
   std::erase_if(workers_, [](const auto& worker) { return worker->finished(); });
 }
@@ -143,6 +155,7 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   }
   if (const auto* done = std::get_if<SegmentDone>(&report)) {
     segmentFramesDone_ += done->frames.count();
+    countWritten(done->frames);
     if (stream_) traced("send on", [&] { sendOn(done->frames); });
     handOut(worker);
   }
@@ -153,6 +166,23 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
     worker.setFinished();
   }
   if (const auto* failed = std::get_if<WorkerFailed>(&report)) throw core::Error(failed->kind, failed->message);
+}
+
+/// Of a still the size was known before.
+void RenderJob::countWritten(const FrameRange& segment) {
+  if (!request_.job) return;
+  for (const auto& file : segmentFiles(folder_.path(), request_.target, segment)) {
+    std::error_code failure;
+    const auto bytes = std::filesystem::file_size(file, failure);
+    if (!failure) written_bytes_ += static_cast<double>(bytes);
+  }
+  constexpr auto kOutput = scene::Limit::kOutput;
+  const scene::Limits& limits = request_.scene.allowance.limits;
+  if (written_bytes_ <= static_cast<double>(limits[kOutput])) return;
+  throw core::Error(core::ErrorKind::kLimit,
+                    fmt::format("{:.0f} bytes are written after {} of {} frames; a run may write {}; {}",
+                                written_bytes_, segmentFramesDone_, request_.frames.count(),
+                                limitText(kOutput, limits[kOutput]), howToRaise(kOutput)));
 }
 
 void RenderJob::handOut(WorkerProcess& worker) {

@@ -66,6 +66,7 @@ class RenderJob {
   void handle(WorkerProcess& worker, const WorkerReport& report);
   void sendOn(const FrameRange& segment);
   void handOut(WorkerProcess& worker);
+  void countWritten(const FrameRange& segment);
   void publish();
   void stopWorkers();
   double elapsed_s() const;
@@ -82,6 +83,7 @@ class RenderJob {
   std::vector<std::unique_ptr<WorkerProcess>> workers_;  // those still at work
   std::int64_t framesDone_ = 0;
   std::int64_t segmentFramesDone_ = 0;  // of whole segments
+  double written_bytes_ = 0;            // by them
   RenderSummary summary_;
 };
 

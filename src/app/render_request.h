@@ -30,6 +30,7 @@ struct RenderRequest {
   std::optional<std::filesystem::path> manifest = {};  ///< of a film or a sequence
   std::optional<std::filesystem::path> trace = {};     ///< TraceFile of it
   std::optional<JobFile> job = {};                     ///< jobFileOf() this, of a film and a sequence
+  double worker_bytes = 0;  ///< that a worker is estimated to take (memory.h), for messages
 };
 
 }  // namespace poinsot::app

@@ -19,12 +19,15 @@ std::string texProblem(std::string_view tex) {
 
 }  // namespace
 
-SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides) {
-  return {fileName, scene::readSceneText(fileName), std::move(overrides), std::nullopt};
+SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
+                              const scene::Allowance& allowance) {
+  return {fileName, scene::readSceneText(fileName, allowance.limits), std::move(overrides), std::nullopt,
+          allowance};
 }
 
 scene::Scene loadRequested(const SceneRequest& request) {
-  scene::Scene scene = scene::parseScene(request.text, request.fileName, request.overrides, texProblem);
+  scene::Scene scene =
+      scene::parseScene(request.text, request.fileName, request.overrides, texProblem, request.allowance);
   if (request.size) {
     scene.output.width = request.size->width;
     scene.output.height = request.size->height;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 namespace poinsot::app {
@@ -18,11 +19,14 @@ struct SceneRequest {
   std::string text;
   std::vector<std::string> overrides;    ///< "key.path=value", in the order given
   std::optional<image::PixelSize> size;  ///< in place of the scene's; may be odd, which the key may not
+  scene::Allowance allowance{};          ///< how much, and files of which folders besides its own
 };
 
 /// Reads the file.
-/// @throws core::Error(kScene) if it is missing, unreadable, no regular file or too long for a scene.
-SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides);
+/// @throws core::Error(kScene) if it is missing, unreadable or no regular file; (kLimit) if it is too long for a
+/// scene.
+SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
+                              const scene::Allowance& allowance = {});
 
 /// The validated scene.
 /// @throws scene::SceneErrors with all problems.

@@ -16,16 +16,35 @@ Json toJson(const FrameRange& frames) { return Json{frames.first, frames.last}; 
 
 FrameRange rangeOf(const Json& json) { return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()}; }
 
+/// The values in force, in the order of the table.
+Json toJson(const scene::Allowance& allowance) {
+  Json json{{"limits", Json::array()}, {"asset_roots", Json::array()}};
+  for (std::size_t i = 0; i < scene::kLimitCount; ++i)
+    json["limits"].push_back(allowance.limits[static_cast<scene::Limit>(i)]);
+  for (const auto& root : allowance.assetRoots) json["asset_roots"].push_back(utf8FromBytes(root.native()));
+  return json;
+}
+
+scene::Allowance allowanceOf(const Json& json) {
+  scene::Allowance allowance;
+  for (std::size_t i = 0; i < scene::kLimitCount; ++i)
+    if (const auto value = json.at("limits").at(i).get<std::int64_t>(); value > 0)
+      allowance.limits.set(static_cast<scene::Limit>(i), value);
+  for (const Json& root : json.at("asset_roots")) allowance.assetRoots.emplace_back(textOf(root));
+  return allowance;
+}
+
 Json toJson(const SceneRequest& scene) {
   Json json{
       {"file", utf8FromBytes(scene.fileName)}, {"text", utf8FromBytes(scene.text)}, {"overrides", Json::array()}};
   for (const std::string& override : scene.overrides) json["overrides"].push_back(utf8FromBytes(override));
   if (scene.size) json["size"] = {scene.size->width, scene.size->height};
+  json["allowance"] = toJson(scene.allowance);
   return json;
 }
 
 SceneRequest sceneOf(const Json& json) {
-  SceneRequest scene{textOf(json.at("file")), textOf(json.at("text")), {}, {}};
+  SceneRequest scene{textOf(json.at("file")), textOf(json.at("text")), {}, {}, allowanceOf(json.at("allowance"))};
   for (const Json& override : json.at("overrides")) scene.overrides.push_back(textOf(override));
   if (json.contains("size"))
     scene.size = image::PixelSize{json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};

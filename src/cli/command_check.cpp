@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -17,20 +18,19 @@
 namespace poinsot::cli {
 namespace {
 
-struct CheckOptions {
-  std::vector<std::string> scenes, overrides;
-  bool untrusted = false;
+struct CheckOptions : SceneOptions {
+  std::vector<std::string> scenes;
 };
 
 /// Everything short of drawing: the stage finds what the motion lacks.
-void checkScene(const std::string& fileName, const std::vector<std::string>& overrides) {
-  const stage::Stage stage(app::loadRequested(app::readSceneRequest(fileName, overrides)));
+void checkScene(const std::string& fileName, const CheckOptions& options, const scene::Allowance& allowance) {
+  const stage::Stage stage(app::loadRequested(app::readSceneRequest(fileName, options.overrides, allowance)));
 }
 
 /// Says "ok" or all problems.
-bool report(const std::string& fileName, const std::vector<std::string>& overrides) {
+bool report(const std::string& fileName, const CheckOptions& options, const scene::Allowance& allowance) {
   try {
-    checkScene(fileName, overrides);
+    checkScene(fileName, options, allowance);
   } catch (const scene::SceneErrors& errors) {
     writeErr(fmt::format("{}\n", errors.what()));
     return false;
@@ -43,8 +43,9 @@ bool report(const std::string& fileName, const std::vector<std::string>& overrid
 }
 
 int check(const CheckOptions& options) {
+  const scene::Allowance allowance = granted(options);
   bool allGood = true;
-  for (const std::string& fileName : options.scenes) allGood &= report(fileName, options.overrides);
+  for (const std::string& fileName : options.scenes) allGood &= report(fileName, options, allowance);
   return allGood ? kDone : kBadInput;
 }
 
@@ -54,11 +55,7 @@ void addCheck(CLI::App& program, Action& chosen) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "say what is wrong with scene files, all of it at once");
   command->add_option("SCENE", options->scenes, "scene files (TOML)")->required();
-  command->add_option("-D", options->overrides, "set a key, above what the files say")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addOverrides(*command, *options);
   addUntrusted(*command, options->untrusted);
   command->footer(
       "Example:\n"
@@ -66,7 +63,7 @@ void addCheck(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return Reach{options->scenes}; }, [&] { return check(*options); });
+          options->untrusted, [&] { return Reach{options->scenes, options->assetRoots}; }, [&] { return check(*options); });
     };
   });
 }

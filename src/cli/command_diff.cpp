@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using core::Error;
 using core::ErrorKind;
 
-struct DiffOptions {
+struct DiffOptions : AllowanceOptions {
   std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve, report;
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   int jobs = 0;
@@ -73,7 +73,7 @@ std::optional<fs::path> place(const DiffOptions& options, const std::string& wor
 
 app::DiffRequest requestOf(const DiffOptions& options, Kind kind) {
   return {ruleOf(options), options.pixelsPerDegree, place(options, options.map, kind),
-          place(options, options.difference, kind)};
+          place(options, options.difference, kind), granted(options).limits};
 }
 
 /// Nothing is written over what is compared, or over what else is written.
@@ -225,6 +225,7 @@ void addDiff(CLI::App& program, Action& chosen) {
   command->add_flag("--force", options->force, "replace files that poinsot did not write");
   addUntrusted(*command, options->untrusted);
   addLimits(*command, *options);
+  addLimitOptions(*command, *options);
   command->footer(
       "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
       "Another size or number of channels is different: nothing is resized.\n"

@@ -119,22 +119,30 @@ void checkTarget(const GalleryOptions& options, const fs::path& target) {
   if (!options.dryRun || fs::exists(target.parent_path(), ignored)) output::checkTarget(target, options.force);
 }
 
-Item itemOf(const GalleryOptions& options, const fs::path& file, const fs::path& folder) {
+Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, const fs::path& file,
+            const fs::path& folder) {
   RenderOptions one = options;
   one.scene = file;
-  auto [request, scene] = requestedScene(one);
+  auto [request, scene] = requestedScene(one, allowance);
   const stage::Stage stage(scene);  // what the motion lacks is found here
   const fs::path target = folder / (scene.name + ".png");
   checkTarget(options, target);
-  return {scene.name,
-          {scene.output.width, scene.output.height},
-          {std::move(request),
-           {app::OutputKind::kPicture, target},
-           {0, 0},
-           scene.time.stillTime_s(),
-           1,
-           requestedBackend(options),
-           options.reproducible}};
+  const app::OutputTarget picture{app::OutputKind::kPicture, target};
+  const image::PixelSize size{scene.output.width, scene.output.height};
+  const double bytes = app::workerMemory_bytes(picture, scene, {});
+  app::expectWithinMemory(bytes, app::pictureText(size), allowance.limits);
+  Item item{scene.name,
+            size,
+            {std::move(request),
+             picture,
+             {0, 0},
+             scene.time.stillTime_s(),
+             1,
+             requestedBackend(options),
+             options.reproducible,
+             {}}};
+  item.request.worker_bytes = bytes;
+  return item;
 }
 
 void say(const GalleryOptions& options, const std::string& line) {
@@ -144,7 +152,7 @@ void say(const GalleryOptions& options, const std::string& line) {
 /// One command over all scenes: what is wrong with one is said and kept for the end.
 class Gallery {
  public:
-  explicit Gallery(const GalleryOptions& options) : options_(options) {}
+  explicit Gallery(const GalleryOptions& options) : options_(options), allowance_(granted(options)) {}
 
   int make() {
     const auto files = chosenFiles(options_);
@@ -167,7 +175,7 @@ class Gallery {
 
   void addItem(const fs::path& file) {
     try {
-      items_.push_back(itemOf(options_, file, folder_));
+      items_.push_back(itemOf(options_, allowance_, file, folder_));
     } catch (const scene::SceneErrors& errors) {
       writeErr(fmt::format("{}\n", errors.what()));
       fail(errors.kind());
@@ -200,11 +208,11 @@ class Gallery {
 
   /// As many as have memory while each makes the largest picture.
   int workers() const {
-    const auto pixels = [](const Item& item) { return std::int64_t{item.size.width} * item.size.height; };
-    const auto largest = std::ranges::max_element(items_, {}, pixels);
+    const auto bytes = [](const Item& item) { return item.request.worker_bytes; };
+    const auto largest = std::ranges::max_element(items_, {}, bytes);
     if (largest == items_.end()) return 1;
-    return workerCount(options_, static_cast<int>(items_.size()),
-                       app::workerMemory_bytes(largest->size, std::nullopt), largest->size);
+    return workerCount(options_, static_cast<int>(items_.size()), bytes(*largest), largest->size,
+                       allowance_.limits);
   }
 
   /// Of the pictures that this run made; without any there is no sheet.
@@ -218,6 +226,7 @@ class Gallery {
   }
 
   const GalleryOptions& options_;
+  scene::Allowance allowance_;
   fs::path folder_;
   std::vector<Item> items_;
   std::vector<std::optional<core::Error>> failures_;
@@ -225,7 +234,7 @@ class Gallery {
 };
 
 Reach reachOf(const GalleryOptions& options) {
-  Reach reach;
+  Reach reach{{}, options.assetRoots};
   for (const fs::path& file : sceneFiles(options)) reach.scenes.push_back(file);
   if (!options.dryRun) reach.made.push_back(preparedFolder(options));
   reach.outputs.push_back(options.trace);

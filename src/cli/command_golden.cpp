@@ -32,7 +32,7 @@ using app::GoldenStatus;
 using core::Error;
 using core::ErrorKind;
 
-struct GoldenOptions {
+struct GoldenOptions : AllowanceOptions {
   std::string manifest = "golden.toml", output = "out/golden", junit, report, backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
@@ -53,9 +53,13 @@ gl::Backend backendOf(const std::string& word) {
   return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
 }
 
-app::GoldenRequest requestOf(const GoldenOptions& options) {
-  return {options.only, options.output, options.jobs > 0 ? options.jobs : app::availableCpus(),
-          backendOf(options.backend), !options.native};
+app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allowance) {
+  return {options.only,
+          options.output,
+          options.jobs > 0 ? options.jobs : app::availableCpus(),
+          backendOf(options.backend),
+          !options.native,
+          std::move(allowance)};
 }
 
 std::string lineOf(const GoldenOutcome& outcome) {
@@ -78,7 +82,9 @@ std::string countsText(const std::vector<GoldenOutcome>& outcomes) {
 class Golden {
  public:
   explicit Golden(const GoldenOptions& options)
-      : options_(options), manifest_(app::readGoldenManifest(options.manifest)), request_(requestOf(options)) {}
+      : options_(options),
+        request_(requestOf(options, granted(options))),
+        manifest_(app::readGoldenManifest(options.manifest, request_.allowance)) {}
 
   int run() {
     if (options_.list) return list();
@@ -190,13 +196,13 @@ class Golden {
   }
 
   const GoldenOptions& options_;
-  app::GoldenManifest manifest_;
   app::GoldenRequest request_;
+  app::GoldenManifest manifest_;
   std::vector<GoldenOutcome> outcomes_;
 };
 
 Reach reachOf(const GoldenOptions& options) {
-  return {{options.manifest}, {}, {options.junit, options.report}, {options.output}, !options.native};
+  return {{options.manifest}, options.assetRoots, {options.junit, options.report}, {options.output}, !options.native};
 }
 
 }  // namespace
@@ -233,6 +239,7 @@ void addGolden(CLI::App& program, Action& chosen) {
   addUntrusted(*command, options->untrusted);
   command->add_flag("--list", options->list, "only list the tests");
   command->add_flag("--quiet", options->quiet, "only the exit code");
+  addAllowance(*command, *options);
   command->footer(
       "Exit code 0 when all are identical or near, 1 when some is not, is new, or is approved and made by no "
       "test.\n"

@@ -85,7 +85,9 @@ void addGrade(CLI::App& program, Action& chosen) {
       return confined(
           options->untrusted,
           [&] {
-            return Reach{{options->scene}, {options->theirs}};
+            Reach reach{{options->scene}, options->assetRoots};
+            reach.inputs.push_back(options->theirs);
+            return reach;
           },
           [&] { return gradeTheirs(*options); });
     };

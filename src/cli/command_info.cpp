@@ -66,7 +66,7 @@ void addInfo(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return Reach{{options->scene}}; }, [&] { return info(*options); });
+          options->untrusted, [&] { return Reach{{options->scene}, options->assetRoots}; }, [&] { return info(*options); });
     };
   });
 }

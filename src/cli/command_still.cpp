@@ -45,7 +45,8 @@ app::PictureForm formOf(const StillOptions& options, app::OutputKind kind) {
 void setPixels(const app::PictureForm& form, RequestedScene& requested) {
   if (!form.print) return;
   scene::Output& output = requested.scene.output;
-  const image::PixelSize pixels = printedPixels(*form.print, {output.width, output.height});
+  const image::PixelSize pixels =
+      printedPixels(*form.print, {output.width, output.height}, requested.request.allowance.limits);
   requested.request.size = pixels;
   output.width = pixels.width;
   output.height = pixels.height;

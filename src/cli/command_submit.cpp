@@ -43,6 +43,9 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   add("--fps", options.fps);
   add("--frames", options.frames);
   if (options.loop) words.push_back("--loop");
+  for (const std::string& text : options.limits) add("--limit", text);
+  for (const std::string& folder : options.assetRoots) add("--asset-root", folder);
+  add("--max-memory", options.memory);
   if (options.transparent) words.push_back("--transparent");
   if (options.bits != 8) add("--bits", std::to_string(options.bits));
   if (options.force) words.push_back("--force");
@@ -70,7 +73,7 @@ void checkKind(const app::OutputTarget& target) {
 
 std::vector<std::filesystem::path> inputFiles(const SubmitOptions& options, const scene::Scene& scene) {
   std::vector<std::filesystem::path> files{options.scene};
-  for (const scene::InputFile& input : scene.inputs) files.push_back(files[0].parent_path() / input.path);
+  for (const scene::InputFile& input : scene.inputs) files.push_back(input.place);
   return files;
 }
 
@@ -93,6 +96,9 @@ int submit(const SubmitOptions& options) {
   checkKind(target);
   checkMakeable(options, target, scene, frames, pictureForm(options));
   const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
+  const double estimate_bytes = app::workerMemory_bytes(target, scene, pictureForm(options));
+  app::expectWithinMemory(estimate_bytes, app::pictureText({scene.output.width, scene.output.height}),
+                          request.allowance.limits);
   const auto segments = app::segmentsOf(frames, options.parts.segmentFrames);
   app::Submission submission;
   submission.program = core::programPath();
@@ -103,9 +109,8 @@ int submit(const SubmitOptions& options) {
   submission.inputs = inputFiles(options, scene);
   submission.frames = frames.count();
   submission.segments = static_cast<std::int64_t>(segments.size());
-  submission.division =
-      app::divisionOf(divisionRequest(options), frames, segments, {scene.output.width, scene.output.height},
-                      app::workerMemory_bytes(target, scene.output, pictureForm(options)));
+  submission.division = app::divisionOf(divisionRequest(options), frames, segments,
+                                        {scene.output.width, scene.output.height}, estimate_bytes);
   submission.retries = options.retries;
   writeOut(scriptOf(options.engine, submission));
   return kDone;

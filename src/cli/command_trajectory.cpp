@@ -85,11 +85,25 @@ void noteFarTimes(const scene::Scene& scene, const app::TrajectoryTimes& times) 
                   farthest_s, angle_rad, kExactAngle_rad));
 }
 
+/// A row is 15 numbers of about 18 characters: those of the gallery have 271 to 303 bytes.
+void checkOutput(const app::TrajectoryTimes& times, const scene::Limits& limits) {
+  constexpr double kRow_bytes = 290;
+  const double estimate = kRow_bytes * static_cast<double>(times.count());
+  const std::int64_t most = limits[scene::Limit::kOutput];
+  if (estimate <= static_cast<double>(most)) return;
+  throw core::Error(
+      core::ErrorKind::kLimit,
+      fmt::format("{} rows are about {:.3g} GiB; a run may write {}; {}", times.count(), estimate / (1 << 30),
+                  limitText(scene::Limit::kOutput, most), howToRaise(scene::Limit::kOutput)));
+}
+
 int trajectory(const TrajectoryOptions& options) {
   checkTimesGiven(options);
   const auto target = app::parseTrajectoryTarget(options.output);
-  const scene::Scene scene = loadScene(options);
+  const scene::Allowance allowance = granted(options);
+  const scene::Scene scene = loadScene(options, allowance);
   const app::TrajectoryTimes times = requestedTimes(options, scene);
+  checkOutput(times, allowance.limits);
   noteFarTimes(scene, times);
   app::watchInterrupts();
   const auto motion = scene::makeMotion(scene, times.earliest_s(), times.latest_s());
@@ -133,7 +147,7 @@ void addTrajectory(CLI::App& program, Action& chosen) {
       return confined(
           options->untrusted,
           [&] {
-            return Reach{{options->scene}, {}, {options->output}};
+            return Reach{{options->scene}, options->assetRoots, {options->output}};
           },
           [&] { return trajectory(*options); });
     };

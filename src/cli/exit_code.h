@@ -19,8 +19,8 @@ enum ExitCode : int {
 
 /// The same in words, for people.
 constexpr const char* kExitCodesText =
-    "0 done, 1 the answer is no, 2 usage or scene, 3 rendering or encoding, 4 files,\n"
-    "  129/130/143 signals, 141 broken pipe.";
+    "0 done, 1 the answer is no, 2 usage, scene or limit, 3 rendering or encoding,\n"
+    "  4 files, 129/130/143 signals, 141 broken pipe.";
 
 /// The one place where kinds of errors become exit codes.
 ExitCode exitCodeOf(core::ErrorKind kind);

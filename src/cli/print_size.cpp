@@ -34,18 +34,18 @@ Sides sidesOf(const app::PrintSize& print, image::PixelSize proportion) {
   return {width, std::round(width * proportion.height / proportion.width)};
 }
 
-bool fits(const Sides& sides) {
-  const auto within = [](double side) { return side >= scene::kLeastSide && side <= scene::kMostSide; };
+bool fits(const Sides& sides, double most) {
+  const auto within = [most](double side) { return side >= scene::kLeastSide && side <= most; };
   return within(sides.width) && within(sides.height);
 }
 
 /// The whole number of dpi nearest to those asked that fits, in words; empty where none does.
-std::string advice(app::PrintSize print, image::PixelSize proportion) {
+std::string advice(app::PrintSize print, image::PixelSize proportion, double longest) {
   const Sides asked = sidesOf(print, proportion);
   const auto [least, most] = std::minmax(asked.width, asked.height);
-  const double shrink = scene::kMostSide / most;
+  const double shrink = longest / most;
   print.dpi = shrink < 1 ? std::floor(print.dpi * shrink) : std::ceil(print.dpi * scene::kLeastSide / least);
-  return fits(sidesOf(print, proportion)) ? fmt::format("; --dpi {:.0f} would do", print.dpi) : "";
+  return fits(sidesOf(print, proportion), longest) ? fmt::format("; --dpi {:.0f} would do", print.dpi) : "";
 }
 
 }  // namespace
@@ -62,14 +62,16 @@ double parseWidth_mm(const std::string& word) {
                      core::printable(word)));
 }
 
-image::PixelSize printedPixels(const app::PrintSize& print, image::PixelSize proportion) {
+image::PixelSize printedPixels(const app::PrintSize& print, image::PixelSize proportion,
+                               const scene::Limits& limits) {
+  const auto longest = static_cast<double>(limits[scene::Limit::kSide]);
   const Sides sides = sidesOf(print, proportion);
-  if (fits(sides)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
+  if (fits(sides, longest)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
   throw core::Error(
       core::ErrorKind::kLimit,
       fmt::format("{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels{}",
-                  print.width_mm, print.dpi, sides.width, sides.height, scene::kLeastSide, scene::kMostSide,
-                  advice(print, proportion)));
+                  print.width_mm, print.dpi, sides.width, sides.height, scene::kLeastSide, longest,
+                  advice(print, proportion, longest)));
 }
 
 }  // namespace poinsot::cli

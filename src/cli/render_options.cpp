@@ -100,7 +100,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->check(notEmpty());
 }
 
-image::PixelSize parseSize(const std::string& text) {
+image::PixelSize parseSize(const std::string& text, const scene::Limits& limits) {
   const auto cross = text.find('x');
   const auto width = parseSide(std::string_view(text).substr(0, cross));
   const auto height =
@@ -108,19 +108,23 @@ image::PixelSize parseSize(const std::string& text) {
   if (!width || !height)
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
-  const auto fits = [](int side) { return side >= scene::kLeastSide && side <= scene::kMostSide; };
+  const std::int64_t most = limits[scene::Limit::kSide];
+  const auto fits = [&](int side) { return side >= scene::kLeastSide && side <= most; };
   if (!fits(*width) || !fits(*height))
-    throw core::Error(core::ErrorKind::kLimit, fmt::format("--size {}x{}: sides are from {} to {} pixels", *width,
-                                                           *height, scene::kLeastSide, scene::kMostSide));
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("--size {}x{}: sides are from {} to {} pixels; {}", *width, *height,
+                                  scene::kLeastSide, most, howToRaise(scene::Limit::kSide)));
   return {*width, *height};
 }
 
-RequestedScene requestedScene(const RenderOptions& options) {
+RequestedScene requestedScene(const RenderOptions& options) { return requestedScene(options, granted(options)); }
+
+RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance) {
   const auto overrides = overridesOf(options);
   std::vector<std::string> texts;
   for (const Override& override : overrides) texts.push_back(override.text);
-  auto request = app::readSceneRequest(options.scene, std::move(texts));
-  if (!options.size.empty()) request.size = parseSize(options.size);
+  auto request = app::readSceneRequest(options.scene, std::move(texts), allowance);
+  if (!options.size.empty()) request.size = parseSize(options.size, allowance.limits);
   try {
     return {request, app::loadRequested(request)};
   } catch (const scene::SceneErrors& errors) {

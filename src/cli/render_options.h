@@ -32,7 +32,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// "640x360".
 /// @throws core::Error(kUsage) when it is no such thing, core::Error(kLimit) beyond the limits of a picture.
-image::PixelSize parseSize(const std::string& text);
+image::PixelSize parseSize(const std::string& text, const scene::Limits& limits);
 
 struct RequestedScene {
   app::SceneRequest request;
@@ -42,6 +42,8 @@ struct RequestedScene {
 /// Reads and checks the scene file, with -q, -D, --fps and --loop above it, the later above the earlier.
 /// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
 RequestedScene requestedScene(const RenderOptions& options);
+/// The same with what is allowed, where several scenes are read by one command.
+RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance);
 
 gl::Backend requestedBackend(const RenderOptions& options);
 

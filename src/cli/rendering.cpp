@@ -123,11 +123,10 @@ app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequ
 }
 
 /// What is refused for want of memory is refused here, before anything is made.
-int workersOf(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
-              const app::FrameRange& frames, const app::PictureForm& form, std::int64_t segmentFrames) {
-  const auto segments = static_cast<int>(app::segmentsOf(frames, segmentFrames).size());
-  return workerCount(options, segments, app::workerMemory_bytes(target, scene.output, form),
-                     {scene.output.width, scene.output.height});
+int workersOf(const RenderOptions& options, const app::RenderRequest& request, const scene::Scene& scene) {
+  const auto segments = static_cast<int>(app::segmentsOf(request.frames, request.segmentFrames).size());
+  return workerCount(options, segments, request.worker_bytes, {scene.output.width, scene.output.height},
+                     request.scene.allowance.limits);
 }
 
 bool isMadeInParts(const app::OutputTarget& target) {
@@ -151,7 +150,7 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
 }  // namespace
 
 Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target) {
-  Reach reach{{options.scene}};
+  Reach reach{{options.scene}, options.assetRoots};
   reach.reproducible = options.reproducible;
   if (options.output.empty() || !target)
     reach.made.emplace_back("out");
@@ -181,13 +180,15 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             target,
                             frames,
                             time_s,
-                            workersOf(options, target, scene, frames, form, parts.segmentFrames),
+                            1,
                             requestedBackend(options),
                             options.reproducible,
                             form,
                             parts.segmentFrames,
                             parts.resume,
                             parts.keep};
+  render.worker_bytes = app::workerMemory_bytes(target, scene, form);
+  render.jobs = workersOf(options, render, scene);
   if (!parts.shard.empty()) {
     render.shard = app::parseShard(parts.shard);
     render.reproducible = true;  // the machines of a cluster differ

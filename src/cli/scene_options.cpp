@@ -14,6 +14,7 @@ void addOverrides(CLI::App& command, SceneOptions& options) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addAllowance(command, options);
 }
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
@@ -27,8 +28,10 @@ CLI::Validator notEmpty(const std::vector<std::string>& words) {
           words.empty() ? "" : CLI::detail::generate_set(words), ""};
 }
 
-scene::Scene loadScene(const SceneOptions& options) {
-  return app::loadRequested(app::readSceneRequest(options.scene, options.overrides));
+scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance) {
+  return app::loadRequested(app::readSceneRequest(options.scene, options.overrides, allowance));
 }
+
+scene::Scene loadScene(const SceneOptions& options) { return loadScene(options, granted(options)); }
 
 }  // namespace poinsot::cli

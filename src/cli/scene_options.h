@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/allowance.h"
 #include "scene/scene.h"
 
 namespace CLI {
@@ -14,16 +15,16 @@ class Validator;
 namespace poinsot::cli {
 
 /// Words of the command line common to every command that reads one scene, as typed.
-struct SceneOptions {
+struct SceneOptions : AllowanceOptions {
   std::string scene;
   std::vector<std::string> overrides;
   bool untrusted = false;
 };
 
-/// Declares -D.
+/// Declares -D and what may be allowed.
 void addOverrides(CLI::App& command, SceneOptions& options);
 
-/// Declares SCENE, -D and --untrusted.
+/// Declares SCENE, -D, what may be allowed, and --untrusted.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
 /// Refuses '' as a value, most often a shell variable without one, which would else count as not given. `words`
@@ -31,7 +32,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options);
 CLI::Validator notEmpty(const std::vector<std::string>& words = {});
 
 /// Reads and checks the scene file, with -D above it.
-/// @throws scene::SceneErrors, core::Error(kScene)
+/// @throws scene::SceneErrors, core::Error(kScene, kLimit, kUsage)
+scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance);
+/// The same with what the options allow.
 scene::Scene loadScene(const SceneOptions& options);
 
 }  // namespace poinsot::cli

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/supervisor.h"
+#include "app/user_limits.h"
 #include "cli/exit_code.h"
 #include "output/atomic_file.h"
 
@@ -24,6 +25,7 @@ app::Confinement confinementOf(const Reach& reach) {
     sandbox.read.push_back(output::folderOf(scene));
   }
   for (const std::string& input : reach.inputs) sandbox.read.emplace_back(input);
+  sandbox.read.push_back(app::userLimitsFile());  // the user's own
   for (const std::string& file : reach.outputs)
     if (isFile(file)) sandbox.write.push_back(output::folderOf(file));
   for (const std::string& folder : reach.made) {

@@ -11,21 +11,18 @@
 #include "core/error.h"
 
 namespace poinsot::cli {
-namespace {
-
-std::string inGib(double bytes) { return fmt::format("{:.1f} GiB", bytes / (1 << 30)); }
-
-}  // namespace
-
-int workerCount(const RenderOptions& options, int most, double each_bytes, image::PixelSize size) {
+int workerCount(const RenderOptions& options, int most, double each_bytes, image::PixelSize size,
+                const scene::Limits& limits) {
+  const std::string worker = app::pictureText(size);
+  app::expectWithinMemory(each_bytes, worker, limits);
   const int asked = options.jobs > 0 ? options.jobs : app::availableCpus();
   const int needed = std::min(asked, most);
   const app::FreeMemory free = app::freeMemory();
   const int fit = app::workersThatFit(needed, each_bytes, free);
   if (fit == needed) return asked;
   const std::string why =
-      fmt::format("pictures of {}x{} take about {} of memory in each worker, and {} are free", size.width,
-                  size.height, inGib(each_bytes), inGib(std::min(free.machine_bytes, free.process_bytes)));
+      fmt::format("{} takes about {} of memory, and {} are free", worker, app::memoryText(each_bytes),
+                  app::memoryText(std::min(free.machine_bytes, free.process_bytes)));
   if (fit == 0) throw core::Error(core::ErrorKind::kGraphics, why);
   if (options.jobs > 0)
     throw core::Error(core::ErrorKind::kGraphics, fmt::format("-j {}: {}; -j {} would do", asked, why, fit));

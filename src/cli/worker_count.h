@@ -9,7 +9,9 @@ namespace poinsot::cli {
 /// holds.
 /// @param most  that there is work for.
 /// @param each_bytes  what one needs (app/memory.h), to make a picture of `size`.
-/// @throws core::Error(kGraphics) with these figures if not one fits, or not as many as -j says.
-int workerCount(const RenderOptions& options, int most, double each_bytes, image::PixelSize size);
+/// @throws core::Error(kLimit) if one may not have so much; (kGraphics) with these figures if not one fits, or not
+/// as many as -j says.
+int workerCount(const RenderOptions& options, int most, double each_bytes, image::PixelSize size,
+                const scene::Limits& limits);
 
 }  // namespace poinsot::cli

@@ -40,10 +40,12 @@ std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const 
 /// Frames are all k with k/fps < duration.
 void checkFrames(const Time& time, Findings& findings) {
   const double count = std::ceil(time.duration_s * time.fps.value());
-  if (count > static_cast<double>(kMostFrames))
-    findings.refuse(findings.has("time.duration") ? "time.duration" : "time.fps",
-                    fmt::format("{} s at {} frames per second are {} frames; a film may have at most {}",
-                                time.duration_s, core::toString(time.fps), count, kMostFrames));
+  const std::int64_t most = findings.limits()[Limit::kFrames];
+  if (count > static_cast<double>(most))
+    findings.refuse(
+        findings.has("time.duration") ? "time.duration" : "time.fps",
+        fmt::format("{} s at {} frames per second are {} frames; a film may have at most {}; {}", time.duration_s,
+                    core::toString(time.fps), count, most, howToRaise(Limit::kFrames)));
 }
 
 Output assembleOutput(const Draft& draft) {

@@ -129,8 +129,14 @@ class Checker {
     const std::string hint = bare && key_.dimension == Dimension::kAngle
                                  ? fmt::format("; a bare angle is in radians, write \"{} deg\" for degrees", value)
                                  : "";
-    return refuse(node, fmt::format("must be {}{}, got {}{}{}", sign ? "positive, " : "", numbersText(key_),
-                                    describe(node), bare ? unitSuffix(siUnit(key_.dimension)) : "", hint));
+    return refuse(
+        node, fmt::format("must be {}{}, got {}{}{}", sign ? "positive, " : "", numbersText(key_), describe(node),
+                          bare ? unitSuffix(siUnit(key_.dimension)) : "", hint + beyondLimit(value)));
+  }
+
+  /// What the user can do about a value above a limit.
+  std::string beyondLimit(double value) const {
+    return key_.range.limit && value > key_.range.most ? "; " + howToRaise(*key_.range.limit) : "";
   }
 
   std::optional<double> number(const Node& node) {
@@ -299,7 +305,8 @@ class Checker {
                                       "\"30000/1001\"",
                                       describe(node)));
     if (!rate || !inRange(rate->value()))
-      return refuse(node, fmt::format("must be {} frames per second, got {}", numbersText(key_), describe(node)));
+      return refuse(node, fmt::format("must be {} frames per second, got {}{}", numbersText(key_), describe(node),
+                                      rate ? beyondLimit(rate->value()) : ""));
     return Checked(*rate);
   }
 
@@ -329,7 +336,8 @@ class Checker {
     const auto* value = node.as<std::int64_t>();
     if (!value) return refuse(node, fmt::format("expected a whole number of pixels, got {}", describe(node)));
     if (!inRange(static_cast<double>(*value)))
-      return refuse(node, fmt::format("each side must be {} pixels, got {}", numbersText(key_), *value));
+      return refuse(node, fmt::format("each side must be {} pixels, got {}{}", numbersText(key_), *value,
+                                      beyondLimit(static_cast<double>(*value))));
     if (*value % 2 != 0)
       return refuse(node,
                     fmt::format("each side must be even (video stores colour for pairs of pixels), got {}; the "
@@ -345,8 +353,12 @@ class Checker {
 
 }  // namespace
 
-std::optional<Checked> check(const Key& key, std::string_view path, const Node& node, Problems& problems) {
-  return Checker(key, path, problems)(node);
+std::optional<Checked> check(const Key& key, std::string_view path, const Node& node, Problems& problems,
+                             const Limits& limits) {
+  if (!key.range.limit) return Checker(key, path, problems)(node);
+  Key bounded = key;
+  bounded.range.most = static_cast<double>(limits[*key.range.limit]);
+  return Checker(bounded, path, problems)(node);
 }
 
 }  // namespace poinsot::scene

@@ -102,8 +102,8 @@ std::string messageOf(const toml::parse_error& error) {
 
 }  // namespace
 
-Node parseDocument(const Source& source) {
-  if (const auto limit = exceededLimit(source)) refuse(limit->place, limit->message);
+Node parseDocument(const Source& source, const Limits& limits) {
+  if (const auto limit = exceededLimit(source, limits)) refuse(limit->place, limit->message);
   try {
     return Converter(source).node(toml::parse(std::string_view(source.text())));
   } catch (const toml::parse_error& error) {

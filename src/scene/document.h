@@ -6,15 +6,10 @@
 #include <variant>
 #include <vector>
 
+#include "scene/limits.h"
 #include "scene/source.h"
 
 namespace poinsot::scene {
-
-// Limits on a scene's text, so that no file can exhaust the stack or the memory of what reads it.
-constexpr std::size_t kMostBytes = 4 << 20;
-constexpr std::size_t kLongestString = 64 << 10;  ///< bytes, as written
-constexpr int kDeepestNesting = 64;               ///< tables and arrays in one another
-constexpr int kMostNodes = 100'000;               ///< tables, arrays, values and their keys' parts
 
 struct Entry;
 struct DateOrTime {};
@@ -39,9 +34,10 @@ struct Entry {
   Node value;
 };
 
-/// Reads TOML 1.0 within the limits above. The one door to toml++.
+/// Reads TOML 1.0 within the limits on text, so that no file can exhaust the stack or the memory of what reads it.
+/// The one door to toml++.
 /// @throws SceneErrors with the one problem that stopped it: a syntax error, a key given twice, a limit.
-Node parseDocument(const Source& source);
+Node parseDocument(const Source& source, const Limits& limits = {});
 
 /// What was got, for a message: `"abc"`, `3.5`, `an array of 2`; safe to print.
 std::string describe(const Node& node);

@@ -29,9 +29,10 @@ void checkCanRepeat(const Scene& scene, double speed) {
 }
 
 /// Frames of a period; the film then lasts so many, to the nearest.
-double framesOf(const Time& time, double period_s, double speed) {
+double framesOf(const Time& time, double period_s, double speed, const Limits& limits) {
   const double film_s = period_s / std::abs(speed), frames = std::max(1.0, std::round(film_s * time.fps.value()));
-  if (frames > static_cast<double>(kMostFrames) || film_s > kLongestFilm_s)
+  if (frames > static_cast<double>(limits[Limit::kFrames]) ||
+      film_s > static_cast<double>(limits[Limit::kDuration]))
     refuse(
         fmt::format("the motion repeats after {:.4g} s at the soonest, {:.4g} s of film or {} frames, more than a "
                     "film may have; a time.speed of {:.2g} or more would do",
@@ -50,7 +51,7 @@ double durationOf(double frames, const core::Rational& fps) {
 
 }  // namespace
 
-void closeLoop(Scene& scene) {
+void closeLoop(Scene& scene, const Limits& limits) {
   const double speed = chosenSpeed(scene);
   checkCanRepeat(scene, speed);
   const Eigen::Vector3d drawn_P = drawnOmega_P(scene);
@@ -65,7 +66,7 @@ void closeLoop(Scene& scene) {
   loop.turned_rad = closed.turned_rad;
   loop.change = drawn_P.isZero(0) ? 0 : closed.change / drawn_P.norm();
   loop.mismatch_rad = closed.mismatch_rad;
-  const double frames = framesOf(scene.time, closed.period_s, speed);
+  const double frames = framesOf(scene.time, closed.period_s, speed, limits);
   scene.time.duration_s = durationOf(frames, scene.time.fps);
   scene.time.speed = std::copysign(closed.period_s / (frames / scene.time.fps.value()), speed);
   scene.motion.omega_B = scene.body.axes.toB(undrawnOmega_P(scene, closed.omega0_P));

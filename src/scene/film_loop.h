@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 namespace poinsot::scene {
@@ -11,6 +12,6 @@ namespace poinsot::scene {
 /// Time::loop with what was changed. Source: physics/closed_motion.h.
 /// @throws core::Error(kScene) for driven motion and for a film that would be too long, kPhysics on the
 /// separatrix.
-void closeLoop(Scene& scene);
+void closeLoop(Scene& scene, const Limits& limits = {});
 
 }  // namespace poinsot::scene

@@ -19,6 +19,7 @@ class Findings {
            Problems& problems)
       : given_(given), refused_(refused), file_(file), problems_(problems) {}
 
+  const Limits& limits() const { return given_.limits; }
   bool has(std::string_view path) const { return given_.values.contains(path); }
   /// Whether it is given and did not pass its own check, which was reported then.
   bool failed(std::string_view path) const { return refused_.contains(path); }

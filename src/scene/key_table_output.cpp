@@ -32,7 +32,7 @@ std::vector<Key> outputKeys() {
        .put = into([](Draft& d) { return &d.quality; })},
       {.path = "output.size",
        .type = kPixels,
-       .range = {.least = kLeastSide, .most = kMostSide},
+       .range = {.least = kLeastSide, .most = usual(Limit::kSide), .limit = Limit::kSide},
        .example = "[1280, 720]",
        .help = "Width and height of the picture in pixels, both even.",
        .put = into([](Draft& d) { return &d.size_px; })},

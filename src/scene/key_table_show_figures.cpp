@@ -87,7 +87,7 @@ class FigureKeys {
     return {.path = path_ + ".times",
             .type = kNumbers,
             .dimension = kTime,
-            .range = {.least = 0, .most = kLongestFilm_s},
+            .range = {.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
             .example = example,
             .help = help,
             .put = put(place)};

@@ -8,7 +8,7 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-constexpr Range kFilmTime{.least = 0, .most = kLongestFilm_s};
+const Range kFilmTime{.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration};
 constexpr Range kTurns{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred orbits either way
 constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kZoom{.least = 0.05, .most = 20};
@@ -64,7 +64,7 @@ std::vector<Key> whatKeys() {
        .put = intoEntry([](TimelineDraft& e) { return &e.caption; })},
       {.path = "timeline[].caption_for",
        .dimension = kTime,
-       .range = {.least = 0.1, .most = kLongestFilm_s},
+       .range = {.least = 0.1, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
        .example = "\"5 s\"",
        .help = "How long the caption stands; without it until the next one, or the end.",
        .put = intoEntry([](TimelineDraft& e) { return &e.captionFor; })},

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,6 +12,7 @@
 
 #include "core/rational.h"
 #include "scene/draft.h"
+#include "scene/limits.h"
 #include "scene/units.h"
 
 /// The one table of what a scene may say. The parser's checks, the JSON Schema and the reference come from it.
@@ -44,7 +46,8 @@ struct Range {
   double least = -std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::max();
   std::string_view unit{};
-  bool ofSize = false;  ///< of the absolute value; zero is in range
+  bool ofSize = false;           ///< of the absolute value; zero is in range
+  std::optional<Limit> limit{};  ///< `most` is its usual value, which the user may change
 };
 
 /// One of Key::words.

@@ -158,9 +158,9 @@ class Walk {
       return problems_.add(
           node.place, fmt::format("{}: expected an array of tables, each begun with [[{}]], got {}", path, path,
                                   describe(node)));
-    if (elements->size() > kMostElements)
-      return problems_.add(node.place, fmt::format("{}: may have at most {} elements, got {}", path, kMostElements,
-                                                   elements->size()));
+    if (const auto most = leaves_.limits[Limit::kElements]; elements->size() > static_cast<std::size_t>(most))
+      return problems_.add(node.place, fmt::format("{}: may have at most {} elements, got {}; {}", path, most,
+                                                   elements->size(), howToRaise(Limit::kElements)));
     forget(path);
     for (std::size_t i = 0; i < elements->size(); ++i)
       opened(fmt::format("{}[{}]", path, i), (*elements)[i].place, *(*elements)[i].as<Node::Table>());

@@ -6,13 +6,15 @@
 
 #include "scene/document.h"
 #include "scene/keys.h"
+#include "scene/limits.h"
 
 namespace poinsot::scene {
 
 /// What a scene gives, by path ("body.part[0].mass").
 struct Leaves {
-  std::map<std::string, Node, std::less<>> values;   ///< of known keys, each with the place it came from
-  std::map<std::string, Place, std::less<>> tables;  ///< where each table was opened
+  Limits limits{};                                     ///< by which it is bounded
+  std::map<std::string, Node, std::less<>> values{};   ///< of known keys, each with the place it came from
+  std::map<std::string, Place, std::less<>> tables{};  ///< where each table was opened
 
   /// How many tables an array of them has.
   std::size_t count(std::string_view array) const;

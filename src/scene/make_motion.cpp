@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/make_motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
 #include "physics/driven_motion.h"
 #include "physics/free_motion.h"
+#include "scene/limits.h"
 
 namespace poinsot::scene {
 namespace {
@@ -80,8 +83,13 @@ std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double fro
   const Eigen::Quaterniond q0_WB = startOrientation(scene);
   if (motion.forcing.none()) return std::make_unique<physics::FreeMotion>(scene.body.axes, motion.omega_B, q0_WB);
   const physics::TimeSpan span{std::min(from_s, to_s), std::max(from_s, to_s)};
-  return std::make_unique<physics::DrivenMotion>(scene.body.axes, motion.omega_B, q0_WB, motion.forcing, span,
-                                                 motion.tolerance_rad);
+  try {
+    return std::make_unique<physics::DrivenMotion>(scene.body.axes, motion.omega_B, q0_WB, motion.forcing, span,
+                                                   motion.tolerance_rad, motion.mostSteps);
+  } catch (const core::Error& error) {
+    if (error.kind() != core::ErrorKind::kLimit) throw;
+    throw core::Error(error.kind(), fmt::format("{}; {}", error.message(), howToRaise(Limit::kSteps)));
+  }
 }
 
 }  // namespace poinsot::scene

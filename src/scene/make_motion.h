@@ -30,7 +30,8 @@ Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_
 
 /// The motion that a scene describes, known between two motion times (in either order) and between them and 0.
 /// Free where nothing acts on the body, else integrated to Motion::tolerance_rad.
-/// @throws core::Error(kPhysics) for a body or a start that has no solution.
+/// @throws core::Error(kPhysics) for a body or a start that has no solution; (kLimit) for more steps than the user
+/// allows.
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s);
 
 }  // namespace poinsot::scene

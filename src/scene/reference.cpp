@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "physics/catalogue.h"
-#include "scene/document.h"
 #include "scene/key_text.h"
 #include "scene/keys.h"
 #include "scene/limits.h"
@@ -154,19 +153,48 @@ std::string presets() {
   return text + "\n";
 }
 
+constexpr std::string_view kLimitsOpening = R"(## Limits
+
+A scene comes from anywhere, so what it may ask for is bounded; a limit is told with what was asked for, before any of it
+is made. You raise a limit, or lower one, a scene never does: for one run by `--limit NAME=VALUE` (`--limit side=16384
+--limit output="200 GiB"`), for all of yours by `~/.config/poinsot/limits.toml` (or below `$XDG_CONFIG_HOME`), in which
+the same names are keys:
+
+```toml
+side = 16384
+memory = "8 GiB"
+```
+
+| limit | usually | at most | of |
+| --- | --- | --- | --- |
+)";
+
+constexpr std::string_view kLimitsClosing = R"(
+Memory is estimated from the size of the picture, the film's encoder and the meshes, for one worker; there are as many as
+`-j` says. A run that reaches `output` or `seconds` ends with exit code 2, like one that is refused at once, and what is
+complete of a film stays for `--resume`. These are fixed, since more would not be seen or could not be computed: sides of
+{} pixels and more, {} lines of a note, 2000 characters and 40 levels in one piece of mathematics, 100 000 lines of a
+torque table, 8 by 8 panels. Numbers are finite, and each has the range that its key says: moments from {:g} to {:g}, the
+largest at most {:g} times the smallest, spins from {:g} to {:g}, times to {:g} and torques to {:g} in SI units. Within
+these L² and the energy of every body neither under- nor overflow a double, so that what is accepted can be drawn.
+Unknown and repeated keys are refused. A scene holds no code and no expressions.
+
+The files that a scene names (meshes, torques, styles) are regular files in its own folder or below it: no absolute path,
+no `..`, no symbolic link, no `~`, `$` or address, for nothing is expanded. `--asset-root FOLDER` allows another folder,
+searched after the scene's own; it may be given more than once.
+)";
+
 std::string limits() {
-  return fmt::format(
-      "## Limits\n\nA scene comes from anywhere, so it is bounded: at most {} MiB of text, {} KiB in one string, "
-      "{} "
-      "levels of nesting,\n{} values, {} elements of an array of tables; {} frames, {} frames per second, {} s of "
-      "film; sides of {} to {} "
-      "pixels.\nNumbers are finite; unknown and repeated keys are "
-      "refused. "
-      "A scene holds no code and no expressions.\nThe files that it names (meshes, torques) are regular files in "
-      "its "
-      "own folder or below it, of at most {} MiB: no absolute\npath, no `..`, no symbolic link.\n",
-      kMostBytes >> 20, kLongestString >> 10, kDeepestNesting, kMostNodes, kMostElements, kMostFrames, kMostFps,
-      kLongestFilm_s, kLeastSide, kMostSide, kMostFileBytes >> 20);
+  std::string text(kLimitsOpening);
+  for (std::size_t i = 0; i < kLimitCount; ++i) {
+    const auto limit = static_cast<Limit>(i);
+    const LimitRow& row = rowOf(limit);
+    text +=
+        fmt::format("| `{}` | {} | {} | {} |\n", row.name, row.usual == 0 ? "none" : limitText(limit, row.usual),
+                    limitText(limit, row.highest), row.help);
+  }
+  return text + fmt::format(fmt::runtime(kLimitsClosing), kLeastSide, kMostLines, kLeastMoment, kMostMoment,
+                            kMostRatioOfMoments, kLeastSpin, kMostSpin, kMostInstant_s, kMostTorque);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,6 +65,7 @@ struct Motion {
   LPoints lPoints = LPoints::kAuto;
   physics::Forcing forcing;
   double tolerance_rad = 1e-12;  ///< of the attitude over the run, where something acts
+  double mostSteps = 2e6;        ///< that the user allows for that (Limit::kSteps)
   std::optional<Flight> flight;
 };
 
@@ -170,6 +172,7 @@ struct Output {
 struct InputFile {
   std::string path;  ///< as the scene has it
   core::Digest digest{};
+  std::filesystem::path place{};  ///< where it was found, from the current folder
 };
 
 struct Scene {

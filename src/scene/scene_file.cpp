@@ -21,9 +21,8 @@ namespace {
 
 // --- Reading the file ---
 
-[[noreturn]] void refuseFile(const std::filesystem::path& path, const std::string& why) {
-  throw core::Error(core::ErrorKind::kScene, "cannot read the scene: " + why,
-                    core::SourceLocation{core::printable(path.string())});
+[[noreturn]] void refuseFile(const std::filesystem::path& path, core::ErrorKind kind, const std::string& why) {
+  throw core::Error(kind, "cannot read the scene: " + why, core::SourceLocation{core::printable(path.string())});
 }
 
 // --- Overrides ---
@@ -39,9 +38,9 @@ bool looksLikeToml(std::string_view value) {
 }
 
 /// The text after "=" as a TOML value; a bare word (down, 3 rpm) is text.
-Node overrideValue(const Source& source, std::string_view value) {
+Node overrideValue(const Source& source, std::string_view value, const Limits& limits) {
   try {
-    Node document = parseDocument(source);
+    Node document = parseDocument(source, limits);
     auto& entries = std::get<Node::Table>(document.value);
     if (entries.size() == 1 && entries[0].key == "v") return std::move(entries[0].value);
   } catch (const SceneErrors&) {
@@ -59,7 +58,7 @@ void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& l
   const Place place{&source, 0, 0, 1};
   if (equals == std::string::npos || key.empty()) return problems.add(place, "expected -D key.path=value");
   try {
-    addLeaf(key, place, overrideValue(source, value), leaves, problems);
+    addLeaf(key, place, overrideValue(source, value, leaves.limits), leaves, problems);
   } catch (const SceneErrors& errors) {
     problems.add(place, errors.problems().front().message);
   }
@@ -89,7 +88,7 @@ void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
 Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     const Key& key = *findKey(path);
-    if (const auto value = check(key, path, node, problems)) {
+    if (const auto value = check(key, path, node, problems, leaves.limits)) {
       askFor(path, leaves, draft);
       key.put(draft, elementOf(path), *value);
     } else {
@@ -121,10 +120,30 @@ void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems
   }
 }
 
-void closeIfAsked(Scene& scene, Findings& findings) {
+/// What one frame may show: all texts but the captions, and the longest of those, which come one at a time. Each
+/// is set in type for every worker, and for every frame looked up.
+void checkCharacters(const Leaves& leaves, Findings& findings) {
+  std::size_t others = 0, caption = 0;
+  for (const auto& [path, node] : leaves.values) {
+    if (!findKey(path)->isTex) continue;
+    std::size_t count = 0;
+    for (const Node& line : linesOf(node))
+      if (const auto* text = line.as<std::string>()) count += characterCount(*text);
+    if (path.ends_with("].caption"))
+      caption = std::max(caption, count);
+    else
+      others += count;
+  }
+  const std::int64_t most = leaves.limits[Limit::kCharacters];
+  if (others + caption > static_cast<std::size_t>(most))
+    findings.refuseFile(fmt::format("a frame may show at most {} characters, got {}; {}", most, others + caption,
+                                    howToRaise(Limit::kCharacters)));
+}
+
+void closeIfAsked(Scene& scene, Findings& findings, const Limits& limits) {
   if (!scene.time.loop) return;
   try {
-    closeLoop(scene);
+    closeLoop(scene, limits);
   } catch (const core::Error& error) {
     findings.refuse("time.loop", error.message());
   }
@@ -133,15 +152,16 @@ void closeIfAsked(Scene& scene, Findings& findings) {
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides,
-                 const TextCheck& textCheck) {
+                 const TextCheck& textCheck, const Allowance& allowance) {
+  const Limits& limits = allowance.limits;
   std::deque<Source> sources;  // places point into it; a deque never moves what it holds
   const Source& file = sources.emplace_back(fileName, std::string(text));
-  Leaves leaves;
+  Leaves leaves{.limits = limits};
   Problems problems;
-  addLeaves(parseDocument(file), leaves, problems);
+  addLeaves(parseDocument(file, limits), leaves, problems);
   for (const std::string& word : overrides) addOverride(word, sources, leaves, problems);
   const std::filesystem::path path(fileName);
-  const SceneFolder folder(path.parent_path());
+  const SceneFolder folder(path.parent_path(), allowance);
   addStyleFile(folder, sources, leaves, problems);
   static const Draft defaults = defaultDraft();
   Paths refused;
@@ -149,25 +169,29 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   Findings findings(leaves, refused, {&file, 0, 0, 1}, problems);
   Scene scene = assemble(std::move(draft), findings, folder);
   checkTexts(leaves, textCheck, problems);
+  checkCharacters(leaves, findings);
   problems.throwIfAny();
-  closeIfAsked(scene, findings);  // of a scene without other problems
+  closeIfAsked(scene, findings, limits);  // of a scene without other problems
   problems.throwIfAny();
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();
+  scene.motion.mostSteps = static_cast<double>(limits[Limit::kSteps]);
   return scene;
 }
 
-std::string readSceneText(const std::filesystem::path& path) {
+std::string readSceneText(const std::filesystem::path& path, const Limits& limits) {
+  constexpr Limit kBytes = Limit::kSceneBytes;
   try {
-    return core::bytesOf(core::openForReading(path), kMostBytes, core::ErrorKind::kScene);
+    return core::allBytesOf(core::openForReading(path), limits.bytes(kBytes), core::ErrorKind::kScene);
   } catch (const core::Error& error) {
-    refuseFile(path, error.message());
+    const bool tooLong = error.kind() == core::ErrorKind::kLimit;
+    refuseFile(path, error.kind(), error.message() + (tooLong ? "; " + howToRaise(kBytes) : ""));
   }
 }
 
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                const TextCheck& textCheck) {
-  return parseScene(readSceneText(path), path.string(), overrides, textCheck);
+                const TextCheck& textCheck, const Allowance& allowance) {
+  return parseScene(readSceneText(path, allowance.limits), path.string(), overrides, textCheck, allowance);
 }
 
 }  // namespace poinsot::scene

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/limits.h"
 #include "scene/problem.h"
 #include "scene/scene.h"
 
@@ -16,21 +17,23 @@ namespace poinsot::scene {
 /// see.
 using TextCheck = std::function<std::string(std::string_view)>;
 
-/// The text of a scene file; of one too long, enough for parseScene() to refuse it.
-/// @throws core::Error(kScene) for a file that is missing, unreadable, or not a regular file.
-std::string readSceneText(const std::filesystem::path& path);
+/// The text of a scene file.
+/// @throws core::Error(kScene) for a file that is missing, unreadable, or not a regular file; (kLimit) for one of
+/// more than Limit::kSceneBytes.
+std::string readSceneText(const std::filesystem::path& path, const Limits& limits = {});
 
 /// Reads a scene file. `overrides` are the words after -D, "key.path=value", where value is a TOML value or, when
-/// it is none, text; the last of several for one key wins.
+/// it is none, text; the last of several for one key wins. `allowance` is what the user lets the scene have.
 /// @throws SceneErrors with every problem of the file and the overrides at once;
 /// core::Error(kScene) for a file that is missing, unreadable, or not a regular file.
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
-                const TextCheck& textCheck = {});
+                const TextCheck& textCheck = {}, const Allowance& allowance = {});
 
 /// The same for text in memory. `fileName` stands in messages, and gives the scene its name and the folder in
 /// which the files that it names are looked for.
 /// @throws SceneErrors, and nothing else, whatever the text.
 Scene parseScene(std::string_view text, const std::string& fileName,
-                 const std::vector<std::string>& overrides = {}, const TextCheck& textCheck = {});
+                 const std::vector<std::string>& overrides = {}, const TextCheck& textCheck = {},
+                 const Allowance& allowance = {});
 
 }  // namespace poinsot::scene

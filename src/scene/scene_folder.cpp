@@ -1,61 +1,116 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
+#include "core/open_beneath.h"
 #include "core/regular_file.h"
 #include "core/text.h"
-#include "scene/limits.h"
 
 namespace poinsot::scene {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw core::Error(core::ErrorKind::kScene, fmt::format("cannot read {}: {}", core::printable(path), why));
+using core::ErrorKind;
+
+[[noreturn]] void refuse(ErrorKind kind, const std::string& path, const std::string& why) {
+  throw core::Error(kind, fmt::format("cannot read {}: {}", core::printable(path), why));
 }
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) { refuse(ErrorKind::kScene, path, why); }
 
 std::string reason(int error) {
   if (error == ELOOP) return "it is a symbolic link, or lies behind one; a scene names regular files";
+  if (error == EXDEV) return "it does not lie in the scene's folder or below it";
+  if (error == EISDIR) return "it is a directory";
+  if (error == EINVAL) return "it is not a regular file";
   return std::generic_category().message(error);
 }
 
-void expectBeneath(const std::filesystem::path& path) {
+bool isAddress(std::string path) {
+  std::ranges::transform(path, path.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return path.starts_with("file:") || path.find("://") != std::string::npos;
+}
+
+/// What others expand is said to be no name; nothing here expands anything.
+void expectPlain(const std::string& path) {
   if (path.empty()) refuse(path, "the name is empty");
+  if (std::ranges::any_of(path, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
+    refuse(path, "a name holds no control characters");
+  if (isAddress(path)) refuse(path, "it is an address; a scene names files by their paths from its folder");
+  if (path.front() == '~' || path.find_first_of("$`") != std::string::npos)
+    refuse(path, "nothing is expanded in a name: no ~ at its beginning, no $ and no `");
+}
+
+void expectBeneath(const std::filesystem::path& path) {
   if (path.is_absolute()) refuse(path, "the path must be relative to the scene's folder");
   for (const auto& part : path)
     if (part == "..") refuse(path, "the file must lie in the scene's folder or below it, without \"..\"");
 }
 
-/// Folder by folder, so that no link on the way leads elsewhere. O_NONBLOCK: opening a FIFO must not wait.
-core::FileHandle openBeneath(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  core::FileHandle at(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY));
-  for (const auto& part : path) {
-    if (!at) refuse(path, reason(errno));
-    at = core::FileHandle(::openat(at.get(), part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+/// The first that is there.
+core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const std::filesystem::path& path,
+                        std::filesystem::path& place) {
+  int why = ENOENT;
+  for (const auto& root : roots) {
+    auto file = core::openBeneath(root, path);
+    place = root / path;
+    if (file) return file;
+    if (why == ENOENT) why = errno;
+    if (errno != ENOENT && errno != ENOTDIR) break;  // it is there, and is no file to be read
   }
-  if (!at) refuse(path, reason(errno));
-  return at;
+  refuse(path, reason(why));
 }
 
 }  // namespace
 
+SceneFolder::SceneFolder(std::filesystem::path folder, Allowance allowance)
+    : roots_{std::move(folder)}, limits_(allowance.limits) {
+  roots_.insert(roots_.end(), allowance.assetRoots.begin(), allowance.assetRoots.end());
+}
+
 std::string SceneFolder::read(const std::string& relativePath) const {
-  const std::filesystem::path path(relativePath);
-  expectBeneath(path);
-  const core::FileHandle file = openBeneath(folder_, path);
+  expectPlain(relativePath);
+  expectBeneath(relativePath);
+  InputFile input{relativePath, {}, {}};
+  const core::FileHandle file = openIn(roots_, relativePath, input.place);
+  const std::size_t rest = limits_.bytes(Limit::kFilesBytes) - bytes_;
+  const bool isLast = rest < limits_.bytes(Limit::kFileBytes);  // those before it left less than one may have
+  const Limit limit = isLast ? Limit::kFilesBytes : Limit::kFileBytes;
   std::string text;
   try {
-    text = core::bytesOf(file, kMostFileBytes, core::ErrorKind::kScene);
+    text = core::allBytesOf(file, isLast ? rest : limits_.bytes(limit), ErrorKind::kScene);
   } catch (const core::Error& error) {
-    refuse(path, error.message());
+    if (error.kind() != ErrorKind::kLimit) refuse(relativePath, error.message());
+    refuse(ErrorKind::kLimit, relativePath,
+           fmt::format("{}; {}{}", error.message(), isLast ? "the files of a scene have too many together; " : "",
+                       howToRaise(limit)));
   }
-  if (text.size() > kMostFileBytes) refuse(path, fmt::format("it has more than {} MiB", kMostFileBytes >> 20));
-  read_.push_back({relativePath, core::sha256(text)});
+  bytes_ += text.size();
+  input.digest = core::sha256(text);
+  read_.push_back(std::move(input));
   return text;
+}
+
+geometry::Mesh SceneFolder::readMesh(const std::string& relativePath) const {
+  const auto format = geometry::meshFormatOf(relativePath);  // before the file: what it is not, need not be read
+  const std::string bytes = read(relativePath);
+  const std::size_t most = limits_.bytes(Limit::kTriangles);
+  try {
+    geometry::Mesh mesh = geometry::parseMesh(bytes, format, relativePath, {bytes.size(), most - triangles_});
+    triangles_ += mesh.triangles.size();
+    return mesh;
+  } catch (const core::Error& error) {
+    if (error.kind() != ErrorKind::kLimit) throw;
+    throw core::Error(ErrorKind::kLimit,
+                      fmt::format("{}; the meshes of a scene may have {} triangles in all; {}", error.message(),
+                                  most, howToRaise(Limit::kTriangles)),
+                      error.where());
+  }
 }
 
 }  // namespace poinsot::scene

@@ -214,7 +214,7 @@ Json tableArraySchema(const std::string& path) {
   return {{"type", "array"},
           {"description", fmt::format("Any number of [[{}]].", path)},
           {"items", tableSchema(path + "[]")},
-          {"maxItems", kMostElements}};
+          {"maxItems", rowOf(Limit::kElements).usual}};
 }
 
 Json schemaOf(const std::string& path) {

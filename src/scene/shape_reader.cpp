@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "geometry/mesh_file.h"
 #include "physics/mass_properties.h"
 
 namespace poinsot::scene {
@@ -116,9 +115,8 @@ std::optional<Figure> ShapeReader::solid() {
 }
 
 geometry::Mesh ShapeReader::readMesh() const {
-  const auto format = geometry::meshFormatOf(*shape_.file);  // before the file: what it is not, need not be read
-  geometry::Mesh mesh = geometry::parseMesh(folder_.read(*shape_.file), format, *shape_.file);
-  return geometry::transformed(std::move(mesh), shape_.fileUnit_m.value_or(1) * Eigen::Matrix3d::Identity());
+  return geometry::transformed(folder_.readMesh(*shape_.file),
+                               shape_.fileUnit_m.value_or(1) * Eigen::Matrix3d::Identity());
 }
 
 std::optional<Figure> ShapeReader::mesh() {

@@ -27,7 +27,7 @@ const Source* openFile(const Node& name, const SceneFolder& folder, std::deque<S
     return nullptr;  // the key's own check says so
   try {
     std::string text = folder.read(*path);
-    return &sources.emplace_back(folder.pathOf(*path).string(), std::move(text));
+    return &sources.emplace_back(folder.filesRead().back().place.string(), std::move(text));
   } catch (const core::Error& error) {
     problems.add(name.place, fmt::format("{}: {}", kKey, error.message()));
     return nullptr;
@@ -40,7 +40,7 @@ void take(const Leaves& file, Leaves& leaves, Problems& problems) {
     if (const std::string_view why = misplaced(path); !why.empty())
       problems.add(node.place, fmt::format("{}: {}", path, why));
     else if (leaves.values.contains(path))
-      check(*findKey(path), path, node, problems);
+      check(*findKey(path), path, node, problems, leaves.limits);
     else
       leaves.values.emplace(path, node);
 }
@@ -52,8 +52,8 @@ void addStyleFile(const SceneFolder& folder, std::deque<Source>& sources, Leaves
   if (named == leaves.values.end()) return;
   const Source* source = openFile(named->second, folder, sources, problems);
   if (!source) return;
-  Leaves file;
-  addLeaves(parseDocument(*source), file, problems);
+  Leaves file{.limits = leaves.limits};
+  addLeaves(parseDocument(*source, leaves.limits), file, problems);
   take(file, leaves, problems);
 }
 

@@ -7,15 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/document.h"
-
 namespace poinsot::scene {
 namespace {
 
 /// Knows just enough of TOML to skip comments and strings and to tell keys from values.
 class Scan {
  public:
-  explicit Scan(const Source& source) : source_(source), text_(source.text()) {}
+  Scan(const Source& source, const Limits& limits) : source_(source), text_(source.text()), limits_(limits) {}
 
   std::optional<LimitExceeded> run() {
     while (!exceeded_ && at_ < text_.size()) step();
@@ -58,8 +56,8 @@ class Scan {
     at_ = std::min(at_ + fence.size(), text_.size());
     // """a"""" ends with a quote of its own, before the fence.
     for (int extra = 0; fence.size() == 3 && extra < 2 && text_.substr(at_).starts_with(quote); ++extra) ++at_;
-    if (at_ - begin > kLongestString + 2 * fence.size())
-      exceed(fmt::format("a string may have at most {} bytes", kLongestString));
+    if (at_ - begin > limits_.bytes(Limit::kStringBytes) + 2 * fence.size())
+      exceed(Limit::kStringBytes, "a string may have at most {}");
   }
 
   void startLine() {
@@ -111,27 +109,33 @@ class Scan {
 
   void deeper() {
     count();
-    if (++depth_ > kDeepestNesting)
-      exceed(fmt::format("tables and arrays may be nested at most {} deep", kDeepestNesting));
+    if (++depth_ > limits_[Limit::kNesting])
+      exceed(Limit::kNesting, "tables and arrays may be nested at most {} deep");
   }
 
   void count() {
-    if (++nodes_ > kMostNodes) exceed(fmt::format("a scene may hold at most {} values", kMostNodes));
+    if (++nodes_ > limits_[Limit::kValues]) exceed(Limit::kValues, "a scene may hold at most {} values");
   }
 
-  void exceed(std::string message) {
+  void exceed(Limit limit, const char* message) {
     if (exceeded_) return;
     const std::size_t end = std::min(at_, text_.size());
     const auto before = characterCount(text_.substr(lineStart_, end - std::min(lineStart_, end)));
-    exceeded_ = LimitExceeded{{&source_, line_, static_cast<int>(before) + 1, 1}, std::move(message)};
+    exceeded_ = LimitExceeded{{&source_, line_, static_cast<int>(before) + 1, 1}, messageOf(limit, message)};
+  }
+
+  std::string messageOf(Limit limit, const char* message) const {
+    return fmt::format("{}; {}", fmt::format(fmt::runtime(message), limitText(limit, limits_[limit])),
+                       howToRaise(limit));
   }
 
   const Source& source_;
   const std::string_view text_;
+  const Limits& limits_;
   std::size_t at_ = 0;
   std::size_t lineStart_ = 0;
   int line_ = 1;
-  int nodes_ = 0;
+  std::int64_t nodes_ = 0;
   int depth_ = 0;        // tables and arrays around this place
   int headerDepth_ = 0;  // of the last [header]
   bool inKey_ = true;
@@ -142,11 +146,13 @@ class Scan {
 
 }  // namespace
 
-std::optional<LimitExceeded> exceededLimit(const Source& source) {
-  if (source.text().size() > kMostBytes)
+std::optional<LimitExceeded> exceededLimit(const Source& source, const Limits& limits) {
+  constexpr Limit kBytes = Limit::kSceneBytes;
+  if (source.text().size() > limits.bytes(kBytes))
     return LimitExceeded{{&source, 0, 0, 1},
-                         fmt::format("a scene file may have at most {} MiB", kMostBytes >> 20)};
-  return Scan(source).run();
+                         fmt::format("a scene file may have at most {}; {}", limitText(kBytes, limits[kBytes]),
+                                     howToRaise(kBytes))};
+  return Scan(source, limits).run();
 }
 
 }  // namespace poinsot::scene

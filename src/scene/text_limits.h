@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/limits.h"
 #include "scene/source.h"
 
 namespace poinsot::scene {
@@ -15,6 +16,6 @@ struct LimitExceeded {
 
 /// Looks over TOML text, before any parser builds a tree from it, for what would make that tree too large, too
 /// deep or too slow: one pass, constant memory. Text that is not TOML passes or not; the parser says why.
-std::optional<LimitExceeded> exceededLimit(const Source& source);
+std::optional<LimitExceeded> exceededLimit(const Source& source, const Limits& limits);
 
 }  // namespace poinsot::scene

@@ -85,7 +85,10 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
 TEST(WorkerProtocol, CarriesAJobUnchanged) {
   // Bytes that are no UTF-8 and characters that JSON escapes: file names may hold both.
   const std::string odd = "a\"b\\c\n\xff\xc3\xa9\x80";
-  const WorkerJob job{{odd, "schema = 1\n# " + odd, {"a.b=" + odd}, image::PixelSize{161, 90}},
+  scene::Allowance allowance{{}, {odd, "b"}};
+  allowance.limits.set(scene::Limit::kSide, 16384);
+  allowance.limits.set(scene::Limit::kMemory, std::int64_t{1} << 50);
+  const WorkerJob job{{odd, "schema = 1\n# " + odd, {"a.b=" + odd}, image::PixelSize{161, 90}, allowance},
                       {OutputKind::kSequence, odd + "/{frame}.png"},
                       {3, 62},
                       0.1,
@@ -105,6 +108,8 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_EQ(read.scene.text, job.scene.text);
   EXPECT_EQ(read.scene.overrides, job.scene.overrides);
   EXPECT_EQ(read.scene.size, job.scene.size);
+  EXPECT_EQ(read.scene.allowance.limits, allowance.limits);
+  EXPECT_EQ(read.scene.allowance.assetRoots, allowance.assetRoots);
   EXPECT_EQ(read.target.kind, job.target.kind);
   EXPECT_EQ(read.target.path, job.target.path);
   EXPECT_EQ(read.frames, job.frames);
@@ -127,6 +132,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
 TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
   const WorkerJob read = jobFromLine(toLine(WorkerJob{}));
   EXPECT_EQ(read.scene.size, std::nullopt);
+  EXPECT_EQ(read.scene.allowance.limits, scene::Limits());
   EXPECT_EQ(read.time_s, std::nullopt);
   EXPECT_FALSE(read.form.print);
   EXPECT_FALSE(read.form.transparent);

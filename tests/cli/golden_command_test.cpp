@@ -237,6 +237,60 @@ TEST_F(GoldenCommand, HoldsWidthsToTheLimitsOfAPicture) {
                                     "width of 8704; sides are from 16 to 8192 pixels"));
 }
 
+// A manifest, too, comes from anywhere: what it names lies below it, or where the user says.
+TEST_F(GoldenCommand, ReachesNothingElsewhere) {
+  const ScratchFolder elsewhere;
+  elsewhere.put("secret.toml", "password = 'x'\n");
+  fs::create_symlink(elsewhere / "secret.toml", folder_ / "link.toml");
+  fs::create_directory_symlink(elsewhere.path(), folder_ / "away");
+  const auto refusal = [&](const std::string& text) {
+    folder_.put("golden.toml", text);
+    const RunResult result = golden({"--update"});
+    EXPECT_EQ(result.exitCode, 2) << text;
+    EXPECT_THAT(result.err, Not(HasSubstr("password")));
+    return result.err;
+  };
+  const std::string outside = elsewhere.path().string();
+  const std::string read =
+      "is neither below the folder of this file nor below the current one; --asset-root FOLDER";
+  EXPECT_THAT(refusal("[[test]]\nscene = '" + outside + "/secret.toml'\n"),
+              HasSubstr("golden.toml:2:9: error: test.scene: \"" + outside + "/secret.toml\" " + read));
+  EXPECT_THAT(refusal("[[test]]\nscene = '../*/secret.toml'\n"), HasSubstr(read));
+  EXPECT_THAT(refusal("[[test]]\nscene = '../*.toml'\n"), HasSubstr(read));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'away/*.toml'\n"), HasSubstr(read));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'link.toml'\n"), HasSubstr("is a link that leads out"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'lin*.toml'\n"), HasSubstr("is a link that leads out"));
+  EXPECT_THAT(refusal("[[test]]\nimage = '/etc/passwd'\n"), HasSubstr("test.image: \"/etc/passwd\" " + read));
+  EXPECT_THAT(refusal("[[test]]\nimage = 'away/x.png'\n"), HasSubstr(read));
+  for (const char* references : {"..", "/tmp", "away", "golden/../.."})
+    EXPECT_THAT(refusal("references = '" + std::string(references) + "'\n[[test]]\nscene = 's.toml'\n"),
+                HasSubstr("is not below the folder of this file; --asset-root FOLDER allows another"));
+  EXPECT_EQ(namesIn(elsewhere.path()), std::vector<std::string>{"secret.toml"});
+
+  elsewhere.put("s.toml", kGoodScene);
+  folder_.put("golden.toml", "references = '" + outside + "/approved'\nsize = [64, 48]\n[[test]]\nscene = '" +
+                                 outside + "/s.toml'\n");
+  EXPECT_EQ(golden({"--update", "--asset-root", outside}).exitCode, 0);
+  EXPECT_TRUE(fs::exists(elsewhere / "approved/s.png"));
+  EXPECT_EQ(golden({"--asset-root", outside}).out, "1 identical\n");
+}
+
+// A link among the references is none of them: it may lead to any picture of the user's.
+TEST_F(GoldenCommand, ComparesWithNoLinks) {
+  approve();
+  fs::rename(folder_ / "golden/s.png", folder_ / "mine.png");
+  fs::create_symlink("../mine.png", folder_ / "golden/s.png");
+  EXPECT_THAT(golden().out, StartsWith("new        s: nothing was approved yet"));
+}
+
+TEST_F(GoldenCommand, RefusesWhatTakesTooMuchMemory) {
+  const RunResult refused = golden({"--max-memory", "100MiB"});
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_THAT(refused.out,
+              HasSubstr("error      s: a worker that makes pictures of 64x48: about 0.1 GiB of memory, more "
+                        "than the 100 MiB that it may take; --max-memory SIZE raises that"));
+}
+
 TEST_F(GoldenCommand, ReportsForMachinesAndForPeople) {
   saveFlat("theirs.png", 90);
   folder_.put("golden.toml",

@@ -10,6 +10,7 @@
 
 #include "app/golden_manifest.h"
 #include "app/scene_request.h"
+#include "app/user_limits.h"
 #include "core/error.h"
 #include "docs/pages.h"
 #include "scene/scene_file.h"
@@ -35,6 +36,12 @@ bool isWhole(const std::string& toml) {
 /// Of golden images.
 bool isSuite(const std::string& toml) { return toml.find("[[test]]\n") != std::string::npos; }
 
+/// A user's limits.toml.
+bool isLimits(const std::string& toml) {
+  return std::ranges::any_of(scene::limitTable(),
+                             [&](const auto& row) { return toml.starts_with(std::string(row.name) + " = "); });
+}
+
 /// A part of a scene made whole; one that begins with a key goes on with [show], as on the pages.
 std::string madeWhole(const std::string& part) {
   const std::string body = "[body]\ncatalogue = \"book\"\n[motion]\nomega_body = [0, 6, 0.1]\n";
@@ -56,9 +63,20 @@ std::string problemOfGoldens(const std::string& toml) {
   }
 }
 
+std::string problemOfLimits(const std::string& toml) {
+  const ScratchFolder folder;
+  try {
+    app::limitsOf(folder.put("limits.toml", toml));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 /// Says what is wrong with the scene, or nothing. Files that it names are looked for in scenes/.
 std::string problem(const std::string& toml) {
   if (isSuite(toml)) return problemOfGoldens(toml);
+  if (isLimits(toml)) return problemOfLimits(toml);
   try {
     app::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
     return "";
@@ -88,7 +106,7 @@ TEST(DocsScenes, EveryTomlBlockWorks) {
   int whole = 0;
   for (const fs::path& page : pages())
     for (const std::string& block : tomlBlocks(textOf(page))) {
-      EXPECT_EQ(problem(isWhole(block) || isSuite(block) ? block : madeWhole(block)), "")
+      EXPECT_EQ(problem(isWhole(block) || isSuite(block) || isLimits(block) ? block : madeWhole(block)), "")
           << page.filename() << ":\n"
           << block;
       whole += isWhole(block) ? 1 : 0;

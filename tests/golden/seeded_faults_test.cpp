@@ -80,7 +80,8 @@ ShellResult runOther(const ScratchFolder& folder, const std::string& line) {
   folder.put("golden.toml", fmt::format("references = '{0}/tests/golden/images'\nheight = 144\n[[test]]\n"
                                         "name = 'gallery_football'\nscene = '{0}/scenes/football.toml'\n{1}\n",
                                         root, line));
-  return runSuite(folder, POINSOT_PROGRAM, (folder / "golden.toml").string(), "gallery_football");
+  return runSuite(folder, POINSOT_PROGRAM, (folder / "golden.toml").string() + " --asset-root tests/golden",
+                  "gallery_football");
 }
 
 TEST_F(SeededFault, OfOneThingNotDrawnIsCaught) {

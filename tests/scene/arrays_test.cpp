@@ -74,13 +74,13 @@ TEST(Arrays, HoldTables) {
 
 TEST(Arrays, AreLimited) {
   std::string points = "motion.omega_body = [1, 0, 0]\n";
-  for (std::size_t i = 0; i < kMostElements; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rowOf(Limit::kElements).usual); ++i) {
     const std::string n = std::to_string(i);
     points += "[[body.point_mass]]\nmass = 1\nposition = [" + n + ", " + std::to_string(i % 7) + ", 1]\n";
   }
   EXPECT_EQ(messagesOf(points), "");
   EXPECT_THAT(messagesOf(points + "[[body.point_mass]]\nmass = 1\nposition = [0, 0, 0]\n"),
-              HasSubstr("body.point_mass: may have at most 1000 elements, got 1001"));
+              HasSubstr("body.point_mass: may have at most 10000 elements, got 10001"));
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+std::size_t usualOf(Limit limit) { return static_cast<std::size_t>(rowOf(limit).usual); }
+
 std::string repeated(const std::string& text, int count) {
   std::string all;
   for (int i = 0; i < count; ++i) all += text;
@@ -27,18 +29,19 @@ void expectRefusal(const std::string& text, const std::string& message) {
 
 TEST(Limits, OnTheFile) {
   const std::string start = std::string(kMinimal) + "#";
-  EXPECT_EQ(messagesOf(start + std::string(kMostBytes - start.size(), 'x')), "");
-  expectRefusal(start + std::string(kMostBytes + 1 - start.size(), 'x'), "a scene file may have at most 4 MiB");
+  EXPECT_EQ(messagesOf(start + std::string(usualOf(Limit::kSceneBytes) - start.size(), 'x')), "");
+  expectRefusal(start + std::string(usualOf(Limit::kSceneBytes) + 1 - start.size(), 'x'),
+                "a scene file may have at most 4 MiB");
 }
 
 TEST(Limits, OnAString) {
-  const std::string message = "a string may have at most 65536 bytes";
+  const std::string message = "a string may have at most 64 KiB; --limit string_bytes=N raises that";
   for (const char* quote : {"\"", "'", "\"\"\"", "'''"}) {
     const auto text = [&](std::size_t length) {
       return "x = " + (quote + std::string(length, 'a')) + quote + "\n";
     };
-    EXPECT_THAT(messagesOf(text(kLongestString)), Not(HasSubstr(message)));
-    expectRefusal(text(kLongestString + 1), message);
+    EXPECT_THAT(messagesOf(text(usualOf(Limit::kStringBytes))), Not(HasSubstr(message)));
+    expectRefusal(text(usualOf(Limit::kStringBytes) + 1), message);
   }
 }
 
@@ -80,11 +83,12 @@ TEST(Limits, OnNestingNameTheLine) {
 
 TEST(Limits, OnValues) {
   const auto array = [](int n) { return "x = [0" + repeated(",0", n - 1) + "]\n"; };  // the array is a value too
+  const auto kMost = static_cast<int>(usualOf(Limit::kValues));
   const std::string message = "a scene may hold at most 100000 values";
-  EXPECT_THAT(messagesOf(array(kMostNodes - 1)), Not(HasSubstr(message)));
-  expectRefusal(array(kMostNodes), message);
-  expectRefusal(repeated("a=1\n", kMostNodes + 1), message);
-  expectRefusal(repeated("[[a]]\n", kMostNodes + 1), message);
+  EXPECT_THAT(messagesOf(array(kMost - 1)), Not(HasSubstr(message)));
+  expectRefusal(array(kMost), message);
+  expectRefusal(repeated("a=1\n", kMost + 1), message);
+  expectRefusal(repeated("[[a]]\n", kMost + 1), message);
 }
 
 TEST(Limits, OnOutput) {

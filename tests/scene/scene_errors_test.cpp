@@ -194,7 +194,8 @@ TEST_F(BadScene, WithANegativeMass) {
 
 TEST_F(BadScene, WithTooManyFrames) {
   expectOnly("too_many_frames.toml", {6, 12, 5},
-             "time.duration: 3600 s at 60/1 frames per second are 216000 frames; a film may have at most 36000");
+             "time.duration: 3600 s at 60/1 frames per second are 216000 frames; a film may have at most 36000; "
+             "--limit frames=N raises that");
 }
 
 TEST(Report, ShowsTheLineAndPointsAtTheValue) {

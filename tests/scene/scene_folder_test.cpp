@@ -32,12 +32,12 @@ class SceneFolderTest : public testing::Test {
 
   std::string read(const std::string& path) const { return SceneFolder(root_ / "scene").read(path); }
 
-  std::string problemOf(const std::string& path) const {
+  std::string problemOf(const std::string& path, core::ErrorKind kind = core::ErrorKind::kScene) const {
     try {
       read(path);
       return "";
     } catch (const core::Error& error) {
-      EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
+      EXPECT_EQ(error.kind(), kind);
       return error.message();
     }
   }
@@ -72,11 +72,86 @@ TEST_F(SceneFolderTest, ReadsRegularFilesOnly) {
   EXPECT_EQ(problemOf("a.txt/b"), "cannot read a.txt/b: Not a directory");
 }
 
+TEST_F(SceneFolderTest, TakesNamesAsTheyStand) {
+  for (const char* name : {"~/a.txt", "~root", "$HOME/a.txt", "$(id)", "`id`", "meshes/$x"})
+    EXPECT_THAT(problemOf(name), HasSubstr("nothing is expanded in a name")) << name;
+  for (const char* name : {"file:a.txt", "FILE:///etc/passwd", "https://example.org/a.obj"})
+    EXPECT_THAT(problemOf(name), HasSubstr("it is an address")) << name;
+  EXPECT_THAT(problemOf(std::string("a.txt\0b", 7)), HasSubstr("holds no control characters"));
+  EXPECT_THAT(problemOf("a\n.txt"), HasSubstr("holds no control characters"));
+  for (const char* name : {"%61.txt", "A.TXT", "a.txt.", "a.txt "})
+    EXPECT_THAT(problemOf(name), HasSubstr("No such file")) << name;
+}
+
+TEST_F(SceneFolderTest, LooksIntoAssetRootsAfterIt) {
+  fs::create_directories(root_ / "shared");
+  put("shared/a.txt", "never seen");
+  put("shared/c.txt", "shared");
+  fs::create_symlink(root_ / "secret.txt", root_ / "scene" / "link.txt");
+  put("shared/link.txt", "not in its place");
+  const SceneFolder folder(root_ / "scene", {{}, {root_ / "none", root_ / "shared"}});
+  EXPECT_EQ(folder.read("a.txt"), "beside");
+  EXPECT_EQ(folder.read("c.txt"), "shared");
+  EXPECT_EQ(folder.filesRead()[0].place, root_ / "scene" / "a.txt");
+  EXPECT_EQ(folder.filesRead()[1].place, root_ / "shared" / "c.txt");
+  EXPECT_THROW(folder.read("../secret.txt"), core::Error);
+  EXPECT_THROW(folder.read("link.txt"), core::Error);
+  EXPECT_THROW(folder.read("none.txt"), core::Error);
+}
+
+TEST_F(SceneFolderTest, ReadsSoMuchOfAllFiles) {
+  Allowance allowance;
+  allowance.limits.set(Limit::kFilesBytes, 11);  // "beside" and "below"
+  const SceneFolder enough(root_ / "scene", allowance);
+  enough.read("a.txt");
+  EXPECT_EQ(enough.read("meshes/b.txt"), "below");
+  allowance.limits.set(Limit::kFilesBytes, 10);
+  const SceneFolder tooLittle(root_ / "scene", allowance);
+  tooLittle.read("a.txt");
+  try {
+    tooLittle.read("meshes/b.txt");
+    FAIL();
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
+    EXPECT_EQ(
+        error.message(),
+        "cannot read meshes/b.txt: it has 5 bytes, more than the 4 that are read; the files of a scene have too "
+        "many together; --limit files_bytes=N raises that");
+  }
+}
+
+TEST_F(SceneFolderTest, ReadsSoManyTrianglesOfAllMeshes) {
+  const std::string two = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n";
+  put("scene/two.obj", two);
+  put("scene/more.obj", two);
+  Allowance allowance;
+  allowance.limits.set(Limit::kTriangles, 4);
+  const SceneFolder enough(root_ / "scene", allowance);
+  EXPECT_EQ(enough.readMesh("two.obj").triangles.size() + enough.readMesh("more.obj").triangles.size(), 4u);
+  allowance.limits.set(Limit::kTriangles, 3);
+  const SceneFolder tooLittle(root_ / "scene", allowance);
+  tooLittle.readMesh("two.obj");
+  try {
+    tooLittle.readMesh("more.obj");
+    FAIL();
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
+    EXPECT_EQ(
+        error.message(),
+        "the mesh has more than 1 triangles, the most that are read; the meshes of a scene may have 3 triangles "
+        "in all; --limit triangles=N raises that");
+  }
+}
+
 TEST_F(SceneFolderTest, ReadsSoMuchAndNoMore) {
-  fs::resize_file(root_ / "scene" / "a.txt", kMostFileBytes);
-  EXPECT_EQ(read("a.txt").size(), kMostFileBytes);
-  fs::resize_file(root_ / "scene" / "a.txt", kMostFileBytes + 1);
-  EXPECT_EQ(problemOf("a.txt"), "cannot read a.txt: it has more than 64 MiB");
+  const auto most = static_cast<std::uintmax_t>(rowOf(Limit::kFileBytes).usual);
+  fs::resize_file(root_ / "scene" / "a.txt", most);
+  EXPECT_EQ(read("a.txt").size(), most);
+  fs::resize_file(root_ / "scene" / "a.txt", most + 1);
+  EXPECT_EQ(
+      problemOf("a.txt", core::ErrorKind::kLimit),
+      "cannot read a.txt: it has 134217729 bytes, more than the 134217728 that are read; --limit file_bytes=N "
+      "raises that");
 }
 
 }  // namespace

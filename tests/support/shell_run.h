@@ -9,9 +9,10 @@ namespace poinsot {
 
 /// What became of a command of the shell.
 struct ShellResult {
-  int exitCode = -1;  ///< 128 + signal if a signal ended it
-  std::string out;    ///< stdout and stderr together
-  double cpu_s = 0;   ///< of it and of all that it waited for; others that use the machine do not lengthen it
+  int exitCode = -1;    ///< 128 + signal if a signal ended it
+  std::string out;      ///< stdout and stderr together
+  double peak_MiB = 0;  ///< resident, of the largest of those processes
+  double cpu_s = 0;     ///< of it and of all that it waited for; others that use the machine do not lengthen it
 };
 
 /// Runs `script` with bash in `folder` to its end. `environment`: "NAME=value", on top of this process's own.

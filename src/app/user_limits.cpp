@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/user_limits.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "scene/document.h"
+
+namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Limits;
+using scene::Node;
+
+/// Of an environment variable; empty unless it is an absolute path, as the XDG specification has it.
+fs::path folderNamed(const char* variable) {
+  const char* value = std::getenv(variable);
+  const fs::path folder = value ? value : "";
+  return folder.is_absolute() ? folder : fs::path();
+}
+
+void take(const Node& value, scene::Limit limit, Limits& limits) {
+  if (const auto* number = value.as<std::int64_t>()) return limits.set(limit, *number);
+  if (const auto* text = value.as<std::string>()) return limits.set(limit, std::string_view(*text));
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("expected a whole number, or a size such as \"4 GiB\", got {}", describe(value)));
+}
+
+}  // namespace
+
+fs::path userLimitsFile() {
+  fs::path folder = folderNamed("XDG_CONFIG_HOME");
+  if (const fs::path home = folderNamed("HOME"); folder.empty() && !home.empty()) folder = home / ".config";
+  return folder.empty() ? folder : folder / "poinsot" / "limits.toml";
+}
+
+Limits limitsOf(const fs::path& file) {
+  Limits limits;
+  std::error_code ignored;  // what cannot even be looked for is not there
+  if (file.empty() || !fs::exists(file, ignored)) return limits;
+  const std::size_t most = limits.bytes(scene::Limit::kSceneBytes);
+  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
+  scene::Problems problems;
+  const Node document = parseDocument(source);
+  for (const scene::Entry& entry : *document.as<Node::Table>()) {
+    scene::Place place = entry.keyPlace;
+    try {
+      const scene::Limit limit = scene::limitNamed(entry.key);
+      place = entry.value.place;
+      take(entry.value, limit, limits);
+    } catch (const core::Error& error) {
+      problems.add(place, fmt::format("{}: {}", core::printable(entry.key), error.message()));
+    }
+  }
+  problems.throwIfAny();
+  return limits;
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "scene/limits.h"
+
+namespace poinsot::app {
+
+/// Where a user keeps limits of his own: $XDG_CONFIG_HOME/poinsot/limits.toml, else ~/.config/poinsot/limits.toml;
+/// empty where the environment names neither folder.
+std::filesystem::path userLimitsFile();
+
+/// The usual limits with those of a file above them: keys are names of limits, values whole numbers or sizes as
+/// text. A file that is not there changes nothing.
+/// @throws scene::SceneErrors with all that is wrong in it and where; core::Error(kIo) if it cannot be read.
+scene::Limits limitsOf(const std::filesystem::path& file);
+
+}  // namespace poinsot::app

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/allowance.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <system_error>
+
+#include "app/time_limit.h"
+#include "app/user_limits.h"
+#include "cli/scene_options.h"
+#include "core/error.h"
+#include "core/text.h"
+
+namespace poinsot::cli {
+namespace {
+
+using scene::Limit;
+
+/// What is wrong with an option is said of it.
+template <class Set>
+void setBy(const std::string& option, Set set) {
+  try {
+    set();
+  } catch (const core::Error& error) {
+    throw core::Error(error.kind(), fmt::format("{}: {}", option, error.message()));
+  }
+}
+
+/// One that is not there yet has nothing in it.
+void expectFolder(const std::string& word) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(word, ignored) || !std::filesystem::exists(word, ignored)) return;
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("--asset-root {}: it is no folder", core::printable(word)));
+}
+
+}  // namespace
+
+void addLimitOptions(CLI::App& command, AllowanceOptions& options) {
+  command
+      .add_option("--limit", options.limits, "raise or lower a limit, such as side=16384 (docs/scene.md, Limits)")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option("--max-memory", options.memory,
+                  "refuse what is estimated to take more in one process (default: 2GiB)")
+      ->type_name("SIZE")
+      ->check(notEmpty());
+  command.add_option("--max-seconds", options.seconds, "end after so long, with exit code 2")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, scene::rowOf(Limit::kSeconds).highest));
+}
+
+void addAllowance(CLI::App& command, AllowanceOptions& options) {
+  addLimitOptions(command, options);
+  command
+      .add_option("--asset-root", options.assetRoots, "another folder in which files that a scene names may lie")
+      ->type_name("FOLDER")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
+}
+
+scene::Allowance granted(const AllowanceOptions& options) {
+  scene::Allowance allowance{app::limitsOf(app::userLimitsFile()), {}};
+  scene::Limits& limits = allowance.limits;
+  for (const std::string& word : options.limits) setBy("--limit", [&] { limits.setByWord(word); });
+  if (!options.memory.empty())
+    setBy("--max-memory", [&] { limits.set(Limit::kMemory, std::string_view(options.memory)); });
+  if (options.seconds > 0) limits.set(Limit::kSeconds, options.seconds);
+  for (const std::string& word : options.assetRoots) {
+    expectFolder(word);
+    allowance.assetRoots.emplace_back(word);
+  }
+  if (limits[Limit::kSeconds] > 0) app::limitTime(limits[Limit::kSeconds]);
+  return allowance;
+}
+
+}  // namespace poinsot::cli
