@@ -29,16 +29,43 @@ double refusal_s(const std::string& command, const std::string& says) {
 // Measured 0.03 to 0.05 s.
 TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
   const std::string program = "exec " POINSOT_PROGRAM;
-  const std::string figures = "pictures of 8192x8192 take about [3-9].[0-9] GiB of memory in each worker, and ";
-  EXPECT_LE(refusal_s("ulimit -v 1048576; " + program + " still tiny.toml --size 8192x8192 -o t.png",
-                      figures + "1.0 GiB are free"),
-            0.1);
+  const std::string figures =
+      "a worker that makes pictures of 8192x8192 takes about [3-9].[0-9] GiB of memory, and ";
+  EXPECT_LE(
+      refusal_s("ulimit -v 1048576; " + program + " still tiny.toml --max-memory 64GiB --size 8192x8192 -o t.png",
+                figures + "1.0 GiB are free"),
+      0.1);
   // No machine that runs this has 6 TiB. A default number of workers would be lowered, one that is asked for is
   // not.
   EXPECT_LE(refusal_s(program + " render tiny.toml --size 8192x8192 -o t.mp4 -j 1024 --segment 1 "
-                                "-D time.duration=1000 --fps 30",
+                                "-D time.duration=1000 --fps 30 --max-memory 64GiB",
                       "-j 1024: " + figures),
             0.1);
+}
+
+/// How a render ends for which the kernel gives a process so much address space.
+ShellResult renderWithin(int MiB, const ScratchFolder& folder) {
+  return runShell(folder.path(), "ulimit -c 0; ulimit -v " + std::to_string(1024 * MiB) +
+                                     "; exec " POINSOT_PROGRAM
+                                     " render tiny.toml -o t.mp4 -j 1 --size 64x36 --segment 3 --quiet");
+}
+
+// LLVM aborts where it gets no memory: that is a worker's end, never the program's.
+TEST(Memory, TooLittleOfItIsSaidOrEnough) {
+  int made = 0, refused = 0;
+  for (int i = 1; i <= 16; ++i) {
+    const ScratchFolder folder;
+    folder.put("tiny.toml", kTinyScene);
+    const ShellResult result = renderWithin(64 * i, folder);
+    SCOPED_TRACE(std::to_string(64 * i) + " MiB: " + result.out);
+    EXPECT_THAT(result.exitCode, testing::AnyOf(0, 3));
+    EXPECT_EQ(std::filesystem::exists(folder / "t.mp4"), result.exitCode == 0);
+    EXPECT_TRUE(result.exitCode == 0 || result.out.find("poinsot: error: ") != std::string::npos);
+    ++(result.exitCode == 0 ? made : refused);
+  }
+  RecordProperty("made", made);
+  EXPECT_GT(made, 0);
+  EXPECT_GT(refused, 0);
 }
 
 // 10 000 frames of 64x36 through the whole program, which keeps something of each: its digest, its place in the
