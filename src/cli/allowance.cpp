@@ -52,6 +52,10 @@ void addLimitOptions(CLI::App& command, AllowanceOptions& options) {
   command.add_option("--max-seconds", options.seconds, "end after so long, with exit code 2")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, scene::rowOf(Limit::kSeconds).highest));
+  command.add_flag(
+      "--untrusted", options.untrusted,
+      "of a stranger's files: in a sandbox that reads nothing but them, writes nothing but the output, "
+      "and has no network and no other programs (Linux)");
 }
 
 void addAllowance(CLI::App& command, AllowanceOptions& options) {
@@ -65,7 +69,7 @@ void addAllowance(CLI::App& command, AllowanceOptions& options) {
       ->check(notEmpty());
 }
 
-scene::Allowance granted(const AllowanceOptions& options) {
+scene::Allowance allowed(const AllowanceOptions& options) {
   scene::Allowance allowance{app::limitsOf(app::userLimitsFile()), {}};
   scene::Limits& limits = allowance.limits;
   for (const std::string& word : options.limits) setBy("--limit", [&] { limits.setByWord(word); });
@@ -76,7 +80,13 @@ scene::Allowance granted(const AllowanceOptions& options) {
     expectFolder(word);
     allowance.assetRoots.emplace_back(word);
   }
-  if (limits[Limit::kSeconds] > 0) app::limitTime(limits[Limit::kSeconds]);
+  return allowance;
+}
+
+scene::Allowance granted(const AllowanceOptions& options) {
+  scene::Allowance allowance = allowed(options);
+  const std::int64_t seconds = allowance.limits[Limit::kSeconds];
+  if (seconds > 0) app::limitTime(seconds);
   return allowance;
 }
 

@@ -18,16 +18,20 @@ struct AllowanceOptions {
   std::vector<std::string> limits, assetRoots;
   std::string memory;
   std::int64_t seconds = 0;
+  bool untrusted = false;
 };
 
-/// Declares --limit, --max-memory and --max-seconds.
+/// Declares --limit, --max-memory, --max-seconds and --untrusted.
 void addLimitOptions(CLI::App& command, AllowanceOptions& options);
 /// Declares these and --asset-root.
 void addAllowance(CLI::App& command, AllowanceOptions& options);
 
-/// The usual limits, above them those of the user's limits.toml, above these the options. Where a limit of time is
-/// among them, it runs from here on.
+/// The usual limits, above them those of the user's limits.toml, above these the options.
 /// @throws core::Error(kUsage) naming the option; scene::SceneErrors, core::Error(kIo) of limits.toml.
+scene::Allowance allowed(const AllowanceOptions& options);
+
+/// The same. Where a limit of time is among them, it runs from here on.
+/// @throws as allowed().
 scene::Allowance granted(const AllowanceOptions& options);
 
 }  // namespace poinsot::cli

@@ -56,14 +56,17 @@ void addCheck(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand("check", "say what is wrong with scene files, all of it at once");
   command->add_option("SCENE", options->scenes, "scene files (TOML)")->required();
   addOverrides(*command, *options);
-  addUntrusted(*command, options->untrusted);
   command->footer(
       "Example:\n"
       "  poinsot check scenes/*.toml");
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return Reach{options->scenes, options->assetRoots}; }, [&] { return check(*options); });
+          *options,
+          [&] {
+            return Reach{options->scenes, options->assetRoots};
+          },
+          [&] { return check(*options); });
     };
   });
 }

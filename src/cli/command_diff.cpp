@@ -36,7 +36,7 @@ struct DiffOptions : AllowanceOptions {
   std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve, report;
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   int jobs = 0;
-  bool json = false, exact = false, quiet = false, force = false, untrusted = false;
+  bool json = false, exact = false, quiet = false, force = false;
 };
 
 enum class Kind { kPicture, kFolder, kFilm };
@@ -223,7 +223,6 @@ void addDiff(CLI::App& program, Action& chosen) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--force", options->force, "replace files that poinsot did not write");
-  addUntrusted(*command, options->untrusted);
   addLimits(*command, *options);
   addLimitOptions(*command, *options);
   command->footer(
@@ -236,7 +235,7 @@ void addDiff(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return reachOf(*options); }, [&] { return diff(*options); });
+          *options, [&] { return reachOf(*options); }, [&] { return diff(*options); });
     };
   });
 }

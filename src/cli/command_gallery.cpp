@@ -250,7 +250,6 @@ void addGallery(CLI::App& program, Action& chosen) {
   command->add_option("SCENE", options->places, "scene files, or folders of them (default: the scenes of poinsot)")
       ->check(notEmpty());
   addOverrides(*command, *options);
-  addUntrusted(*command, options->untrusted);
   addPictureOptions(*command, *options);
   command->add_option("-o,--output", options->output, "folder of the pictures (default: out/gallery)")
       ->type_name("FOLDER")
@@ -268,7 +267,7 @@ void addGallery(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return reachOf(*options); }, [&] { return Gallery(*options).make(); });
+          *options, [&] { return reachOf(*options); }, [&] { return Gallery(*options).make(); });
     };
   });
 }

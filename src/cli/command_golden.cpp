@@ -36,8 +36,7 @@ struct GoldenOptions : AllowanceOptions {
   std::string manifest = "golden.toml", output = "out/golden", junit, report, backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
-  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false,
-       untrusted = false;
+  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
@@ -202,7 +201,8 @@ class Golden {
 };
 
 Reach reachOf(const GoldenOptions& options) {
-  return {{options.manifest}, options.assetRoots, {options.junit, options.report}, {options.output}, !options.native};
+  return {
+      {options.manifest}, options.assetRoots, {options.junit, options.report}, {options.output}, !options.native};
 }
 
 }  // namespace
@@ -236,7 +236,6 @@ void addGolden(CLI::App& program, Action& chosen) {
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
   command->add_flag("--native", options->native, "draw as fast as this CPU can, not the same on each");
   command->add_flag("--force", options->force, "replace reports that poinsot did not write");
-  addUntrusted(*command, options->untrusted);
   command->add_flag("--list", options->list, "only list the tests");
   command->add_flag("--quiet", options->quiet, "only the exit code");
   addAllowance(*command, *options);
@@ -249,7 +248,7 @@ void addGolden(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return reachOf(*options); }, [&] { return Golden(*options).run(); });
+          *options, [&] { return reachOf(*options); }, [&] { return Golden(*options).run(); });
     };
   });
 }

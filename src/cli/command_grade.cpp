@@ -83,7 +83,7 @@ void addGrade(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted,
+          *options,
           [&] {
             Reach reach{{options->scene}, options->assetRoots};
             reach.inputs.push_back(options->theirs);

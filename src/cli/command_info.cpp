@@ -66,7 +66,11 @@ void addInfo(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return Reach{{options->scene}, options->assetRoots}; }, [&] { return info(*options); });
+          *options,
+          [&] {
+            return Reach{{options->scene}, options->assetRoots};
+          },
+          [&] { return info(*options); });
     };
   });
 }

@@ -81,7 +81,7 @@ void addRender(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return reachOf(*options); }, [&] { return render(*options); });
+          *options, [&] { return reachOf(*options); }, [&] { return render(*options); });
     };
   });
 }

@@ -104,7 +104,7 @@ void addStill(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted, [&] { return reachOf(*options, targetOf(*options, "SCENE")); },
+          *options, [&] { return reachOf(*options, targetOf(*options, "SCENE")); },
           [&] { return still(*options); });
     };
   });

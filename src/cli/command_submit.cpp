@@ -46,6 +46,7 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   for (const std::string& text : options.limits) add("--limit", text);
   for (const std::string& folder : options.assetRoots) add("--asset-root", folder);
   add("--max-memory", options.memory);
+  if (options.untrusted) words.push_back("--untrusted");
   if (options.transparent) words.push_back("--transparent");
   if (options.bits != 8) add("--bits", std::to_string(options.bits));
   if (options.force) words.push_back("--force");
@@ -159,7 +160,12 @@ void addSubmit(CLI::App& program, Action& chosen) {
       "  poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash football.sh\n"
       "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "
       "-j 8");
-  command->callback([options, &chosen] { chosen = [options] { return submit(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return confined(
+          *options, [&] { return reachOf(*options, namedTarget(*options)); }, [&] { return submit(*options); });
+    };
+  });
 }
 
 }  // namespace poinsot::cli

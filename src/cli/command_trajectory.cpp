@@ -145,7 +145,7 @@ void addTrajectory(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          options->untrusted,
+          *options,
           [&] {
             return Reach{{options->scene}, options->assetRoots, {options->output}};
           },

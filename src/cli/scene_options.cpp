@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/scene_request.h"
-#include "cli/untrusted.h"
 
 namespace poinsot::cli {
 
@@ -20,7 +19,6 @@ void addOverrides(CLI::App& command, SceneOptions& options) {
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
   addOverrides(command, options);
-  addUntrusted(command, options.untrusted);
 }
 
 CLI::Validator notEmpty(const std::vector<std::string>& words) {

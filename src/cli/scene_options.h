@@ -18,13 +18,12 @@ namespace poinsot::cli {
 struct SceneOptions : AllowanceOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  bool untrusted = false;
 };
 
 /// Declares -D and what may be allowed.
 void addOverrides(CLI::App& command, SceneOptions& options);
 
-/// Declares SCENE, -D, what may be allowed, and --untrusted.
+/// Declares SCENE, -D and what may be allowed.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
 /// Refuses '' as a value, most often a shell variable without one, which would else count as not given. `words`

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/untrusted.h"
 
-#include <CLI/CLI.hpp>
-
 #include "app/supervisor.h"
 #include "app/user_limits.h"
 #include "cli/exit_code.h"
@@ -11,13 +9,16 @@
 namespace poinsot::cli {
 namespace {
 
-// Of one process, beside the limits of a scene: room for all that these allow.
-constexpr std::uint64_t kGiB = std::uint64_t{1} << 30;
-constexpr std::uint64_t kMostMemory_bytes = 8 * kGiB, kMostFile_bytes = 64 * kGiB, kMostCpu_s = 24 * 3600;
+using scene::Limit;
+
+// Of address space, for what is allowed of memory: the driver and its compiler take much that they never touch.
+constexpr std::uint64_t kAddressSpace = 4;
+// A run may take as long where nobody said how long.
+constexpr std::uint64_t kMostCpu_s = 24 * 3600;
 
 bool isFile(const std::string& name) { return !name.empty() && name != "-"; }
 
-app::Confinement confinementOf(const Reach& reach) {
+app::Confinement confinementOf(const Reach& reach, const scene::Limits& limits) {
   app::Confinement confinement;
   app::Sandbox& sandbox = confinement.sandbox;
   for (const std::string& scene : reach.scenes) {
@@ -32,24 +33,19 @@ app::Confinement confinementOf(const Reach& reach) {
     output::makeFolders(folder);
     sandbox.write.emplace_back(folder);
   }
-  sandbox.mostMemory_bytes = kMostMemory_bytes;
-  sandbox.mostFile_bytes = kMostFile_bytes;
-  sandbox.mostCpu_s = kMostCpu_s;
+  sandbox.mostMemory_bytes = kAddressSpace * limits.bytes(Limit::kMemory);
+  sandbox.mostFile_bytes = limits.bytes(Limit::kOutput);
+  sandbox.mostCpu_s = limits[Limit::kSeconds] > 0 ? limits.bytes(Limit::kSeconds) : kMostCpu_s;
   confinement.draws = reach.reproducible;
   return confinement;
 }
 
 }  // namespace
 
-void addUntrusted(CLI::App& command, bool& untrusted) {
-  command.add_flag(
-      "--untrusted", untrusted,
-      "of a stranger's files: in a sandbox that reads nothing but them, writes nothing but the output, and "
-      "has no network and no other programs (Linux)");
-}
-
-int confined(bool untrusted, const std::function<Reach()>& reachOf, const std::function<int()>& work) {
-  return untrusted ? app::runConfined(confinementOf(reachOf()), translatingErrors, work) : work();
+int confined(const AllowanceOptions& options, const std::function<Reach()>& reachOf,
+             const std::function<int()>& work) {
+  if (!options.untrusted) return work();
+  return app::runConfined(confinementOf(reachOf(), allowed(options).limits), translatingErrors, work);
 }
 
 }  // namespace poinsot::cli

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "cli/allowance.h"
 
 namespace poinsot::cli {
 
@@ -21,10 +19,8 @@ struct Reach {
   std::optional<bool> reproducible = {};  ///< of those that draw
 };
 
-/// Declares --untrusted.
-void addUntrusted(CLI::App& command, bool& untrusted);
-
-/// Does `work`, in a sandbox if `untrusted`. @returns its exit status. @throws what it throws.
-int confined(bool untrusted, const std::function<Reach()>& reachOf, const std::function<int()>& work);
+/// Does `work`, in a sandbox if the files are not trusted. @returns its exit status. @throws what it throws.
+int confined(const AllowanceOptions& options, const std::function<Reach()>& reachOf,
+             const std::function<int()>& work);
 
 }  // namespace poinsot::cli

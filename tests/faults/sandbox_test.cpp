@@ -170,11 +170,21 @@ TEST_F(Sandboxed, TheOtherCommandsWorkWithin) {
       {"trajectory", "tiny.toml", "--rate", "10", "-o", "a.csv"},
       {"grade", "tiny.toml", "a.csv"},
       {"diff", "a.png", "a.png", "--report", "a.html"},
+      {"submit", "tiny.toml", "-o", "a.mp4", "--engine", "make"},
       {"gallery", "tiny.toml", "-o", "gallery", "--size", "64x36", "--quiet"}};
   for (const auto& command : commands) {
     const RunResult made = runIn(untrusted(command));
     EXPECT_EQ(made.exitCode, 0) << command[0] << ": " << made.err << made.out;
   }
+}
+
+TEST_F(Sandboxed, FilesOfAnAssetRootAreReadWithin) {
+  const ScratchFolder elsewhere;
+  elsewhere.put("torque.csv", "0,0,0,0\n2,0,0,1\n");
+  folder_.put("driven.toml", std::string(kTinyScene) + "[motion.torque]\nfile = 'torque.csv'\n");
+  const RunResult found = runIn(untrusted({"check", "driven.toml", "--asset-root", elsewhere.path().string()}));
+  EXPECT_EQ(found.exitCode, 0) << found.err;
+  EXPECT_EQ(runIn(untrusted({"check", "driven.toml"})).exitCode, 2);
 }
 
 TEST_F(Sandboxed, GoldenPicturesAreComparedWithin) {
