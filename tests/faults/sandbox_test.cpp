@@ -50,8 +50,7 @@ TEST_P(SameBytes, AreMadeWithin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, SameBytes,
-                         testing::Values("t.mp4", "t.mov", "t.webm", "t.gif", "t.apng",
-                                         "t_{frame:03}.png"),
+                         testing::Values("t.mp4", "t.mov", "t.webm", "t.gif", "t.apng", "t_{frame:03}.png"),
                          [](const auto& each) { return std::to_string(each.index); });
 
 TEST_F(Sandboxed, StillsAndFiguresAreTheSame) {
@@ -132,8 +131,8 @@ TEST_F(Sandboxed, WhatTheSceneLacksIsSaidAsEver) {
   EXPECT_EQ(made.err, plain.err);
 }
 
-/// The child of a process that is not a worker yet.
-pid_t confinedBy(pid_t program) {
+/// The first child of a process, once it has one.
+pid_t childOf(pid_t program) {
   for (int i = 0; i < 500; ++i) {
     std::ifstream children("/proc/" + std::to_string(program) + "/task/" + std::to_string(program) + "/children");
     if (pid_t child = 0; children >> child) return child;
@@ -142,10 +141,29 @@ pid_t confinedBy(pid_t program) {
   return -1;
 }
 
+TEST_F(Sandboxed, WhatItMayTakeIsWhatIsAllowed) {
+  ProgramRun running(folder_,
+                     untrusted(renderArguments(
+                         kLongFilm, {"--max-memory", "1GiB", "--max-seconds", "100", "--limit", "output=1MiB"})),
+                     Stdout::kFile, environment());
+  const pid_t confined = childOf(running.pid());
+  ASSERT_GT(confined, 0);
+  const pid_t worker = childOf(confined);  // once there is one, its parent is in the sandbox
+  ASSERT_GT(worker, 0);
+  for (const pid_t process : {confined, worker}) {
+    std::ostringstream limits;
+    limits << std::ifstream("/proc/" + std::to_string(process) + "/limits").rdbuf();
+    for (const char* line :
+         {"Max address space +4294967296 +4294967296 ", "Max cpu time +100 +105 ",
+          "Max file size +1048576 +1048576 ", "Max core file size +0 +0 ", "Max open files +1024 +1024 "})
+      EXPECT_THAT(limits.str(), testing::ContainsRegex(line));
+  }
+}
+
 TEST_F(Sandboxed, ASignalEndsItAndLeavesNothingBehind) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     ProgramRun running(folder_, untrusted(renderArguments(kLongFilm)), Stdout::kFile, environment());
-    ASSERT_GT(confinedBy(running.pid()), 0);
+    ASSERT_GT(childOf(running.pid()), 0);
     usleep(400'000);
     running.signal(signal);
     EXPECT_EQ(running.wait().exitCode, 128 + signal);
@@ -155,7 +173,7 @@ TEST_F(Sandboxed, ASignalEndsItAndLeavesNothingBehind) {
 
 TEST_F(Sandboxed, WhatKillsItIsTold) {
   ProgramRun running(folder_, untrusted(renderArguments(kLongFilm)), Stdout::kFile, environment());
-  const pid_t confined = confinedBy(running.pid());
+  const pid_t confined = childOf(running.pid());
   ASSERT_GT(confined, 0);
   kill(confined, SIGKILL);
   EXPECT_EQ(running.wait().exitCode, 128 + SIGKILL);
