@@ -17,6 +17,7 @@ SCENE_RUNS, OTHER_RUNS = 10_000_000, 2_000_000
 # Longest input in bytes: texts are 4 KiB, which is more than any scene of the gallery has.
 LONGEST = {"mesh": 65536, "png": 65536}
 ABSENT = 77  # what CTest takes for "skipped"
+INTERRUPTED = 72  # libFuzzer's own code for Ctrl-C
 
 
 def words():
@@ -69,14 +70,14 @@ def run(asked, target):
     begin = time.monotonic()
     with open(folder / "log", "wb") as log:
         # Stacks of allocations cost a tenth of the time, and the report of a leak needs them: it is repeated by hand.
-        environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=32:malloc_context_size=4"}
+        environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=32:malloc_context_size=0"}
         code = subprocess.call(command(asked, target), cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
     spent = time.monotonic() - begin
     text = (folder / "log").read_text(errors="replace")
     said = re.search(r"number_of_executed_units: (\d+)", text)
     count = int(said.group(1)) if said else 0
-    print(f"{target:17} {count:>11,} runs, {count / spent:>6,.0f}/s  {'nothing found' if code == 0 else 'FOUND: ' + str(folder / 'log')}",
-          flush=True)
+    outcome = "nothing found" if code == 0 else "interrupted" if code == INTERRUPTED else f"FOUND: {folder / 'log'}"
+    print(f"{target:17} {count:>11,} runs, {count / spent:>6,.0f}/s  {outcome}", flush=True)
     return code == 0
 
 
