@@ -25,6 +25,9 @@ constexpr int kMostColors = 255;
 // A palette is chosen by so many pictures, spread evenly: more do not change it, and cost.
 constexpr std::int64_t kPicturesForPalette = 100;
 
+// Of a picture: what OpenGL here draws at most, a user having raised every limit.
+constexpr std::int64_t kMostPixels = std::int64_t{16384} * 16384;
+
 using PictureListener = std::function<void(const image::Image&)>;
 
 [[noreturn]] void refuse(const path& segment, std::string_view reason) {
@@ -36,7 +39,7 @@ CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
       CodecContextPtr(ffmpeg().avcodec_alloc_context3(ffmpeg().avcodec_find_decoder(parameters.codec_id))));
   checkAv(ffmpeg().avcodec_parameters_to_context(decoder.get(), &parameters), "describing the segments");
   decoder->thread_count = 1;
-  decoder->max_pixels = kMostFilmPixels;
+  decoder->max_pixels = kMostPixels;
   checkAv(ffmpeg().avcodec_open2(decoder.get(), nullptr, nullptr), "reading the segments", ErrorKind::kIo);
   return decoder;
 }
