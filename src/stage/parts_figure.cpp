@@ -18,9 +18,19 @@ using MeshPointer = std::shared_ptr<const geometry::Mesh>;
 // In the greatest distance of a part from the centre of mass.
 constexpr double kLargestBall = 0.15, kRod = 0.013;
 
+/// The centre of what it encloses; of a mesh that is only drawn, and need not be closed, the middle of its box
+/// where that centre does not exist or lies outside.
+Vector3d centreOf(const geometry::Mesh& mesh) {
+  const geometry::Bounds box = geometry::boundsOf(mesh);
+  const Vector3d centre_M = geometry::integrals(mesh).centre_M;
+  const bool inside =
+      (centre_M.array() >= box.low_M.array()).all() && (centre_M.array() <= box.high_M.array()).all();
+  return inside ? centre_M : box.centre_M();
+}
+
 struct CentreInS {
   Vector3d operator()(const physics::Solid& solid) const { return physics::massProperties(solid, 1).centre_B(); }
-  Vector3d operator()(const MeshPointer& mesh) const { return geometry::integrals(*mesh).centre_M; }
+  Vector3d operator()(const MeshPointer& mesh) const { return centreOf(*mesh); }
   Vector3d operator()(const scene::PointMass&) const { return Vector3d::Zero(); }
 };
 

@@ -79,6 +79,14 @@ TEST_F(StillCommand, EveryMediumIsWritten) {
   EXPECT_EQ(image::readPng(folder_ / "a-unlabelled.png").size, (image::PixelSize{197, 111}));
 }
 
+// What is only drawn need not be a body: it has no volume, and so no centre of mass.
+TEST_F(StillCommand, AMeshThatEnclosesNothingIsDrawn) {
+  folder_.put("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder_.put("wound.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 3 2\nf 1 2 4\n");
+  for (const char* file : {"flat.obj", "wound.obj"})
+    good("mesh.png", {"-D", "show.body.shape=mesh", "-D", std::string("show.body.file=") + file});
+}
+
 TEST_F(StillCommand, ADryRunSaysTheSizeAndWritesNothing) {
   const auto plain = still({"-o", "a.pdf", "--dry-run"});
   EXPECT_EQ(plain.exitCode, 0) << plain.err;
