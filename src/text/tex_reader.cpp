@@ -51,7 +51,7 @@ std::string TexReader::takeName() {
     return name;
   }
   const char32_t sign = peek();
-  if (sign >= 0x80 || (sign < 0x20 && !isBlank(sign)))
+  if (sign >= 0x7f || (sign < 0x20 && !isBlank(sign)))
     fail(position_, "a backslash before a character that makes no command");
   take();
   return std::string(1, isBlank(sign) ? ' ' : static_cast<char>(sign));

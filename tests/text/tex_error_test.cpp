@@ -56,6 +56,7 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
       {"ab\\", 3, "a backslash at the end"},
       {"$ab\\", 4, "a backslash at the end"},
       {"$\\ω$", 2, "a backslash before a character that makes no command"},
+      {"$\\\x7f$", 2, "a backslash before a character that makes no command"},  // found by fuzzing
       {"a\x01", 2, "the font has no glyph for \\x01 (U+0001)"},
   };
   for (const Mistake& m : kMistakes) {
