@@ -3,6 +3,7 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -81,7 +82,8 @@ StepScope::StepScope(StepLedger* ledger, Step step) : ledger_(ledger), step_(ste
 StepScope::~StepScope() {
   if (ledger_ == nullptr) return;
   const double spent_s = now_s(factsOf(step_).clock) - begin_s_;
-  ledger_->add(step_, spent_s - inner_s_);
+  // A step within may have gone by the wall, and have waited for a CPU meanwhile.
+  ledger_->add(step_, std::max(spent_s - inner_s_, 0.0));
   if (outer_ != nullptr) outer_->inner_s_ += spent_s;
   ledger_->innermost_ = outer_;
   if (!ledger_->traces_) return;
