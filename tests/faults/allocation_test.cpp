@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Memory runs out at any allocation of a small render, once or for good: the exit code says so, nothing of what
 // was begun is left, and no memory is lost (row M1 of the promises in SECURITY.md). Pictures are flat: Mesa's
-// compiler ends the process when it gets no memory, which `a worker that dies` is the test of.
+// compiler ends the process when it gets no memory (RenderCommand.DeadWorkerIsAnErrorThatNamesItsFrames).
 #include <gmock/gmock.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <functional>
 
+#include "app/scene_request.h"
 #include "cli/exit_code.h"
 #include "cli/program_run.h"
 #include "core/file_handle.h"
@@ -15,17 +16,15 @@
 #include "output/film.h"
 #include "output/png_sequence.h"
 #include "output/video_segment.h"
-#include "scene/scene_file.h"
 #include "stage/stage.h"
 #include "support/failing_memory.h"
-#include "text/math_setter.h"
 
 namespace poinsot::faults {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Something of each kind: a mesh, curves, glass, labels, a plot, a caption.
+// With what is shown by default, solids, curves, glass and labels, and a title.
 const char* const kScene = R"([body]
 principal_moments = [1, 2, 3]
 [motion]
@@ -39,16 +38,7 @@ title = '$\omega$ and $\mathbf{L}$'
 size = [64, 36]
 )";
 
-std::string texProblem(std::string_view tex) {
-  try {
-    text::setTex(tex);
-    return "";
-  } catch (const core::Error& error) {
-    return error.message();
-  }
-}
-
-scene::Scene parsed() { return scene::parseScene(kScene, "tiny.toml", {}, texProblem); }
+scene::Scene parsed() { return app::loadRequested({"tiny.toml", kScene, {}, {}, {}}); }
 
 /// The scene's pictures, composed in full and drawn as paper.
 class FlatFrames {

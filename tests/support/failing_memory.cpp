@@ -21,7 +21,7 @@ namespace {
 thread_local bool watching = false;
 std::size_t count = 0, failAtCount = 0;
 std::ptrdiff_t keptBlocks = 0;
-bool failOnwards = false, hasFailed = false;
+bool failOnwards = false;
 
 /// Where the code of a library, or of the program, which has no name, lies.
 struct Range {
@@ -56,10 +56,7 @@ Range program, standardLibrary;  // which has operator new
 bool failOwnOnly = false;
 
 /// For a debugger to stop at: who asked.
-[[gnu::noinline]] void allocationFails() {
-  hasFailed = true;
-  errno = ENOMEM;
-}
+[[gnu::noinline]] void allocationFails() { errno = ENOMEM; }
 
 /// Whether the one that is asked for from there fails.
 bool fails(const void* caller) {
@@ -127,14 +124,12 @@ MemoryWatch::MemoryWatch(std::size_t failAt, bool onwards, Whose whose) {
   keptBlocks = 0;
   failAtCount = failAt;
   failOnwards = onwards;
-  hasFailed = false;
   watching = true;
 }
 
 MemoryWatch::~MemoryWatch() { watching = false; }
 
 std::size_t MemoryWatch::allocations() const { return count; }
-bool MemoryWatch::failed() const { return hasFailed; }
 std::ptrdiff_t MemoryWatch::kept() const { return keptBlocks; }
 
 }  // namespace poinsot

@@ -20,7 +20,6 @@ class MemoryWatch {
   MemoryWatch(const MemoryWatch&) = delete;
 
   std::size_t allocations() const;
-  bool failed() const;
   /// Blocks that were taken since its begin less those given back, of which some may be older: libraries put a new
   /// one in the place of what they keep.
   std::ptrdiff_t kept() const;
