@@ -2,7 +2,6 @@
 #include "app/supervisor.h"
 
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <system_error>
 
 #include "app/interrupt.h"
+#include "app/parent_death.h"
 #include "app/temporary_folder.h"
 #include "core/error.h"
 #include "gl/shader_cache.h"
@@ -56,11 +56,6 @@ void setEnvironment(const fs::path& folder, const fs::path& shaders) {
   setenv("TMPDIR", folder.c_str(), 1);
   setenv("POINSOT_CACHE", shaders.c_str(), 1);
   unsetenv("POINSOT_SHADERS");
-}
-
-void dieWith(pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(EXIT_FAILURE);  // it died before the line above
 }
 
 int statusOf(pid_t process) {

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +16,7 @@
 #include <system_error>
 
 #include "app/interrupt.h"
+#include "app/parent_death.h"
 #include "app/worker.h"
 #include "core/error.h"
 
@@ -49,8 +49,7 @@ void closeAllButStandardStreams() {
 
 /// In the new process.
 [[noreturn]] void becomeWorker(int jobs, int reports, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(EXIT_FAILURE);  // it died before the line above
+  dieWith(parent);
   dup2(jobs, STDIN_FILENO);
   dup2(reports, STDOUT_FILENO);
   closeAllButStandardStreams();

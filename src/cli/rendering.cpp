@@ -152,10 +152,12 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
 Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target) {
   Reach reach{{options.scene}, options.assetRoots};
   reach.reproducible = options.reproducible;
-  if (options.output.empty() || !target)
-    reach.made.emplace_back("out");
-  else if (target->kind == OutputKind::kSequence && !target->stream)
-    prepareFolder(*target);
+  if (!options.dryRun) {  // what is missing cannot be made within
+    if (options.output.empty() || !target)
+      reach.made.emplace_back("out");
+    else if (target->kind == OutputKind::kSequence && !target->stream)
+      prepareFolder(*target);
+  }
   if (target && !target->stream) reach.outputs.push_back(target->path);
   reach.outputs.push_back(options.trace);
   return reach;
