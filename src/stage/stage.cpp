@@ -113,7 +113,8 @@ void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& fr
 
 }  // namespace
 
-Stage::Stage(scene::Scene scene, core::StepLedger* steps) : Stage(scene, timed(drawnMotion(scene), steps)) {}
+Stage::Stage(const scene::Scene& scene, core::StepLedger* steps)
+    : Stage(scene, timed(drawnMotion(scene), steps)) {}
 
 Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion)
     : scene_(std::move(scene)),

@@ -28,7 +28,7 @@ class Stage {
   /// @throws core::Error(kPhysics) where the scene asks for something its motion does not have
   /// (the invariable plane of a body at rest).
   /// @param steps  where the time of the motion is entered; then it is of one thread.
-  explicit Stage(scene::Scene scene, core::StepLedger* steps = nullptr);
+  explicit Stage(const scene::Scene& scene, core::StepLedger* steps = nullptr);
 
   /// What the picture shows at film time `filmTime_s`, for a picture of `size_px` (width, height).
   draw::Picture compose(double filmTime_s, glm::ivec2 size_px) const;

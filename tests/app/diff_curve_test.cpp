@@ -28,13 +28,15 @@ struct Point {
 /// The corners of the two curves: lines in blue.
 std::vector<std::vector<Point>> curvesOf(const std::string& svg) {
   std::vector<std::vector<Point>> curves;
-  static const std::regex path("<path d=\"M([^\"]*)\" fill=\"none\" stroke=\"#0f62ad\"");
-  for (std::sregex_iterator found(svg.begin(), svg.end(), path), end; found != end; ++found) {
-    const std::string corners = (*found)[1];
+  const std::string start = "<path d=\"M", blue = "\" fill=\"none\" stroke=\"#0f62ad\"";
+  for (std::size_t at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
+    const std::size_t from = at + start.size(), to = svg.find('"', from);
+    if (svg.compare(to, blue.size(), blue) != 0) continue;
+    const std::string corners = svg.substr(from, to - from);
     static const std::regex corner("([0-9.]+) ([0-9.]+)");
     auto& curve = curves.emplace_back();
-    for (std::sregex_iterator at(corners.begin(), corners.end(), corner); at != end; ++at)
-      curve.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+    for (std::sregex_iterator found(corners.begin(), corners.end(), corner), end; found != end; ++found)
+      curve.push_back({std::stod((*found)[1]), std::stod((*found)[2])});
   }
   return curves;
 }

@@ -56,11 +56,12 @@ TEST_F(FreeMemoryTest, IsNoMoreThanItsControlGroupsHave) {
 }
 
 TEST_F(FreeMemoryTest, IsBoundedForEachProcess) {
+  constexpr rlim_t kLimit_bytes = rlim_t{1} << 46;  // more than AddressSanitizer takes for itself
   const pid_t child = ::fork();
   if (child == 0) {
-    const rlimit limit{1 << 28, 1 << 28};
+    const rlimit limit{kLimit_bytes, kLimit_bytes};
     ::setrlimit(RLIMIT_AS, &limit);
-    ::_exit(freeMemory().process_bytes == 1 << 28 ? 0 : 1);
+    ::_exit(freeMemory().process_bytes == kLimit_bytes ? 0 : 1);
   }
   int status = -1;
   ::waitpid(child, &status, 0);

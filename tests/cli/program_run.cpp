@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace poinsot {
@@ -29,6 +31,16 @@ int openStdout(const std::filesystem::path& file, Stdout to) {
   return ends[1];
 }
 
+/// The program, or what starts it where POINSOT_RUN_UNDER says so (valgrind and its options): see docs/testing.md.
+std::vector<std::string> commandLine(const std::vector<std::string>& arguments) {
+  const char* under = std::getenv("POINSOT_RUN_UNDER");
+  std::istringstream stream(under ? under : "");
+  std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  words.emplace_back(POINSOT_PROGRAM);
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
 }  // namespace
 
 const char* const kGoodScene =
@@ -45,8 +57,9 @@ const char* const kGoodScene =
 ProgramRun::ProgramRun(const ScratchFolder& folder, const std::vector<std::string>& arguments, Stdout stdoutTo,
                        const std::vector<std::string>& environment)
     : out_(folder / kOutName), err_(folder / kErrName) {
-  std::vector<char*> words{const_cast<char*>("poinsot")};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  std::vector<std::string> line = commandLine(arguments);
+  std::vector<char*> words;
+  for (std::string& word : line) words.push_back(word.data());
   words.push_back(nullptr);
   const int out = openStdout(out_, stdoutTo), err = openOutput(err_);
   pid_ = fork();
@@ -57,7 +70,7 @@ ProgramRun::ProgramRun(const ScratchFolder& folder, const std::vector<std::strin
     dup2(out, STDOUT_FILENO);
     if (stdoutTo == Stdout::kClosed) close(STDOUT_FILENO);
     for (const std::string& setting : environment) putenv(const_cast<char*>(setting.c_str()));
-    if (chdir(folder.path().c_str()) == 0) execv(POINSOT_PROGRAM, words.data());
+    if (chdir(folder.path().c_str()) == 0) execvp(words[0], words.data());
     _exit(126);
   }
   close(out);

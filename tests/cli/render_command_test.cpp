@@ -365,8 +365,9 @@ bool alive(pid_t pid) {
 }
 
 TEST_F(RenderCommand, DeadWorkerIsAnErrorThatNamesItsFrames) {
-  ProgramRun running(
-      folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2", "--progress=json"});
+  // No segment is done before the worker dies, or it would be kept.
+  ProgramRun running(folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2",
+                               "--segment", "1000", "--progress=json"});
   while (running.errSoFar().empty()) usleep(2000);
   const auto workers = childrenOf(running.pid());
   ASSERT_EQ(workers.size(), 2u);
