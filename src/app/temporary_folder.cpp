@@ -2,9 +2,9 @@
 #include "app/temporary_folder.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <new>
 #include <string>
 #include <system_error>
@@ -13,21 +13,29 @@
 #include "core/text.h"
 
 namespace poinsot::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& place, const std::error_code& why) {
+  throw core::Error(core::ErrorKind::kIo,
+                    fmt::format("{}: no temporary folder can be made: {} (TMPDIR names another place)",
+                                core::printable(place), why.message()));
+}
+
+}  // namespace
 
 TemporaryFolder::TemporaryFolder() {
   std::error_code why;
-  std::string name = (std::filesystem::temp_directory_path(why) / "poinsot-XXXXXX").native();
-  if (!why && mkdtemp(name.data()) == nullptr) why.assign(errno, std::generic_category());
-  if (why)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: no temporary folder can be made: {} (TMPDIR names another)",
-                                  core::printable(name), why.message()));
+  const std::filesystem::path place = std::filesystem::temp_directory_path(why);
+  const char* asked = std::getenv("TMPDIR");
+  if (why) refuse(asked ? asked : "/tmp", why);
+  std::string name = place / "poinsot-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) refuse(place, std::error_code(errno, std::generic_category()));
   path_ = name;
 }
 
 TemporaryFolder TemporaryFolder::inMemory() {
   std::string name = "/dev/shm/poinsot-XXXXXX";
-  return mkdtemp(name.data()) ? TemporaryFolder(name) : TemporaryFolder();
+  return ::mkdtemp(name.data()) ? TemporaryFolder(name) : TemporaryFolder();
 }
 
 TemporaryFolder::~TemporaryFolder() {

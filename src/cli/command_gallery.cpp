@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -48,26 +49,13 @@ struct Item {
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
-void addScenesOf(const fs::path& folder, std::vector<fs::path>& files) {
-  std::error_code failure;
-  std::vector<fs::path> found;
-  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
-    if (entry->path().extension() == ".toml") found.push_back(entry->path());
-  if (failure)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
-  if (found.empty()) refuse(fmt::format("{}: no scene (NAME.toml) is there", core::printable(folder.native())));
-  std::sort(found.begin(), found.end());
-  files.insert(files.end(), found.begin(), found.end());
-}
-
 std::vector<fs::path> sceneFiles(const GalleryOptions& options) {
   std::vector<fs::path> files;
   std::error_code ignored;  // what is no folder is read as a scene, which says what is wrong with it
   const auto places = options.places.empty() ? std::vector{scenesPlace()} : options.places;
   for (const fs::path place : places)
     if (fs::is_directory(place, ignored))
-      addScenesOf(place, files);
+      std::ranges::copy(scenesIn(place), std::back_inserter(files));
     else
       files.push_back(place);
   return files;

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "cli/console.h"
@@ -22,26 +23,43 @@ constexpr std::string_view kExamples =
     "  poinsot help render\n"
     "Exit codes: ";
 
-void declare(CLI::App& program, Action& chosen) {
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App& program, Action& chosen);
+};
+
+/// In the order of the help.
+constexpr std::array kCommands{
+    Command{"new", addNew},
+    Command{"render", addRender},
+    Command{"still", addStill},
+    Command{"gallery", addGallery},
+    Command{"status", addStatus},
+    Command{"assemble", addAssemble},
+    Command{"submit", addSubmit},
+    Command{"diff", addDiff},
+    Command{"golden", addGolden},
+    Command{"info", addInfo},
+    Command{"trajectory", addTrajectory},
+    Command{"grade", addGrade},
+    Command{"check", addCheck},
+    Command{"explain", addExplain},
+    Command{"schema", addSchema},
+    Command{"doctor", addDoctor},
+    Command{"backends", addBackends},
+    Command{"self-describe", addSelfDescribe},
+};
+
+/// Only the command that is named is declared, as nothing is asked of the others; all of them where it is none,
+/// for the help and for what might have been meant, and for the hidden one, which describes them.
+void declare(CLI::App& program, std::string_view word, Action& chosen) {
   program.description("Films and stills of rotating rigid bodies, from scene files.");
   program.set_version_flag("--version", versionText, "versions of the program and its libraries");
   program.footer(std::string(kExamples) + kExitCodesText);
   program.require_subcommand(1);
-  addRender(program, chosen);
-  addStill(program, chosen);
-  addGallery(program, chosen);
-  addStatus(program, chosen);
-  addAssemble(program, chosen);
-  addSubmit(program, chosen);
-  addDiff(program, chosen);
-  addGolden(program, chosen);
-  addInfo(program, chosen);
-  addTrajectory(program, chosen);
-  addGrade(program, chosen);
-  addCheck(program, chosen);
-  addSchema(program, chosen);
-  addBackends(program, chosen);
-  addSelfDescribe(program, chosen);
+  const auto named = std::ranges::find(kCommands, word, &Command::name);
+  if (named != kCommands.end() && named->add != addSelfDescribe) return named->add(program, chosen);
+  for (const Command& command : kCommands) command.add(program, chosen);
 }
 
 /// Of the commands that --help lists.
@@ -120,9 +138,10 @@ int print(const std::string& text) {
 }  // namespace
 
 CommandLine::CommandLine(std::vector<std::string> words) : program_(std::make_unique<CLI::App>("", "poinsot")) {
-  declare(*program_, chosen_);
   try {
-    parse(*program_, withoutHelpWord(std::move(words)));
+    words = withoutHelpWord(std::move(words));
+    declare(*program_, words.front(), chosen_);
+    parse(*program_, std::move(words));
   } catch (const CLI::CallForVersion& version) {
     chosen_ = [text = std::string(version.what())] { return print(text); };
   } catch (const CLI::Success&) {

@@ -26,7 +26,10 @@ void addTrajectory(CLI::App& program, Action& chosen);
 void addGrade(CLI::App& program, Action& chosen);
 void addDiff(CLI::App& program, Action& chosen);
 void addCheck(CLI::App& program, Action& chosen);
+void addNew(CLI::App& program, Action& chosen);
+void addExplain(CLI::App& program, Action& chosen);
 void addSchema(CLI::App& program, Action& chosen);
+void addDoctor(CLI::App& program, Action& chosen);
 void addBackends(CLI::App& program, Action& chosen);
 /// Hidden: the build makes man pages and completions with it.
 void addSelfDescribe(CLI::App& program, Action& chosen);

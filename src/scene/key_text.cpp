@@ -26,6 +26,11 @@ std::string several(const Key& key, std::string_view count) {
 
 std::string wordsText(const Key& key) { return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \"")); }
 
+std::string tableText(std::string_view table) {
+  if (table.ends_with("[]")) return fmt::format("[[{}]]", table.substr(0, table.size() - 2));
+  return isTableArray(table) ? fmt::format("[[{}]]", table) : fmt::format("[{}]", table);
+}
+
 std::string unitSuffix(std::string_view unit) { return unit.empty() ? "" : fmt::format(" {}", unit); }
 
 std::string numbersText(const Key& key) {

@@ -21,6 +21,9 @@ std::string numbersText(const Key& key);
 /// "one of "light", "dark"".
 std::string wordsText(const Key& key);
 
+/// How a table is opened: "[show]"; "[[body.part]]" for "body.part" and "body.part[]".
+std::string tableText(std::string_view table);
+
 /// " kg" for "kg"; empty for a plain number.
 std::string unitSuffix(std::string_view unit);
 

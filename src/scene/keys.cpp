@@ -84,6 +84,10 @@ std::string_view tableOf(std::string_view path) {
 
 std::string_view nameOf(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
+bool repeatsInView(const Key& key) {
+  return key.path.starts_with("view[].") && tableOf(key.path) != std::string_view("view[]");
+}
+
 bool hasVisible(std::string_view table) { return findKey(std::string(table) + ".visible") != nullptr; }
 
 bool isExtra(std::string_view table) {

@@ -99,6 +99,9 @@ std::string_view tableOf(std::string_view path);
 /// "opacity" for "show.plane.opacity".
 std::string_view nameOf(std::string_view path);
 
+/// Whether it repeats, in a view, a key of the scene: "view[].camera.fov".
+bool repeatsInView(const Key& key);
+
 /// Whether `show.plane = false` may stand for `show.plane.visible = false`.
 bool hasVisible(std::string_view table);
 /// Whether it is a thing that is not drawn unless asked for: by its key "visible", or by any other.

@@ -56,17 +56,13 @@ std::vector<std::string> tablesBelow(std::string_view table) {
   return tables;
 }
 
-std::string bracketed(std::string_view table) {
-  return isTableArray(table) ? fmt::format("[[{}]]", table) : fmt::format("[{}]", table);
-}
-
 /// What to write in place of a table that is none: the nearest one beside it, else a key of that name elsewhere.
 std::string insteadOf(std::string_view table, std::string_view path) {
   const std::string_view parent = tableOf(table);
   const std::vector<std::string> tables = tablesBelow(parent);
   if (table.size() <= kLongestName)
     if (const auto near = core::closest(nameOf(table), tables))
-      return fmt::format("did you mean {}?", bracketed(below(parent, *near)));
+      return fmt::format("did you mean {}?", tableText(below(parent, *near)));
   if (const auto key = nameElsewhere(nameOf(path))) return fmt::format("did you mean {}?", *key);
   return fmt::format("{} has the tables {}", parent.empty() ? "a scene" : fmt::format("[{}]", parent),
                      joined(tables));

@@ -31,7 +31,8 @@ omega_body = [0.01, 3.0, 0.0]
 `poinsot check scene.toml` reports every problem of a file, with its line and column. `-D key.path=value` after any
 command that takes a scene overrides a key, with the same checks: `-D time.duration=5 -D style.theme=dark`; a table of
 an array is named by its number from 0: `-D 'body.part[0].mass=2'`.
-`poinsot schema` prints a JSON Schema of the format for editors.
+`poinsot explain camera.fov` says the same of a key as the tables below, on a terminal. `poinsot schema` prints a JSON
+Schema of the format for editors.
 
 )";
 
@@ -73,12 +74,6 @@ std::string row(const Key& key) {
                      defaultOf(key), code(key.example), cell(key.help));
 }
 
-/// "[show]"; "[[body.part]]" for "body.part[]".
-std::string bracketed(std::string_view table) {
-  if (!table.ends_with("[]")) return fmt::format("[{}]", table);
-  return fmt::format("[[{}]]", table.substr(0, table.size() - 2));
-}
-
 constexpr std::string_view kViews =
     R"(Each `[[view]]` is a panel of the picture, all at the same instant; without any there is one, or one for each of
 `camera.frames`. A view takes every key of `[camera]` but `frames`, and every key of `[show]` but `title`, `subtitle`,
@@ -95,22 +90,17 @@ std::string visibility(std::string_view table) {
 }
 
 std::string heading(std::string_view table) {
-  std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `{}`\n\n", bracketed(table));
+  std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `{}`\n\n", tableText(table));
   if (table == "view[]") text += kViews;
   if (hasVisible(table)) text += visibility(table);
   return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
-}
-
-/// Whether it repeats, in a view, a key of the scene.
-bool repeated(const Key& key) {
-  return key.path.starts_with("view[].") && tableOf(key.path) != std::string_view("view[]");
 }
 
 std::string tables() {
   std::string text;
   std::string_view current = "(none)";
   for (const Key& key : keys()) {
-    if (repeated(key)) continue;
+    if (repeatsInView(key)) continue;
     if (tableOf(key.path) != current) {
       current = tableOf(key.path);
       text += (text.empty() ? "" : "\n") + heading(current);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/program_run.h"
 
@@ -16,8 +17,9 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kCommands{"render",     "still", "gallery", "submit", "info",
-                                         "trajectory", "grade", "check",   "schema", "backends"};
+const std::vector<std::string> kCommands{"doctor",   "new",        "render",   "still", "gallery", "submit",
+                                         "info",     "trajectory", "grade",    "check", "explain", "schema",
+                                         "backends", "status",     "assemble", "diff",  "golden"};
 
 TEST(Usage, HelpListsTheCommandsThatPeopleType) {
   const ScratchFolder folder;
@@ -49,6 +51,20 @@ TEST(Usage, VersionNamesProgramLibrariesAndLicence) {
   for (const char* library : {"libpng 1.6", "libavcodec", "libavformat", "OpenGL"})
     EXPECT_THAT(version.out, HasSubstr(library));
   EXPECT_EQ(version.out.back(), '\n');
+}
+
+TEST(Usage, ExplainsKeysOnLinesThatFitATerminal) {
+  const ScratchFolder folder;
+  const auto fov = run(folder, {"explain", "camera.fov", "racket"});
+  EXPECT_EQ(fov.exitCode, 0) << fov.err;
+  EXPECT_THAT(fov.out, HasSubstr("\n  default  "));
+  EXPECT_THAT(fov.out, HasSubstr("[camera]\n           fov = "));
+  EXPECT_THAT(fov.out, HasSubstr("\nshape = \"racket\"\n"));
+  std::istringstream lines(run(folder, {"explain"}).out + run(folder, {"explain", "body"}).out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  const auto bad = run(folder, {"explain", "fovv"});
+  EXPECT_EQ(bad.exitCode, 2);
+  EXPECT_THAT(bad.err, HasSubstr("did you mean fov?"));
 }
 
 TEST(Usage, SchemaIsJson) {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/paragraph.h"
+#include "scene/explanation.h"
+
+namespace poinsot::cli {
+namespace {
+
+constexpr std::size_t kMargin = 2, kWidestName = 22;
+
+std::string textOf(const scene::Explanation& explanation) {
+  std::string text = explanation.title + '\n';
+  const std::string margin(kMargin, ' ');
+  if (!explanation.help.empty()) text += margin + wrapped(explanation.help, kColumns, kMargin, kMargin) + '\n';
+  std::size_t widest = 0;
+  for (const auto& row : explanation.rows) widest = std::max(widest, std::min(row.name.size(), kWidestName));
+  const std::size_t indent = kMargin + widest + 2;
+  for (const auto& row : explanation.rows) {
+    std::string name = fmt::format("{}{:<{}}  ", margin, row.name, widest);
+    if (name.size() > indent) name += '\n' + std::string(indent, ' ');
+    text += name + wrapped(row.text, kColumns, indent, indent) + '\n';
+  }
+  return text;
+}
+
+int explain(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words)
+    for (const scene::Explanation& explanation : scene::explain(word))
+      text += (text.empty() ? "" : "\n") + textOf(explanation);
+  writeOut(text);
+  return kDone;
+}
+
+}  // namespace
+
+void addExplain(CLI::App& program, Action& chosen) {
+  auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      program.add_subcommand("explain", "say what a key of a scene means: unit, range, default, an example");
+  command->add_option(
+      "NAME", *words,
+      "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue or a quantity; "
+      "all tables where none is named");
+  command->footer(
+      "Examples:\n"
+      "  poinsot explain camera\n"
+      "  poinsot explain time.speed racket");
+  command->callback([words, &chosen] {
+    chosen = [words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); };
+  });
+}
+
+}  // namespace poinsot::cli

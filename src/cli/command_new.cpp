@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+#include "cli/scenes_place.h"
+#include "core/error.h"
+#include "core/regular_file.h"
+#include "core/shell_word.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+#include "scene/limits.h"
+#include "scene/reference.h"
+
+// Of new_scene.toml.
+extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];
+
+namespace poinsot::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Error;
+using core::ErrorKind;
+
+constexpr std::string_view kSchemaName = "poinsot.schema.json";
+
+struct NewOptions {
+  std::string name, from;
+  bool force = false;
+};
+
+bool isPlain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '-';
+}
+
+/// "My book" for "my_book"; a title is set in type, so that a name with other characters makes none.
+std::string titleOf(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  if (name.empty() || !std::ranges::all_of(name, isPlain)) return "A new scene";
+  if (name.front() >= 'a' && name.front() <= 'z') name.front() = static_cast<char>(name.front() - 'a' + 'A');
+  return name;
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+}
+
+std::string blankScene(const std::string& name) {
+  std::string text(poinsot_new_scene, poinsot_new_scene_end);
+  replaceAll(text, "@NAME@", core::printable(name));
+  replaceAll(text, "@TITLE@", titleOf(name));
+  return text;
+}
+
+/// A scene of the gallery, which stands by itself: none of them names a file.
+std::string galleryScene(const std::string& name) {
+  const std::vector<fs::path> scenes = scenesIn(scenesPlace());
+  std::vector<std::string> names;
+  for (const fs::path& scene : scenes) names.push_back(scene.stem().string());
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--from: the gallery has no scene '{}'; it has {}", core::printable(name),
+                            core::printableLines(fmt::format("{}", fmt::join(names, ", ")))));
+  const auto most = scene::Limits().bytes(scene::Limit::kSceneBytes);
+  return core::readRegularFile(scenes[static_cast<std::size_t>(found - names.begin())], most, ErrorKind::kIo);
+}
+
+int makeNew(const NewOptions& options) {
+  fs::path file = options.name;
+  if (file.extension() != ".toml") file += ".toml";
+  std::error_code ignored;
+  if (!options.force && fs::exists(fs::symlink_status(file, ignored)))
+    throw Error(ErrorKind::kIo,
+                fmt::format("{}: is there already; --force replaces it", core::printable(file.string())));
+  const std::string scene = options.from.empty() ? blankScene(file.stem().string()) : galleryScene(options.from);
+  // The first line is for editors that know Taplo (VS Code with Even Better TOML, Helix, Neovim).
+  output::writeFileAtomically(output::folderOf(file) / kSchemaName, scene::schemaJson());
+  output::writeFileAtomically(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));
+  const std::string word = core::shellWord(file.string());
+  writeOut(
+      fmt::format("{0} is ready to change; {1} beside it is for your editor, which completes keys.\n"
+                  "  poinsot check {2}\n"
+                  "  poinsot still {2}\n"
+                  "  poinsot render {2}\n",
+                  core::printable(file.string()), kSchemaName, word));
+  return kDone;
+}
+
+}  // namespace
+
+void addNew(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<NewOptions>();
+  CLI::App* command = program.add_subcommand("new", "write a scene to begin with, with comments");
+  command->add_option("NAME", options->name, "file to write; .toml is added")->required()->check(notEmpty());
+  command->add_option("--from", options->from, "begin with a scene of the gallery: football, tennis_racket, ...")
+      ->type_name("SCENE")
+      ->check(notEmpty());
+  command->add_flag("--force", options->force, "replace a scene that is there");
+  command->footer(
+      "Examples:\n"
+      "  poinsot new book\n"
+      "  poinsot new lectures/throw --from football");
+  command->callback([options, &chosen] { chosen = [options] { return makeNew(*options); }; });
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene that `new` writes is good as it stands, and with each of the lines that it offers in place.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "cli/program_run.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string kScenes = std::string("POINSOT_SCENES=") + POINSOT_SOURCE_DIR "/scenes";
+
+class New : public testing::Test {
+ protected:
+  RunResult run(const std::vector<std::string>& words) const {
+    return poinsot::run(folder_, words, Stdout::kFile, {kScenes});
+  }
+  std::vector<std::string> linesOf(const std::string& file) const {
+    std::istringstream stream(bytesOf(folder_ / file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+  }
+  void write(const std::string& file, const std::vector<std::string>& lines) const {
+    std::ofstream stream(folder_ / file);
+    for (const std::string& line : lines) stream << line << '\n';
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(New, SceneIsGoodAndSaysWhatToDoNext) {
+  const auto made = run({"new", "my_book"});
+  EXPECT_EQ(made.exitCode, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("\n  poinsot render my_book.toml\n"));
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("my_book.toml", "poinsot.schema.json"));
+  EXPECT_EQ(run({"check", "my_book.toml"}).exitCode, 0);
+  EXPECT_THAT(bytesOf(folder_ / "my_book.toml"), StartsWith("#:schema ./poinsot.schema.json\n# my_book: "));
+  EXPECT_THAT(bytesOf(folder_ / "my_book.toml"), HasSubstr("title = \"My book\"\n"));
+  EXPECT_EQ(bytesOf(folder_ / "poinsot.schema.json"), run({"schema"}).out);
+}
+
+// A line "# key = value" by itself; where "in place of" stands above it, without the keys above that.
+TEST_F(New, EachLineThatIsOfferedWorks) {
+  run({"new", "a"});
+  const auto lines = linesOf("a.toml");
+  const std::regex offer("# ([a-z_]+ = .*)");
+  int offers = 0;
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    std::smatch found;
+    if (!std::regex_match(lines[i], found, offer)) continue;
+    ++offers;
+    auto own = lines;
+    own[i] = found[1];
+    bool alternative = false;
+    for (std::size_t j = i; --j > 0 && !lines[j].starts_with('[');) {
+      alternative |= lines[j].starts_with("# in place of");
+      if (alternative) own[j].clear();
+    }
+    write("b.toml", own);
+    const auto checked = run({"check", "b.toml"});
+    EXPECT_EQ(checked.exitCode, 0) << checked.err;
+  }
+  EXPECT_GE(offers, 10);
+}
+
+TEST_F(New, EverySceneOfTheGalleryCanBeBegunWith) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string name = entry.path().stem();
+    ASSERT_EQ(run({"new", "own", "--from", name, "--force"}).exitCode, 0) << name;
+    EXPECT_EQ(bytesOf(folder_ / "own.toml"), "#:schema ./poinsot.schema.json\n" + bytesOf(entry.path()));
+    const auto checked = run({"check", "own.toml"});
+    EXPECT_EQ(checked.exitCode, 0) << "it names a file that is not there: " << checked.err;
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 20);
+}
+
+TEST_F(New, NothingIsLost) {
+  std::ofstream(folder_ / "a.toml") << "mine";
+  const auto refused = run({"new", "a.toml"});
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_EQ(refused.err, "poinsot: error: a.toml: is there already; --force replaces it\n");
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+  EXPECT_EQ(bytesOf(folder_ / "a.toml"), "mine");
+  EXPECT_EQ(run({"new", "a.toml", "--force"}).exitCode, 0);
+  EXPECT_EQ(run({"check", "a.toml"}).exitCode, 0);
+}
+
+TEST_F(New, MistakesAreNamed) {
+  EXPECT_THAT(run({"new", "a", "--from", "footbal"}).err,
+              HasSubstr("has no scene 'footbal'; it has chandler_true, "));
+  EXPECT_EQ(run({"new", "a", "--from", "footbal"}).exitCode, 2);
+  EXPECT_EQ(run({"new", ""}).exitCode, 2);
+  EXPECT_EQ(run({"new", "nowhere/a"}).exitCode, 4);
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre());
+}
+
+// The name stands in a comment and in a title, which has commands and mathematics.
+TEST_F(New, AnyNameMakesAGoodScene) {
+  for (const char* name :
+       {"-x", "a b", "$\\alpha", "\"q\"", "a\nb", "\x1b[2J", "\u202e", "%", "@TITLE@", "Ünal"}) {
+    const auto made = run({"new", "--force", "--", name});
+    ASSERT_EQ(made.exitCode, 0) << name << made.err;
+    const auto checked = run({"check", "--", std::string(name) + ".toml"});
+    EXPECT_EQ(checked.exitCode, 0) << name << checked.err;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of names is what the one table of keys says: looked up here for each of its keys.
+#include "scene/explanation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "scene/keys.h"
+#include "scene/shapes.h"
+
+namespace poinsot::scene {
+namespace {
+
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using Row = Explanation::Row;
+
+std::string rowOf(const Explanation& explanation, const std::string& name) {
+  const auto row = std::ranges::find(explanation.rows, name, &Row::name);
+  return row == explanation.rows.end() ? "no row " + name : row->text;
+}
+
+TEST(Explain, EveryKeyByItsPath) {
+  for (const Key& key : keys()) {
+    const auto found = explain(key.path);
+    ASSERT_EQ(found.size(), 1u) << key.path;
+    EXPECT_EQ(found[0].title, key.path);
+    EXPECT_EQ(found[0].help, key.help);
+    EXPECT_EQ(rowOf(found[0], "default"), key.fallback.empty() ? "none" : key.fallback) << key.path;
+    EXPECT_THAT(rowOf(found[0], "example"),
+                HasSubstr(std::string(nameOf(key.path)) + " = " + std::string(key.example)));
+    EXPECT_EQ(rowOf(found[0], "takes").find("]("), std::string::npos) << "a link: " << rowOf(found[0], "takes");
+  }
+}
+
+TEST(Explain, EveryKeyByItsName) {
+  for (const Key& key : keys()) {
+    if (repeatsInView(key)) continue;
+    EXPECT_THAT(explain(nameOf(key.path)), Contains(Field(&Explanation::title, key.path))) << key.path;
+  }
+}
+
+TEST(Explain, EveryKeyInItsTable) {
+  for (const Key& key : keys()) {
+    if (repeatsInView(key) || tableOf(key.path).empty()) continue;
+    const auto found = explain(tableOf(key.path));
+    EXPECT_EQ(rowOf(found[0], std::string(nameOf(key.path))), key.help) << key.path;
+  }
+}
+
+TEST(Explain, UnitsAndRanges) {
+  const auto fov = explain("camera.fov").front();
+  EXPECT_THAT(rowOf(fov, "takes"), HasSubstr("an angle, from "));
+  EXPECT_THAT(rowOf(fov, "units"), HasSubstr("deg"));
+  EXPECT_THAT(rowOf(fov, "units"), HasSubstr("a bare number is in rad"));
+  EXPECT_EQ(rowOf(explain("show.title").front(), "units"), "no row units");
+}
+
+TEST(Explain, TablesAsTheyAreWritten) {
+  EXPECT_EQ(explain("[camera]").front().title, "[camera]");
+  for (const char* word : {"body.part", "[[body.part]]", "body.part[]", "body.part[3]"})
+    EXPECT_EQ(explain(word).front().title, "[[body.part]]") << word;
+  EXPECT_EQ(explain("body.part[3].mass").front().title, "body.part[].mass");
+  EXPECT_EQ(explain("").front().title, "tables");
+}
+
+TEST(Explain, WordsThatKeysTake) {
+  EXPECT_EQ(explain("racket").size(), 2u) << "the shape and the body of the catalogue";
+  EXPECT_THAT(explain("torus").front().title, HasSubstr("shape"));
+  EXPECT_THAT(explain("omega_1").back().title, HasSubstr("quantity"));
+}
+
+TEST(Explain, OthersAreRefusedWithTheNearest) {
+  const auto refusal = [](const std::string& word) -> std::string {
+    try {
+      explain(word);
+    } catch (const core::Error& error) {
+      EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+      return error.message();
+    }
+    return "none";
+  };
+  EXPECT_EQ(refusal("camera.fovv"),
+            "camera.fovv: no key, table, shape or quantity of a scene has this name; did you mean camera.fov?");
+  EXPECT_EQ(refusal("\x1b[2J"), "\\x1b[2J: no key, table, shape or quantity of a scene has this name");
+  EXPECT_THAT(refusal(std::string(5000, 'x')), HasSubstr("has this name"));
+  for (const char* word : {"[", "]", "[]", "[[]]", ".", "..", "body.part[", "body.part[]]"})
+    EXPECT_THAT(refusal(word), HasSubstr("has this name"));
+}
+
+}  // namespace
+}  // namespace poinsot::scene
