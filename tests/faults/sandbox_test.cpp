@@ -74,6 +74,16 @@ TEST_F(Sandboxed, ASequenceMakesItsFolder) {
   EXPECT_EQ(filesOf(folder_ / "frames"), undisturbed(kShortSequence));
 }
 
+TEST_F(Sandboxed, ADryRunMakesNoFolder) {
+  for (const std::vector<std::string>& where : {std::vector<std::string>{}, {"-o", "new/{frame:03}.png"}}) {
+    std::vector<std::string> words{"render", "tiny.toml", "--dry-run"};
+    words.insert(words.end(), where.begin(), where.end());
+    const auto result = runIn(untrusted(words));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(namesIn(folder_.path()), std::vector<std::string>{"tiny.toml"});
+  }
+}
+
 TEST_F(Sandboxed, AFilmGoesToStandardOutput) {
   const RunResult plain = runIn(renderArguments({"-", 0.6}, {"--format", "mp4"}));
   const RunResult made = runIn(untrusted(renderArguments({"-", 0.6}, {"--format", "mp4"})));
