@@ -26,7 +26,8 @@ int editDistance(std::string_view a, std::string_view b);
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// Untrusted text made safe for a terminal, a log or a message: control characters, DEL, C1, bidi controls,
-/// characters that are not seen, line separators and invalid UTF-8 become \xNN or \u{N}; cut at 200 characters with an ellipsis.
+/// characters that are not seen, line separators and invalid UTF-8 become \xNN or \u{N}; cut at 200 characters
+/// with an ellipsis.
 std::string printable(std::string_view untrusted);
 
 /// The same of text of several lines: line ends and tabs stay, and it is not cut.

@@ -54,8 +54,8 @@ TextureName Framebuffer::makeTexture(GLenum format, GLenum attachment) const {
   auto texture = TextureName::make();
   const auto client = clientFormat(format);
   glBindTexture(GL_TEXTURE_RECTANGLE, texture.id());
-  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, static_cast<GLint>(format), size_.x, size_.y, 0, client.format, client.type,
-               nullptr);
+  glTexImage2D(GL_TEXTURE_RECTANGLE, 0, static_cast<GLint>(format), size_.x, size_.y, 0, client.format,
+               client.type, nullptr);
   glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture.id(), 0);

@@ -31,8 +31,8 @@ struct BackendReport {
 std::vector<BackendReport> probeBackends();
 
 /// Sets the environment variables that decide pixels (Mesa reads them once, at the first context) and clears
-/// those that would change them; says where compiled shaders are kept (gl/shader_cache.h). `reproducible` asks for the
-/// CPU-independent profile. Call before any GL.
+/// those that would change them; says where compiled shaders are kept (gl/shader_cache.h). `reproducible` asks for
+/// the CPU-independent profile. Call before any GL.
 void pinEnvironment(bool reproducible);
 
 }  // namespace poinsot::gl

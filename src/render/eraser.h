@@ -15,7 +15,8 @@ class Eraser {
   Eraser();
   /// The places to clear, for each layer: where solids are, where edges, where two of them may be in a pixel.
   void prepare(const SolidCells& cells, const Constants& ofPicture);
-  /// Makes the bound framebuffer's depth 1 there: nobody looks at the colour then. `layer` is 0 to 2 in that order.
+  /// Makes the bound framebuffer's depth 1 there: nobody looks at the colour then. `layer` is 0 to 2 in that
+  /// order.
   void erase(std::size_t layer) const;
 
  private:

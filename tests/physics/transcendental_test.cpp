@@ -113,8 +113,9 @@ TEST(Transcendental, ArcTangentQuotient) {
   const auto any = [](Draw& draw) { return draw.decade(-20, 20); };
   const auto seam = [](Draw& draw) { return draw.between(0.03, 0.04); };
   const auto quotient50 = [](const Real& e) { return Real(atan(Real(sqrt(e))) / sqrt(e)); };
-  expectResidual("atan(sqrt e)/sqrt e, ulp", worstUlps(23, any, arcTangentQuotient, quotient50), 2);  // measured 1.7
-  expectResidual("  at its seam, ulp", worstUlps(24, seam, arcTangentQuotient, quotient50), 2);       // measured 1.3
+  expectResidual("atan(sqrt e)/sqrt e, ulp", worstUlps(23, any, arcTangentQuotient, quotient50),
+                 2);                                                                             // measured 1.7
+  expectResidual("  at its seam, ulp", worstUlps(24, seam, arcTangentQuotient, quotient50), 2);  // measured 1.3
   EXPECT_EQ(arcTangentQuotient(0), 1);
 }
 

@@ -12,9 +12,7 @@
 /// Shared by the tests of the scene layer.
 namespace poinsot::scene {
 
-inline std::string dataPath(const std::string& name) {
-  return POINSOT_SOURCE_DIR "/tests/scene/data/" + name;
-}
+inline std::string dataPath(const std::string& name) { return POINSOT_SOURCE_DIR "/tests/scene/data/" + name; }
 
 constexpr const char* kMinimal =
     "[body]\n"
