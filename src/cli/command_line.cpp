@@ -31,6 +31,7 @@ struct Command {
 /// In the order of the help.
 constexpr std::array kCommands{
     Command{"new", addNew},
+    Command{"preview", addPreview},
     Command{"render", addRender},
     Command{"still", addStill},
     Command{"gallery", addGallery},

@@ -27,6 +27,7 @@ void addGrade(CLI::App& program, Action& chosen);
 void addDiff(CLI::App& program, Action& chosen);
 void addCheck(CLI::App& program, Action& chosen);
 void addNew(CLI::App& program, Action& chosen);
+void addPreview(CLI::App& program, Action& chosen);
 void addExplain(CLI::App& program, Action& chosen);
 void addSchema(CLI::App& program, Action& chosen);
 void addDoctor(CLI::App& program, Action& chosen);

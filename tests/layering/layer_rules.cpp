@@ -31,6 +31,7 @@ constexpr Door kDoors[] = {
     {R"(EGL/.*|GL/.*|KHR/.*)", R"(gl/.*)"},
     {R"(glad/.*)", R"(gl/.*|render/\w+\.cpp)"},
     {R"(cairo.*)", R"(output/\w+\.cpp)"},
+    {R"(httplib\.h)", R"(preview/preview_server\.cpp)"},
     {R"(seccomp\.h)", R"(app/call_filter\.cpp)"},
     {R"(linux/landlock\.h)", R"(app/landlock\.cpp)"},
     {R"(libimagequant\.h)", R"(output/imagequant_library\.h)"},
@@ -40,7 +41,7 @@ constexpr Door kDoors[] = {
     {R"(nlohmann/json_fwd\.hpp)", R"(\w+/\w+\.cpp|app/json_file\.h)"},
     {R"(nlohmann/json\.hpp)", R"(\w+/\w+\.cpp)"},
     // Doubles up to the draw list, floats from there on.
-    {R"(Eigen/.*|unsupported/Eigen/.*)", R"((physics|geometry|scene|stage|app|cli)/.*)"},
+    {R"(Eigen/.*|unsupported/Eigen/.*)", R"((physics|geometry|scene|stage|app|preview|cli)/.*)"},
     {R"(glm/.*)", R"((gl|draw|output|stage|render|app|cli)/.*)"},
 };
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <poll.h>
+#include <stdlib.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <thread>
+
+#include "app/interrupt.h"
+#include "app/render_job.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/render_options.h"
+#include "cli/scene_options.h"
+#include "preview/preview_server.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct PreviewOptions : SceneOptions {
+  int port = 0;
+};
+
+/// Ends the server when the user or the system wants it.
+class StopOnSignal {
+ public:
+  explicit StopOnSignal(preview::PreviewServer& server)
+      : waiting_([&server](const std::stop_token& stop) {
+          pollfd signal{.fd = app::interruptFd(), .events = POLLIN, .revents = 0};
+          while (!stop.stop_requested() && app::interruptSignal() == 0) poll(&signal, 1, 100);
+          server.stop();
+        }) {}
+
+ private:
+  std::jthread waiting_;
+};
+
+int preview(const PreviewOptions& options) {
+  app::watchInterrupts();
+  setenv("LP_NUM_THREADS", std::to_string(app::availableCpus()).c_str(), 0);
+  gl::pinEnvironment(false);
+  preview::PreviewServer server({.fileName = options.scene,
+                                 .overrides = options.overrides,
+                                 .allowance = granted(options),
+                                 .backend = gl::Backend::kAuto,
+                                 .port = options.port});
+  writeOut(
+      fmt::format("{0}\n"
+                  "Open this address in a browser on this machine. From another one, first\n"
+                  "  ssh -L {1}:127.0.0.1:{1} THIS_MACHINE\n"
+                  "there. Ctrl-C ends the preview.\n",
+                  server.address(), server.port()));
+  {
+    const StopOnSignal stopping(server);
+    server.run();
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addPreview(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<PreviewOptions>();
+  CLI::App* command =
+      program.add_subcommand("preview", "show a scene in the browser while you write it, drawn as the film is");
+  addSceneOptions(*command, *options);
+  command->add_option("--port", options->port, "to listen on; any that is free if not said")
+      ->type_name("N")
+      ->check(CLI::Range(1, 65535));
+  command->footer(
+      "Keys in the page: space plays, arrows step (with Shift a second), Home, End.\n"
+      "Example:\n"
+      "  poinsot preview book.toml");
+  command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
+}
+
+}  // namespace poinsot::cli

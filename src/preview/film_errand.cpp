@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/film_errand.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "core/program_path.h"
+#include "core/text.h"
+
+namespace poinsot::preview {
+namespace {
+
+[[noreturn]] void refuse(int why) {
+  throw core::Error(core::ErrorKind::kGraphics,
+                    "no process can be started: " + std::generic_category().message(why));
+}
+
+/// Its standard error goes to `errors`; it reads nothing and prints nothing else.
+pid_t startProgram(const std::vector<std::string>& words, int errors) {
+  const std::string program = core::programPath();
+  std::vector<std::string> all{"poinsot", "render"};
+  all.insert(all.end(), words.begin(), words.end());
+  std::vector<char*> pointers;
+  for (std::string& word : all) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+  pid_t process = -1;
+  const int why = posix_spawn(&process, program.c_str(), &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (why != 0) refuse(why);
+  return process;
+}
+
+/// A line of --progress=json, or last words.
+void take(const std::string& line, FilmState& state) {
+  const auto json = nlohmann::json::parse(line, nullptr, false);
+  if (!json.is_object()) {
+    state.text += (state.text.empty() ? "" : "\n") + core::printable(line);
+    return;
+  }
+  state.done = json.value("done", state.done);
+  state.total = json.value("total", state.total);
+}
+
+}  // namespace
+
+FilmErrand::~FilmErrand() {
+  stop();
+  if (follower_.joinable()) follower_.join();
+}
+
+bool FilmErrand::start(const std::vector<std::string>& words) {
+  const std::scoped_lock lock(mutex_);
+  if (state_.stage == FilmState::Stage::kMaking) return false;
+  if (follower_.joinable()) follower_.join();  // it is over
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(errno);
+  const core::FileHandle errors(ends[1]);
+  core::FileHandle ours(ends[0]);
+  process_ = startProgram(words, errors.get());
+  state_ = {.stage = FilmState::Stage::kMaking, .done = 0, .total = 0, .text = {}};
+  follower_ = std::thread([this, from = std::move(ours)] { follow(from); });
+  return true;
+}
+
+void FilmErrand::stop() {
+  const std::scoped_lock lock(mutex_);
+  if (state_.stage == FilmState::Stage::kMaking) kill(process_, SIGINT);
+}
+
+FilmState FilmErrand::state() const {
+  const std::scoped_lock lock(mutex_);
+  return state_;
+}
+
+void FilmErrand::follow(const core::FileHandle& errors) {
+  std::string line;
+  std::array<char, 4096> buffer{};
+  for (ssize_t count = 0; (count = read(errors.get(), buffer.data(), buffer.size())) != 0;) {
+    if (count < 0 && errno != EINTR) break;
+    for (ssize_t i = 0; i < count; ++i) {
+      if (buffer[static_cast<std::size_t>(i)] != '\n') {
+        line += buffer[static_cast<std::size_t>(i)];
+        continue;
+      }
+      const std::scoped_lock lock(mutex_);
+      take(line, state_);
+      line.clear();
+    }
+  }
+  const std::scoped_lock lock(mutex_);  // its number is nobody's once it was waited for
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  const bool good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  state_.stage = good ? FilmState::Stage::kReady : FilmState::Stage::kFailed;
+}
+
+}  // namespace poinsot::preview

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gl/offscreen_context.h"
+#include "image/image.h"
+#include "preview/watched_scene.h"
+
+namespace poinsot::preview {
+
+/// A picture that a page asks for.
+struct PictureAsk {
+  std::int64_t frame = 0;              ///< the last one where the film has fewer
+  image::PixelSize size;               ///< in place of the scene's
+  std::vector<std::string> overrides;  ///< after those of the command line
+};
+
+/// Draws frames as a film's worker does, one after the other, on a thread that has the one OpenGL context.
+class PicturePress {
+ public:
+  PicturePress(const WatchedScene& scene, gl::Backend backend);
+  ~PicturePress();
+  PicturePress(const PicturePress&) = delete;
+  PicturePress& operator=(const PicturePress&) = delete;
+
+  /// The picture as PNG, of the newest scene without a mistake.
+  /// @throws core::Error of the overrides or the back end, or when there was no such scene yet.
+  std::string png(const PictureAsk& ask);
+
+ private:
+  class Drawer;
+  using Job = std::packaged_task<std::string(Drawer&)>;
+
+  void work(const std::stop_token& stop, gl::Backend backend);
+
+  const WatchedScene& scene_;
+  std::mutex mutex_;
+  std::condition_variable_any waiting_;
+  std::deque<Job> jobs_;
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace poinsot::preview

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/preview_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <span>
+
+#include "app/frame_clock.h"
+#include "app/report_scene.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "scene/state_quantity.h"
+#include "stage/picture_motion.h"
+#include "stage/quantity_track.h"
+
+namespace poinsot::preview {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostPoints = 1000;
+
+/// ASCII, whatever the texts hold.
+std::string text(const json& value) { return value.dump(-1, ' ', true, json::error_handler_t::replace); }
+
+json quantityJson(const scene::StateQuantity& quantity) {
+  return {{"name", quantity.name}, {"help", quantity.help}, {"unit", scene::unitText(quantity.unit)}};
+}
+
+std::string physicsText(const scene::Scene& scene) {
+  try {
+    return app::reportTable(app::sceneReport(scene));
+  } catch (const core::Error& error) {
+    return core::printableLines(error.what());
+  }
+}
+
+double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
+
+json filmOf(const scene::Scene& scene) {
+  json quantities = json::array();
+  for (const scene::StateQuantity& quantity : scene::stateQuantities())
+    quantities.push_back(quantityJson(quantity));
+  return {{"frames", app::frameCount(scene.time.duration_s, scene.time.fps)},
+          {"fps", static_cast<double>(scene.time.fps.num) / static_cast<double>(scene.time.fps.den)},
+          {"duration_s", scene.time.duration_s},
+          {"size", {scene.output.width, scene.output.height}},
+          {"camera",
+           {{"azimuth", degrees(scene.camera.azimuth_rad)},
+            {"elevation", degrees(scene.camera.elevation_rad)},
+            {"zoom", scene.camera.zoom}}},
+          {"physics", physicsText(scene)},
+          {"quantities", std::move(quantities)}};
+}
+
+int indexOf(const std::string& name) {
+  const auto all = scene::stateQuantities();
+  const auto found = std::ranges::find(all, name, &scene::StateQuantity::name);
+  if (found == all.end())
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("{}: no quantity has this name", core::printable(name)));
+  return static_cast<int>(found - all.begin());
+}
+
+/// JSON has no NaN.
+json numberOrNull(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+}  // namespace
+
+std::string sceneJson(const SceneVersion& version) {
+  json all{{"version", version.number}, {"error", version.error}, {"file", version.request.fileName}};
+  if (version.scene) all["film"] = filmOf(*version.scene);
+  return text(all);
+}
+
+std::string seriesJson(const scene::Scene& scene, const std::vector<std::string>& names) {
+  std::vector<int> quantities;
+  for (const std::string& name : names) quantities.push_back(indexOf(name));
+  const stage::QuantityTrack track(scene, stage::drawnMotion(scene), quantities);
+  const std::size_t points = std::min(track.samples(), kMostPoints);
+  json all{{"times_s", json::array()}, {"series", json::array()}};
+  const auto sampleOf = [&](std::size_t i) { return points < 2 ? 0 : i * (track.samples() - 1) / (points - 1); };
+  for (std::size_t i = 0; i < points; ++i) all["times_s"].push_back(track.filmTime_s(sampleOf(i)));
+  for (std::size_t which = 0; which < quantities.size(); ++which) {
+    json one = quantityJson(track.quantity(which));
+    for (std::size_t i = 0; i < points; ++i)
+      one["values"].push_back(numberOrNull(track.sample(which, sampleOf(i))));
+    all["series"].push_back(std::move(one));
+  }
+  return text(all);
+}
+
+std::string filmJson(const FilmState& state) {
+  constexpr const char* kStages[] = {"none", "making", "ready", "failed"};
+  return text({{"stage", kStages[static_cast<std::size_t>(state.stage)]},
+               {"done", state.done},
+               {"total", state.total},
+               {"text", state.text}});
+}
+
+}  // namespace poinsot::preview

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "preview/film_errand.h"
+#include "preview/watched_scene.h"
+
+/// What the page is told.
+namespace poinsot::preview {
+
+/// Number, mistake; of the last scene without one its film, its size, the physics and the quantities to plot.
+std::string sceneJson(const SceneVersion& version);
+
+/// Quantities of the motion over the film, by their names in a scene: times and values, at most a thousand of
+/// each.
+/// @throws core::Error(kUsage) of a name that is none, kPhysics
+std::string seriesJson(const scene::Scene& scene, const std::vector<std::string>& names);
+
+std::string filmJson(const FilmState& state);
+
+}  // namespace poinsot::preview

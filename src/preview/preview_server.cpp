@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/preview_server.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+#include <sys/random.h>
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <string_view>
+
+#include "core/base64.h"
+#include "core/error.h"
+#include "preview/film_errand.h"
+#include "preview/picture_press.h"
+#include "preview/preview_json.h"
+#include "preview/watched_scene.h"
+
+// Of page.html.
+extern "C" const char poinsot_preview_page[], poinsot_preview_page_end[];
+
+namespace poinsot::preview {
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+constexpr auto kLongestWait = std::chrono::seconds(20);
+constexpr std::size_t kThreads = 32;  // each page that waits for a change holds one
+constexpr int kLeastSide = 16, kMostSide = 4096;
+constexpr std::size_t kMostOverrides = 64, kLongestOverride = 1000;
+
+/// 128 random bits in the letters of an address.
+std::string randomToken() {
+  std::array<std::uint8_t, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    throw core::Error(core::ErrorKind::kIo, "the system has no random numbers");
+  std::string token;
+  for (const std::uint8_t byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+/// Takes as long for any other token.
+bool isSame(std::string_view a, std::string_view b) {
+  unsigned difference = a.size() == b.size() ? 0u : 1u;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]);
+  return difference == 0;
+}
+
+/// Whether the browser was told to come here by a name of this machine itself. Another name that leads here is a
+/// stranger's page (DNS rebinding); the port may differ, behind ssh -L.
+bool isLocalName(std::string_view host) {
+  const std::string_view name = host.substr(0, host.starts_with('[') ? host.find(']') + 1 : host.find(':'));
+  return name == "127.0.0.1" || name == "localhost" || name == "[::1]";
+}
+
+std::optional<std::int64_t> number(const Request& request, const char* name) {
+  const std::string word = request.get_param_value(name);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || word.empty()) return std::nullopt;
+  return value;
+}
+
+void refuse(Response& response, int status, const std::string& why) {
+  response.status = status;
+  response.set_content(why + "\n", "text/plain; charset=utf-8");
+}
+
+/// Nothing, after it was refused.
+std::optional<PictureAsk> pictureAsk(const Request& request, Response& response) {
+  const auto frame = number(request, "frame"), width = number(request, "width"),
+             height = number(request, "height");
+  const auto isSide = [](const std::optional<std::int64_t>& side) {
+    return side && *side >= kLeastSide && *side <= kMostSide;
+  };
+  PictureAsk ask;
+  const std::size_t overrides = request.get_param_value_count("D");
+  for (std::size_t i = 0; i < overrides && i < kMostOverrides; ++i)
+    ask.overrides.push_back(request.get_param_value("D", i));
+  const bool tooMuch =
+      overrides > kMostOverrides ||
+      std::ranges::any_of(ask.overrides, [](const std::string& word) { return word.size() > kLongestOverride; });
+  if (!frame || !isSide(width) || !isSide(height) || tooMuch) {
+    refuse(response, 400, fmt::format("a picture has a frame, and sides from {} to {}", kLeastSide, kMostSide));
+    return std::nullopt;
+  }
+  ask.frame = *frame;
+  ask.size = {static_cast<int>(*width), static_cast<int>(*height)};
+  return ask;
+}
+
+}  // namespace
+
+class PreviewServer::Site {
+ public:
+  explicit Site(const PreviewRequest& request)
+      : request_(request),
+        token_(randomToken()),
+        scene_(request.fileName, request.overrides, request.allowance),
+        press_(scene_, request.backend) {
+    configure();
+    addRoutes();
+    // Without SO_REUSEPORT, by which another process of this user could listen in.
+    server_.set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    port_ = request.port;
+    const bool bound = request.port > 0 ? server_.bind_to_port("127.0.0.1", request.port)
+                                        : (port_ = server_.bind_to_any_port("127.0.0.1")) > 0;
+    if (!bound)
+      throw core::Error(core::ErrorKind::kIo,
+                        fmt::format("--port {}: another program listens there", request.port));
+  }
+
+  int port() const { return port_; }
+  std::string address() const { return fmt::format("http://127.0.0.1:{}/{}/", port_, token_); }
+  void run() { server_.listen_after_bind(); }
+  void stop() {
+    scene_.stop();
+    server_.stop();
+  }
+
+ private:
+  void configure() {
+    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    server_.set_tcp_nodelay(true);
+    server_.set_payload_max_length(64 << 10);
+    server_.set_default_headers(
+        {{"Cache-Control", "no-store"},
+         {"X-Content-Type-Options", "nosniff"},
+         {"Referrer-Policy", "no-referrer"},
+         {"Content-Security-Policy",
+          "default-src 'none'; img-src 'self' blob:; connect-src 'self'; style-src "
+          "'unsafe-inline'; script-src 'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'"}});
+    server_.set_pre_routing_handler([this](const Request& request, Response& response) {
+      if (isAllowed(request)) return httplib::Server::HandlerResponse::Unhandled;
+      refuse(response, 403, "this address is not known");
+      return httplib::Server::HandlerResponse::Handled;
+    });
+  }
+
+  bool isAllowed(const Request& request) const {
+    const std::string_view path = request.path;
+    const std::string_view first = path.substr(std::min<std::size_t>(1, path.size()), path.find('/', 1) - 1);
+    return isLocalName(request.get_header_value("Host")) && isSame(first, token_);
+  }
+
+  void addRoutes() {
+    const std::string root = "/" + token_;
+    server_.Get(root + "/", [](const Request&, Response& response) {
+      response.set_content(poinsot_preview_page,
+                           static_cast<std::size_t>(poinsot_preview_page_end - poinsot_preview_page),
+                           "text/html; charset=utf-8");
+    });
+    server_.Get(root + "/scene", [this](const Request& request, Response& response) {
+      const auto known = static_cast<int>(number(request, "after").value_or(-1));
+      json(response, sceneJson(scene_.after(known, kLongestWait)));
+    });
+    server_.Get(root + "/picture",
+                [this](const Request& request, Response& response) { picture(request, response); });
+    server_.Get(root + "/series",
+                [this](const Request& request, Response& response) { series(request, response); });
+    server_.Get(root + "/film",
+                [this](const Request&, Response& response) { json(response, filmJson(film_.state())); });
+    server_.Post(root + "/film", [this](const Request&, Response& response) { film(response); });
+    server_.Post(root + "/film/stop", [this](const Request&, Response& response) {
+      film_.stop();
+      json(response, filmJson(film_.state()));
+    });
+  }
+
+  static void json(Response& response, const std::string& text) { response.set_content(text, "application/json"); }
+
+  void picture(const Request& request, Response& response) {
+    const auto ask = pictureAsk(request, response);
+    if (!ask) return;
+    try {
+      response.set_content(press_.png(*ask), "image/png");
+    } catch (const core::Error& error) {
+      refuse(response, 422, error.what());
+    }
+  }
+
+  void series(const Request& request, Response& response) {
+    const SceneVersion version = scene_.now();
+    if (!version.scene) return refuse(response, 422, version.error);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(request.get_param_value_count("name"), 8); ++i)
+      names.push_back(request.get_param_value("name", i));
+    try {
+      json(response, seriesJson(*version.scene, names));
+    } catch (const core::Error& error) {
+      refuse(response, 422, error.what());
+    }
+  }
+
+  void film(Response& response) {
+    std::vector<std::string> words{"--progress=json"};
+    for (const std::string& override : request_.overrides) words.insert(words.end(), {"-D", override});
+    words.insert(words.end(), {"--", request_.fileName});
+    try {
+      film_.start(words);
+      json(response, filmJson(film_.state()));
+    } catch (const core::Error& error) {
+      refuse(response, 500, error.what());
+    }
+  }
+
+  const PreviewRequest request_;
+  const std::string token_;
+  int port_ = 0;
+  WatchedScene scene_;
+  PicturePress press_;
+  FilmErrand film_;
+  httplib::Server server_;  // last: its threads use the others
+};
+
+PreviewServer::PreviewServer(const PreviewRequest& request) : site_(std::make_unique<Site>(request)) {}
+PreviewServer::~PreviewServer() = default;
+int PreviewServer::port() const { return site_->port(); }
+std::string PreviewServer::address() const { return site_->address(); }
+void PreviewServer::run() { site_->run(); }
+void PreviewServer::stop() { site_->stop(); }
+
+}  // namespace poinsot::preview
