@@ -83,9 +83,7 @@ std::string inDegrees(const Fact& fact) {
 }
 
 std::string factText(const Fact& fact) {
-  std::vector<std::string> lines = valueLines(shownValue(fact));
-  if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
-  lines.back() += inDegrees(fact);
+  const std::vector<std::string> lines = factLines(fact);
   std::string text = fmt::format("  {:<{}} ", fact.label, kLabelWidth);
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) text += lines[i] + '\n' + std::string(kLabelWidth + 3, ' ');
   if (fact.from.empty()) return text + lines.back() + '\n';
@@ -117,6 +115,13 @@ Json valueJson(const FactValue& value) {
 }
 
 }  // namespace
+
+std::vector<std::string> factLines(const Fact& fact) {
+  std::vector<std::string> lines = valueLines(shownValue(fact));
+  if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
+  lines.back() += inDegrees(fact);
+  return lines;
+}
 
 std::string reportTable(const Report& report) {
   std::string text = core::printable(report.scene) + '\n';

@@ -37,6 +37,9 @@ struct Report {
   std::vector<Section> sections;
 };
 
+/// A fact's value with its unit, for people; of a matrix a line for each row. Numbers as in reportTable().
+std::vector<std::string> factLines(const Fact& fact);
+
 /// A table of three columns: quantity, value with its unit, where it comes from. Numbers to ten digits, angles
 /// also in degrees; a component that is the rounding of its vector's is 0.
 std::string reportTable(const Report& report);

@@ -31,12 +31,17 @@ json quantityJson(const scene::StateQuantity& quantity) {
   return {{"name", quantity.name}, {"help", quantity.help}, {"unit", scene::unitText(quantity.unit)}};
 }
 
-std::string physicsText(const scene::Scene& scene) {
-  try {
-    return app::reportTable(app::sceneReport(scene));
-  } catch (const core::Error& error) {
-    return core::printableLines(error.what());
+/// What `info` prints, as sections.
+json physicsOf(const scene::Scene& scene) {
+  json sections = json::array();
+  for (const app::Section& section : app::sceneReport(scene).sections) {
+    if (section.facts.empty()) continue;
+    json facts = json::array();
+    for (const app::Fact& fact : section.facts)
+      facts.push_back({{"label", fact.label}, {"lines", app::factLines(fact)}, {"from", fact.from}});
+    sections.push_back({{"title", section.title}, {"facts", std::move(facts)}});
   }
+  return sections;
 }
 
 double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
@@ -53,7 +58,7 @@ json filmOf(const scene::Scene& scene) {
            {{"azimuth", degrees(scene.camera.azimuth_rad)},
             {"elevation", degrees(scene.camera.elevation_rad)},
             {"zoom", scene.camera.zoom}}},
-          {"physics", physicsText(scene)},
+          {"physics", physicsOf(scene)},
           {"quantities", std::move(quantities)}};
 }
 

@@ -134,7 +134,7 @@ class PreviewServer::Site {
          {"X-Content-Type-Options", "nosniff"},
          {"Referrer-Policy", "no-referrer"},
          {"Content-Security-Policy",
-          "default-src 'none'; img-src 'self' blob:; connect-src 'self'; style-src "
+          "default-src 'none'; img-src 'self' blob: data:; connect-src 'self'; style-src "
           "'unsafe-inline'; script-src 'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'"}});
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
       if (isAllowed(request)) return httplib::Server::HandlerResponse::Unhandled;
