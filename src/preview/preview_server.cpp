@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <httplib.h>
 #include <sys/random.h>
+#include <sys/socket.h>
 
 #include <array>
 #include <charconv>
@@ -92,6 +93,13 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
   return ask;
 }
 
+/// Lets many knock at once: the library's queue of five drops the others, who knock again after seconds.
+class Listener : public httplib::Server {
+ public:
+  /// After it was bound.
+  void widen() { ::listen(svr_sock_, SOMAXCONN); }
+};
+
 }  // namespace
 
 class PreviewServer::Site {
@@ -114,6 +122,7 @@ class PreviewServer::Site {
     if (!bound)
       throw core::Error(core::ErrorKind::kIo,
                         fmt::format("--port {}: another program listens there", request.port));
+    server_.widen();
   }
 
   int port() const { return port_; }
@@ -216,7 +225,7 @@ class PreviewServer::Site {
   WatchedScene scene_;
   PicturePress press_;
   FilmErrand film_;
-  httplib::Server server_;  // last: its threads use the others
+  Listener server_;  // last: its threads use the others
 };
 
 PreviewServer::PreviewServer(const PreviewRequest& request) : site_(std::make_unique<Site>(request)) {}

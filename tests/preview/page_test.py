@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of `poinsot preview` in a real browser: played, stepped, turned; the scene is edited, broken, mended; a film is
+rendered.
+
+    page_test.py PROGRAM SCREENSHOT
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+SCENE = """[body]
+shape = "box"
+size = [0.24, 0.17, 0.03]
+mass = 1
+[motion]
+omega_body = [0.04, 3, 0.04]
+[time]
+duration = 4
+[output]
+size = [320, 180]
+"""
+
+
+def browser():
+    options = webdriver.ChromeOptions()
+    for word in ('--headless=new', '--no-sandbox', '--window-size=1500,900'):
+        options.add_argument(word)
+    options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
+    return webdriver.Chrome(options=options, service=Service('/usr/bin/chromedriver'))
+
+
+class Page:
+    def __init__(self, driver):
+        self.driver = driver
+
+    def find(self, name):
+        return self.driver.find_element(By.ID, name)
+
+    def shown(self):
+        """What the picture is of: frame, version, width."""
+        return json.loads(self.driver.execute_script('return document.body.dataset.shown') or '{}')
+
+    def press(self, *keys):
+        self.driver.find_element(By.TAG_NAME, 'body').send_keys(*keys)
+
+    def picture(self):
+        """A number that stands for its pixels."""
+        return self.driver.execute_script('''
+            const image = document.getElementById("picture"), canvas = document.createElement("canvas");
+            canvas.width = image.naturalWidth; canvas.height = image.naturalHeight;
+            const on = canvas.getContext("2d"); on.drawImage(image, 0, 0);
+            let sum = 7; for (const b of on.getImageData(0, 0, canvas.width, canvas.height).data) sum = (sum * 31 + b) % 1000003;
+            return sum;''')
+
+
+def until(what, true, most_s=30):
+    begin = time.monotonic()
+    while not true():
+        assert time.monotonic() - begin < most_s, f'waited in vain: {what}'
+        time.sleep(0.005)
+    return time.monotonic() - begin
+
+
+def check(page, scene, screenshot):
+    until('the first picture', lambda: page.shown().get('frame') == 0)
+    first = page.picture()
+    page.press(Keys.END)
+    until('the last frame', lambda: page.shown()['frame'] == 119)
+    assert page.picture() != first
+    page.press(Keys.ARROW_LEFT)
+    until('a step back', lambda: page.shown()['frame'] == 118)
+    page.press(Keys.HOME)
+    until('the first frame', lambda: page.shown()['frame'] == 0)
+    assert page.picture() == first
+
+    page.press(' ')
+    until('the film plays', lambda: page.shown()['frame'] > 30)
+    page.press(' ')
+    at = page.shown()['frame']
+    time.sleep(0.3)
+    assert page.shown()['frame'] - at < 5, 'it stands still again'
+
+    page.press(Keys.HOME)
+    until('the first frame', lambda: page.shown()['frame'] == 0)
+    before = page.shown()['version']
+    scene.write_text(SCENE + '[style]\ntheme = "dark"\n')
+    edited_s = until('the edited scene', lambda: page.shown()['version'] > before)
+    assert page.picture() != first
+    page.driver.save_screenshot(screenshot)
+    dark = page.picture()
+    scene.write_text(SCENE.replace('mass', 'maas'))
+    until('the mistake', lambda: page.find('error').is_displayed())
+    assert 'did you mean body.mass?' in page.find('error').text, page.find('error').text
+    assert '^^^^' in page.find('error').text
+    assert page.picture() == dark, 'the last good picture stays'
+    scene.write_text(SCENE)
+    until('no mistake', lambda: not page.find('error').is_displayed())
+    until('the picture as it was', lambda: page.picture() == first)
+
+    ActionChains(page.driver).move_to_element(page.find('picture')).click_and_hold().move_by_offset(60, 20).release().perform()
+    until('the camera has turned', lambda: page.find('lines').is_displayed() and page.picture() != first)
+    assert page.find('lines').text.startswith('[camera]\nazimuth = "'), page.find('lines').text
+    assert scene.read_text() == SCENE, 'nothing is written'
+    (scene.parent / 'turned.toml').write_text(SCENE + page.find('lines').text + '\n')
+    page.find('back').click()
+    until('the camera is back', lambda: page.picture() == first)
+
+    page.find('film').click()
+    until('the film', lambda: page.find('filmState').text in ('ready', 'failed'), 120)
+    assert page.find('filmState').text == 'ready', page.find('error').text
+    assert (scene.parent / 'out' / 'a.mp4').stat().st_size > 1000
+    complaints = page.driver.get_log('browser')
+    assert not complaints, complaints
+    return edited_s
+
+
+def main(program, screenshot):
+    with tempfile.TemporaryDirectory() as folder:
+        scene = pathlib.Path(folder) / 'a.toml'
+        scene.write_text(SCENE)
+        server = subprocess.Popen([program, 'preview', 'a.toml'], cwd=folder, stdout=subprocess.PIPE, text=True)
+        driver = browser()
+        try:
+            driver.get(server.stdout.readline().strip())
+            edited_s = check(Page(driver), scene, screenshot)
+        finally:
+            driver.quit()
+            server.terminate()
+            ended = server.wait(20)
+        assert ended in (0, 143), ended
+        subprocess.run([program, 'check', 'turned.toml'], cwd=folder, check=True)
+        print(f'from saving to the picture: {1000 * edited_s:.0f} ms')
+
+
+if __name__ == '__main__':
+    main(*sys.argv[1:])

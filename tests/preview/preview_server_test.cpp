@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// The preview over HTTP: what is answered, what is refused, what is survived. Expected pictures are those that the
+// program makes of the same frames.
+#include "preview/preview_server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/error.h"
+#include "support/scratch_folder.h"
+#include "support/shell_run.h"
+
+namespace poinsot::preview {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* kScene =
+    "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 3, 0.1]\n[time]\nduration = 2\n"
+    "[output]\nsize = [320, 180]\n";
+
+class Preview : public testing::Test {
+ protected:
+  Preview() {
+    gl::pinEnvironment(false);
+    folder_.put("a.toml", kScene);
+    server_ = std::make_unique<PreviewServer>(
+        PreviewRequest{.fileName = (folder_ / "a.toml").string(), .overrides = {}, .allowance = {}});
+    running_ = std::thread([this] { server_->run(); });
+    const std::string address = server_->address();
+    root_ = address.substr(address.find('/', 8));
+  }
+  ~Preview() override {
+    server_->stop();
+    running_.join();
+  }
+
+  httplib::Client client() const {
+    httplib::Client made("127.0.0.1", server_->port());
+    made.set_read_timeout(60, 0);
+    return made;
+  }
+  httplib::Result get(const std::string& what) const { return client().Get(root_ + what); }
+  json scene(int after) const { return json::parse(get("scene?after=" + std::to_string(after))->body); }
+  std::string picture(int frame, const std::string& more = "") const {
+    const auto answer = get("picture?width=320&height=180&frame=" + std::to_string(frame) + more);
+    EXPECT_EQ(answer->status, 200) << answer->body;
+    return answer->body;
+  }
+  /// Of `poinsot still`, without the texts that a file has.
+  void expectSamePicture(const std::string& png, const std::string& words) const {
+    folder_.put("preview.png", png);
+    const auto made = runShell(folder_.path(), POINSOT_PROGRAM " still a.toml -o still.png " + words +
+                                                   " && " POINSOT_PROGRAM " diff --exact still.png preview.png");
+    EXPECT_EQ(made.exitCode, 0) << made.out;
+  }
+
+  ScratchFolder folder_;
+  std::unique_ptr<PreviewServer> server_;
+  std::thread running_;
+  std::string root_;
+};
+
+TEST_F(Preview, ShowsWhatTheProgramDraws) {
+  expectSamePicture(picture(30), "--time 1");
+  expectSamePicture(picture(30, "&D=style.theme%3D%22dark%22"), "--time 1 -D style.theme=dark");
+  expectSamePicture(picture(100000), "--time 1.9666666666666666");  // the last of 60
+}
+
+TEST_F(Preview, TellsTheFilmAndThePhysics) {
+  const json told = scene(-1);
+  EXPECT_EQ(told["error"], "");
+  EXPECT_EQ(told["film"]["frames"], 60);
+  EXPECT_EQ(told["film"]["size"], json({320, 180}));
+  EXPECT_EQ(told["film"]["physics"][0]["title"].get<std::string>().substr(0, 4), "Body");
+  const json series = json::parse(get("series?name=omega_2&name=T")->body);
+  EXPECT_EQ(series["series"].size(), 2u);
+  EXPECT_EQ(series["series"][0]["values"].size(), series["times_s"].size());
+  EXPECT_DOUBLE_EQ(series["series"][0]["values"][0], 3);
+  EXPECT_NEAR(series["series"][1]["values"].back().get<double>(), (0.01 + 2 * 9 + 3 * 0.01) / 2, 1e-12);
+}
+
+TEST_F(Preview, FollowsTheFile) {
+  const int first = scene(-1)["version"];
+  std::thread editor([this] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    folder_.put("a.toml", std::string(kScene) + "[style]\nthem = \"dark\"\n");
+  });
+  const json broken = scene(first);  // waits for it
+  editor.join();
+  EXPECT_THAT(broken["error"],
+              HasSubstr("a.toml:10:1: error: style.them: unknown key; did you mean style.theme?"));
+  EXPECT_EQ(broken["film"]["frames"], 60) << "of the last good one";
+  folder_.put("a.toml", std::string(kScene) + "[style]\ntheme = \"dark\"\n");
+  EXPECT_EQ(scene(broken["version"])["error"], "");
+  expectSamePicture(picture(30), "--time 1");
+}
+
+TEST_F(Preview, FollowsTheFilesThatTheSceneNames) {
+  const std::string style = "[style]\nfile = \"own.toml\"\n";
+  folder_.put("a.toml", kScene + style);
+  json told = scene(1);
+  EXPECT_THAT(told["error"], HasSubstr("own.toml"));
+  folder_.put("own.toml", "[style]\ntheme = \"dark\"\n");  // comes, is seen without the scene being touched
+  told = scene(told["version"]);
+  EXPECT_EQ(told["error"], "");
+  const std::string dark = picture(0);
+  folder_.put("own.toml", "[style]\ntheme = \"light\"\n");
+  EXPECT_EQ(scene(told["version"])["error"], "");
+  EXPECT_TRUE(picture(0) != dark);
+}
+
+TEST_F(Preview, AnswersOnlyWhoKnowsTheAddress) {
+  for (const std::string& path :
+       {std::string("/"), std::string("/scene"), "/" + std::string(32, '0') + "/", root_.substr(0, 8) + "/",
+        root_ + "../" + root_, std::string("/../../etc/passwd")})
+    EXPECT_GE(client().Get(path)->status, 400) << path;
+  EXPECT_EQ(client().Get("/" + std::string(32, '0') + "/scene")->status, 403);
+  for (const char* path : {"../../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd", "a.toml", "film/../../a.toml"})
+    EXPECT_EQ(get(path)->status, 404) << path;
+}
+
+TEST_F(Preview, AnswersNoOtherHost) {
+  const auto as = [&](const std::string& host) { return client().Get(root_ + "film", {{"Host", host}})->status; };
+  for (const char* host : {"localhost", "127.0.0.1:1", "localhost:9999", "[::1]:80"})
+    EXPECT_EQ(as(host), 200) << host;
+  for (const char* host : {"evil.example", "127.0.0.1.evil.example", "localhost.evil.example:80", ""})
+    EXPECT_EQ(as(host), 403) << host;
+}
+
+TEST_F(Preview, RefusesWhatItCannotDraw) {
+  for (const char* what : {"picture", "picture?frame=x&width=9&height=9",
+                           "picture?frame=1&width=100000&height=100000", "picture?frame=1&width=320"})
+    EXPECT_EQ(get(what)->status, 400) << what;
+  const auto bad = get("picture?frame=1&width=320&height=180&D=camera.fovv%3D3");
+  EXPECT_EQ(bad->status, 422);
+  EXPECT_THAT(bad->body, HasSubstr("did you mean camera.fov?"));
+  EXPECT_EQ(get("series?name=nothing")->status, 422);
+  EXPECT_EQ(get("picture?frame=-5&width=320&height=180")->status, 200) << "the first";
+}
+
+TEST_F(Preview, SurvivesManyAtOnceAndThoseWhoLeave) {
+  const std::string expected = picture(7);
+  std::vector<std::thread> all;
+  std::atomic<int> good = 0;
+  for (int i = 0; i < 200; ++i)
+    all.emplace_back([&, i] {
+      if (i % 4 == 0) {  // leaves in the middle of a picture
+        client().Get(root_ + "picture?width=320&height=180&frame=7",
+                     [](const char*, std::size_t) { return false; });
+        ++good;
+      } else {
+        good += picture(7) == expected;
+      }
+    });
+  for (std::thread& one : all) one.join();
+  EXPECT_EQ(good, 200);
+  EXPECT_EQ(picture(7), expected);
+}
+
+TEST_F(Preview, TwoCannotHaveOnePort) {
+  const PreviewRequest request{.fileName = (folder_ / "a.toml").string(),
+                               .overrides = {},
+                               .allowance = {},
+                               .backend = {},
+                               .port = server_->port()};
+  EXPECT_THROW(PreviewServer second(request), core::Error);
+}
+
+}  // namespace
+}  // namespace poinsot::preview
