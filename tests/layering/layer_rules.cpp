@@ -144,9 +144,10 @@ const std::vector<Layer>& layers() {
       {"render", {"draw", "geometry", "gl", "image", "text", "core"}},
       {"app",
        {"render", "stage", "output", "text", "draw", "scene", "gl", "image", "geometry", "physics", "core"}},
+      {"preview", {"app", "stage", "scene", "gl", "image", "core"}},
       {"cli",
-       {"app", "render", "stage", "output", "text", "draw", "scene", "gl", "image", "geometry", "physics",
-        "core"}},
+       {"preview", "app", "render", "stage", "output", "text", "draw", "scene", "gl", "image", "geometry",
+        "physics", "core"}},
   };
   return kLayers;
 }
