@@ -14,6 +14,7 @@
 #include "cli/exit_code.h"
 #include "cli/render_options.h"
 #include "cli/scene_options.h"
+#include "core/error.h"
 #include "preview/preview_server.h"
 
 namespace poinsot::cli {
@@ -38,6 +39,8 @@ class StopOnSignal {
 };
 
 int preview(const PreviewOptions& options) {
+  if (options.untrusted)  // the sandbox has no network
+    throw core::Error(core::ErrorKind::kUsage, "--untrusted: a preview cannot be held to it; check and still can");
   app::watchInterrupts();
   setenv("LP_NUM_THREADS", std::to_string(app::availableCpus()).c_str(), 0);
   gl::pinEnvironment(false);

@@ -67,6 +67,13 @@ TEST(Usage, ExplainsKeysOnLinesThatFitATerminal) {
   EXPECT_THAT(bad.err, HasSubstr("did you mean fov?"));
 }
 
+TEST(Usage, NoPreviewOfWhatIsNotTrusted) {
+  const ScratchFolder folder;
+  const auto result = run(folder, {"preview", "a.toml", "--untrusted"});
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.err, HasSubstr("a preview cannot be held to it"));
+}
+
 TEST(Usage, SchemaIsJson) {
   const ScratchFolder folder;
   const auto schema = run(folder, {"schema"});
