@@ -90,4 +90,12 @@ scene::Allowance granted(const AllowanceOptions& options) {
   return allowance;
 }
 
+std::vector<std::string> allowanceWords(const AllowanceOptions& options) {
+  std::vector<std::string> words;
+  for (const std::string& text : options.limits) words.insert(words.end(), {"--limit", text});
+  for (const std::string& folder : options.assetRoots) words.insert(words.end(), {"--asset-root", folder});
+  if (!options.memory.empty()) words.insert(words.end(), {"--max-memory", options.memory});
+  return words;
+}
+
 }  // namespace poinsot::cli

@@ -26,6 +26,9 @@ void addLimitOptions(CLI::App& command, AllowanceOptions& options);
 /// Declares these and --asset-root.
 void addAllowance(CLI::App& command, AllowanceOptions& options);
 
+/// Limits, folders and memory as words for another process, which has a time of its own.
+std::vector<std::string> allowanceWords(const AllowanceOptions& options);
+
 /// The usual limits, above them those of the user's limits.toml, above these the options.
 /// @throws core::Error(kUsage) naming the option; scene::SceneErrors, core::Error(kIo) of limits.toml.
 scene::Allowance allowed(const AllowanceOptions& options);

@@ -47,6 +47,7 @@ int preview(const PreviewOptions& options) {
   preview::PreviewServer server({.fileName = options.scene,
                                  .overrides = options.overrides,
                                  .allowance = granted(options),
+                                 .filmWords = allowanceWords(options),
                                  .backend = gl::Backend::kAuto,
                                  .port = options.port});
   writeOut(

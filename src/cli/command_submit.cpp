@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "app/memory.h"
@@ -43,9 +45,7 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   add("--fps", options.fps);
   add("--frames", options.frames);
   if (options.loop) words.push_back("--loop");
-  for (const std::string& text : options.limits) add("--limit", text);
-  for (const std::string& folder : options.assetRoots) add("--asset-root", folder);
-  add("--max-memory", options.memory);
+  std::ranges::copy(allowanceWords(options), std::back_inserter(words));
   if (options.untrusted) words.push_back("--untrusted");
   if (options.transparent) words.push_back("--transparent");
   if (options.bits != 8) add("--bits", std::to_string(options.bits));

@@ -210,6 +210,7 @@ class PreviewServer::Site {
   void film(Response& response) {
     std::vector<std::string> words{"--progress=json"};
     for (const std::string& override : request_.overrides) words.insert(words.end(), {"-D", override});
+    words.insert(words.end(), request_.filmWords.begin(), request_.filmWords.end());
     words.insert(words.end(), {"--", request_.fileName});
     try {
       film_.start(words);

@@ -14,6 +14,7 @@ struct PreviewRequest {
   std::string fileName;
   std::vector<std::string> overrides;  ///< after -D
   scene::Allowance allowance;
+  std::vector<std::string> filmWords = {};  ///< besides file and overrides, for `poinsot render`
   gl::Backend backend = gl::Backend::kAuto;
   int port = 0;  ///< 0: any that is free
 };

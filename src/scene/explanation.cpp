@@ -78,9 +78,7 @@ Explanation ofAllTables() {
 
 /// The path that someone means who writes a table's header.
 std::string unbracketed(std::string_view word) {
-  while (word.starts_with('[')) word.remove_prefix(1);
-  while (word.ends_with("]]") || (word.ends_with(']') && !word.ends_with("[]") && word.find('[') == word.npos))
-    word.remove_suffix(word.ends_with("]]") ? 2 : 1);
+  while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
   return patternOf(word);
 }
 

@@ -127,7 +127,10 @@ def main(program, screenshot):
     with tempfile.TemporaryDirectory() as folder:
         scene = pathlib.Path(folder) / 'a.toml'
         scene.write_text(SCENE)
-        server = subprocess.Popen([program, 'preview', 'a.toml'], cwd=folder, stdout=subprocess.PIPE, text=True)
+        (pathlib.Path(folder) / 'shared').mkdir()
+        (pathlib.Path(folder) / 'shared' / 'own.toml').write_text('[style.colors]\nomega = "#AA2200"\n')
+        # The film, too, must be allowed what the preview is.
+        server = subprocess.Popen([program, 'preview', 'a.toml', '-D', 'style.file=own.toml', '--asset-root', 'shared'], cwd=folder, stdout=subprocess.PIPE, text=True)
         driver = browser()
         try:
             driver.get(server.stdout.readline().strip())
