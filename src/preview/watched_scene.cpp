@@ -17,6 +17,10 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPause{40};
+// Who saves a file may write it in pieces: it is read when it has been the same for this long, which is also
+// longer than the steps of a file system's clock. What never rests is read in between.
+constexpr milliseconds kCalm{15};
+constexpr int kMostCalms = 20;
 // A file that a scene names and that was missing may come: while there is a mistake, all is tried again.
 constexpr int kPausesToTryAgain = 25;
 
@@ -44,7 +48,10 @@ std::vector<std::filesystem::path> filesOf(const std::string& fileName, const Sc
 }  // namespace
 
 WatchedScene::WatchedScene(std::string fileName, std::vector<std::string> overrides, scene::Allowance allowance)
-    : fileName_(std::move(fileName)), overrides_(std::move(overrides)), allowance_(std::move(allowance)) {
+    : fileName_(std::move(fileName)),
+      overrides_(std::move(overrides)),
+      allowance_(std::move(allowance)),
+      files_{fileName_} {
   read();
   watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
@@ -67,16 +74,34 @@ SceneVersion WatchedScene::after(int known, milliseconds most) const {
   return version_;
 }
 
-void WatchedScene::read() {
-  SceneVersion next;
+SceneVersion WatchedScene::load() const {
+  SceneVersion loaded;
   try {
-    next.request = app::readSceneRequest(fileName_, overrides_, allowance_);
-    auto scene = std::make_shared<const scene::Scene>(app::loadRequested(next.request));
+    loaded.request = app::readSceneRequest(fileName_, overrides_, allowance_);
+    auto scene = std::make_shared<const scene::Scene>(app::loadRequested(loaded.request));
     const stage::Stage stage(*scene);  // what the motion lacks is found here
-    next.scene = std::move(scene);
+    loaded.scene = std::move(scene);
   } catch (const core::Error& error) {
-    next.error = core::printableLines(error.what());
+    loaded.error = core::printableLines(error.what());
   }
+  return loaded;
+}
+
+void WatchedScene::read() {
+  // The files are looked at before they are read: what changes meanwhile is seen next time. Those that only this
+  // version names were not looked at: it is read again.
+  const auto look = [this] { seen_ = fingerprint(files_); };
+  look();
+  SceneVersion next = load();
+  if (std::vector<std::filesystem::path> files = filesOf(fileName_, next); next.scene && files != files_) {
+    files_ = std::move(files);
+    look();
+    next = load();
+  }
+  publish(std::move(next));
+}
+
+void WatchedScene::publish(SceneVersion next) {
   const std::scoped_lock lock(mutex_);
   if (!next.scene && next.error == version_.error) return;  // tried again in vain
   next.number = version_.number + 1;
@@ -88,18 +113,23 @@ void WatchedScene::read() {
   changed_.notify_all();
 }
 
+void WatchedScene::waitUntilCalm(std::string current) const {
+  std::string before;
+  for (int calms = 0; before != current && calms < kMostCalms; ++calms) {
+    before = std::move(current);
+    std::this_thread::sleep_for(kCalm);
+    current = fingerprint(files_);
+  }
+}
+
 void WatchedScene::watch(const std::stop_token& stop) {
-  std::string seen = fingerprint(filesOf(fileName_, now()));
   for (int pauses = 0; !stop.stop_requested(); ++pauses) {
     std::this_thread::sleep_for(kPause);
-    const SceneVersion version = now();
-    std::string current = fingerprint(filesOf(fileName_, version));
-    const bool again = !version.error.empty() && pauses % kPausesToTryAgain == 0;
-    if (current == seen && !again) continue;
-    // Taken before the files are read: what changes meanwhile is seen next time.
-    seen = std::move(current);
+    std::string current = fingerprint(files_);
+    const bool again = !now().error.empty() && pauses % kPausesToTryAgain == 0;
+    if (current == seen_ && !again) continue;
+    waitUntilCalm(std::move(current));
     read();
-    if (const SceneVersion read = now(); read.scene != version.scene) seen = fingerprint(filesOf(fileName_, read));
   }
 }
 

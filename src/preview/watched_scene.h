@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -40,11 +41,16 @@ class WatchedScene {
 
  private:
   void watch(const std::stop_token& stop);
+  void waitUntilCalm(std::string current) const;
   void read();
+  SceneVersion load() const;
+  void publish(SceneVersion next);
 
   const std::string fileName_;
   const std::vector<std::string> overrides_;
   const scene::Allowance allowance_;
+  std::vector<std::filesystem::path> files_;  // that the newest scene without a mistake was read from
+  std::string seen_;                          // what they were like when it was
   mutable std::mutex mutex_;
   mutable std::condition_variable_any changed_;
   SceneVersion version_;

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "preview/watched_scene.h"
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"
 
@@ -61,6 +62,11 @@ class Preview : public testing::Test {
     EXPECT_EQ(made.exitCode, 0) << made.out;
   }
 
+  /// At once, as editors do: nobody sees half a file, however slow the machine.
+  void save(const std::string& name, const std::string& text) const {
+    std::filesystem::rename(folder_.put(name + "~", text), folder_ / name);
+  }
+
   ScratchFolder folder_;
   std::unique_ptr<PreviewServer> server_;
   std::thread running_;
@@ -90,28 +96,38 @@ TEST_F(Preview, FollowsTheFile) {
   const int first = scene(-1)["version"];
   std::thread editor([this] {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    folder_.put("a.toml", std::string(kScene) + "[style]\nthem = \"dark\"\n");
+    save("a.toml", std::string(kScene) + "[style]\nthem = \"dark\"\n");
   });
   const json broken = scene(first);  // waits for it
   editor.join();
   EXPECT_THAT(broken["error"],
               HasSubstr("a.toml:10:1: error: style.them: unknown key; did you mean style.theme?"));
   EXPECT_EQ(broken["film"]["frames"], 60) << "of the last good one";
-  folder_.put("a.toml", std::string(kScene) + "[style]\ntheme = \"dark\"\n");
+  save("a.toml", std::string(kScene) + "[style]\ntheme = \"dark\"\n");
   EXPECT_EQ(scene(broken["version"])["error"], "");
   expectSamePicture(picture(30), "--time 1");
 }
 
+// What is saved while the preview is still starting is as new as what is saved later.
+TEST_F(Preview, FollowsTheFileFromTheStart) {
+  for (int i = 0; i < 20; ++i) {
+    save("b.toml", kScene);
+    const WatchedScene scene((folder_ / "b.toml").string(), {}, {});
+    save("b.toml", std::string(kScene) + "[style]\ntheme = \"dark\"\n");
+    EXPECT_EQ(scene.after(1, std::chrono::seconds(10)).number, 2);
+  }
+}
+
 TEST_F(Preview, FollowsTheFilesThatTheSceneNames) {
   const std::string style = "[style]\nfile = \"own.toml\"\n";
-  folder_.put("a.toml", kScene + style);
+  save("a.toml", kScene + style);
   json told = scene(1);
   EXPECT_THAT(told["error"], HasSubstr("own.toml"));
-  folder_.put("own.toml", "[style]\ntheme = \"dark\"\n");  // comes, is seen without the scene being touched
+  save("own.toml", "[style]\ntheme = \"dark\"\n");  // comes, is seen without the scene being touched
   told = scene(told["version"]);
   EXPECT_EQ(told["error"], "");
   const std::string dark = picture(0);
-  folder_.put("own.toml", "[style]\ntheme = \"light\"\n");
+  save("own.toml", "[style]\ntheme = \"light\"\n");
   EXPECT_EQ(scene(told["version"])["error"], "");
   EXPECT_TRUE(picture(0) != dark);
 }
