@@ -29,7 +29,7 @@ void readValue(const std::string& word) {
   attempt([&] { app::parseTrajectoryTarget(word); });
   attempt([&] { app::parseFrameRange(word); });
   attempt([&] { app::parseShard(word); });
-  attempt([&] { cli::parseSize(word); });
+  attempt([&] { cli::parseSize(word, scene::Limits()); });
   attempt([&] { cli::parseTimes_s("--at", word); });
   image::NearRule rule;
   attempt([&] { app::setMaxDifference(rule, "--max", word); });
