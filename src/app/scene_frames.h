@@ -26,6 +26,12 @@ class SceneFrames : public FrameSource {
               const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
               const std::string& settings = "", core::StepLedger* steps = nullptr);
 
+  /// As if made with that time.
+  void setTime(std::optional<double> time_s) {
+    time_s_ = time_s;
+    composed_.reset();
+  }
+
   image::Frame frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
   /// What the last frame was drawn from, whole.

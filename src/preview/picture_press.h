@@ -2,14 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <functional>
-#include <future>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "app/owning_thread.h"
 #include "gl/offscreen_context.h"
 #include "image/image.h"
 #include "preview/watched_scene.h"
@@ -37,15 +33,9 @@ class PicturePress {
 
  private:
   class Drawer;
-  using Job = std::packaged_task<std::string(Drawer&)>;
-
-  void work(const std::stop_token& stop, gl::Backend backend);
 
   const WatchedScene& scene_;
-  std::mutex mutex_;
-  std::condition_variable_any waiting_;
-  std::deque<Job> jobs_;
-  std::jthread thread_;  // last: it uses the others
+  app::OwningThread<Drawer> drawer_;
 };
 
 }  // namespace poinsot::preview

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/frames_cache.h"
+
+#include <algorithm>
+
+#include "app/frame_clock.h"
+#include "app/memory.h"
+
+namespace poinsot::app {
+namespace {
+
+// Who turns the camera asks for another scene each time, who plays for the same: a few, for a few who ask.
+constexpr std::size_t kMost = 4;
+
+}  // namespace
+
+FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<scene::Scene()>& load,
+                                    const PictureForm& form, const scene::Limits& limits) {
+  if (const auto found = std::ranges::find(entries_, key, &Entry::key); found != entries_.end()) {
+    entries_.splice(entries_.begin(), entries_, found);
+    return entries_.front();
+  }
+  const scene::Scene scene = load();
+  const image::PixelSize size{scene.output.width, scene.output.height};
+  expectWithinMemory(workerMemory_bytes(size, {}, form.bits) + meshMemory_bytes(scene), pictureText(size), limits);
+  while (entries_.size() >= kMost) entries_.pop_back();
+  if (!context_) context_ = gl::openContext(backend_);
+  entries_.push_front({key, frameCount(scene.time.duration_s, scene.time.fps),
+                       std::make_unique<SceneFrames>(scene, *context_, std::nullopt, form)});
+  return entries_.front();
+}
+
+}  // namespace poinsot::app
