@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
 
 #include "app/interrupt.h"
+#include "app/trajectory_accuracy.h"
 #include "app/trajectory_target.h"
 #include "app/trajectory_text.h"
 #include "cli/commands.h"
@@ -72,17 +71,9 @@ void checkTimesGiven(const TrajectoryOptions& options) {
     refuse("say at which times: --at T1,T2,... or --rate HZ, one of them");
 }
 
-/// Beyond this angle the phase of a free motion has lost digits (docs/physics.md, "Accuracy").
-constexpr double kExactAngle_rad = 1e14;
-
 void noteFarTimes(const scene::Scene& scene, const app::TrajectoryTimes& times) {
-  const double farthest_s = std::max(std::abs(times.earliest_s()), std::abs(times.latest_s()));
-  const double angle_rad = scene.motion.omega_B.norm() * farthest_s;
-  if (!scene.motion.forcing.none() || !(angle_rad > kExactAngle_rad)) return;
-  writeErr(
-      fmt::format("poinsot: note: at t = {:.6g} s the body has turned by {:.2g} rad; beyond {:.0g} rad the "
-                  "attitude is no longer exact to rounding\n",
-                  farthest_s, angle_rad, kExactAngle_rad));
+  if (const std::string note = app::accuracyNote(scene, times); !note.empty())
+    writeErr("poinsot: note: " + note + "\n");
 }
 
 /// A row is 15 numbers of about 18 characters: those of the gallery have 271 to 303 bytes.
