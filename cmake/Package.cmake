@@ -7,6 +7,7 @@ set(CPACK_PACKAGE_CONTACT ${POINSOT_CONTACT})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program)
+add_custom_target(poinsot_packed DEPENDS poinsot poinsot_share)  # all that is in the packages
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -32,6 +33,23 @@ foreach(library libavformat libavcodec libavutil libswscale)
 endforeach()
 list(JOIN opened ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 
+if(POINSOT_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  add_dependencies(poinsot_packed poinsot_python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-poinsot)
+  set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # A module is for one minor version of Python. Pictures need OpenGL, which the program brings; so do films.
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), "
+    "python3-numpy, poinsot (= ${PROJECT_VERSION})")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"For Python: the exact motion of rotating rigid bodies as numpy arrays, their
+pictures and films, also in notebooks.")
+  install(FILES packaging/copyright DESTINATION share/doc/python3-poinsot COMPONENT python)
+endif()
+
 # Debian wants the changes of a package in a form of its own.
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/changelog @ONLY CONTENT
@@ -43,5 +61,8 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/changelog @ONLY CONTENT
 ")
 execute_process(COMMAND gzip -9nf ${CMAKE_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/poinsot COMPONENT program)
+if(POINSOT_PYTHON)
+  install(FILES ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/python3-poinsot COMPONENT python)
+endif()
 
 include(CPack)

@@ -22,7 +22,8 @@ class Deb : public ::testing::Test {
   void SetUp() override {
     run("cpack -G DEB --config " POINSOT_BINARY_DIR
         "/CPackConfig.cmake -B $PWD >cpack.log || { cat cpack.log; exit 1; }\n"
-        "mv poinsot_*_*.deb poinsot.deb && dpkg-deb -x poinsot.deb root");
+        "mv poinsot_*_*.deb poinsot.deb && dpkg-deb -x poinsot.deb root\n"
+        "! ls python3-poinsot_*_*.deb 2>/dev/null || mv python3-poinsot_*_*.deb python3-poinsot.deb");
   }
 
   std::string run(const std::string& script) const {
@@ -31,7 +32,9 @@ class Deb : public ::testing::Test {
     return result.out;
   }
 
-  std::string field(const std::string& name) const { return run("dpkg-deb -f poinsot.deb " + name); }
+  std::string field(const std::string& name, const std::string& package = "poinsot") const {
+    return run("dpkg-deb -f " + package + ".deb " + name);
+  }
 
   ScratchFolder folder_;
 };
@@ -73,6 +76,24 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
       "--quiet -o still.png");
   EXPECT_GT(std::filesystem::file_size(folder_ / "film.mp4"), 1000u);
   EXPECT_EQ(image::readPng(folder_ / "still.png").size, (image::PixelSize{96, 54}));
+
+#ifdef POINSOT_PYTHON_PACKAGE
+  EXPECT_EQ(field("Package", "python3-poinsot"), "python3-poinsot\n");
+  std::string version = field("Version");
+  version.pop_back();
+  EXPECT_THAT(field("Depends", "python3-poinsot"), HasSubstr("python3-numpy, poinsot (= " + version + ")"));
+  // The package's own program makes the film: it is found on the path, as an installed one is.
+  run("dpkg-deb -x python3-poinsot.deb root\n"
+      "cat >try.py <<'END'\n"
+      "import poinsot\n"
+      "scene = poinsot.load('root/usr/share/poinsot/scenes/football.toml')\n"
+      "assert '/root/usr/lib/' in poinsot.__file__, poinsot.__file__\n"
+      "assert scene.render(size=(96, 54)).shape == (54, 96, 3)\n"
+      "scene.film('python.mp4', size=(96, 54), frames=(0, 2), jobs=1)\n"
+      "END\n"
+      "PATH=$PWD/root/usr/bin:$PATH PYTHONPATH=root/usr/lib/python3/dist-packages /usr/bin/python3 -B try.py\n"
+      "cmp film.mp4 python.mp4");
+#endif
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reading scenes: from files, texts and dictionaries, and what is wrong with them."""
+
+import tomllib
+
+import numpy as np
+import pytest
+
+import poinsot
+from poinsot import _toml
+
+OWN = {"body": {"principal_moments": [1, 2, 2.5]}, "motion": {"omega_body": [0.05, "20 rpm", 0]}}
+
+
+def test_a_dictionary_is_the_scene_that_its_text_is():
+    text = '[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [0.05, "20 rpm", 0]\n'
+    assert poinsot.loads(OWN).info() == poinsot.loads(text).info()
+
+
+@pytest.mark.parametrize(
+    "it",
+    [True, 3, -2.5, 1e300, 5e-324, float("inf"), "", 'q"uo\\te\n\t\x01\x7f ω', [1, [2.5, "x"]], {"a b": {"c": [False]}}],
+)
+def test_values_are_written_as_toml_reads_them(it):  # oracle: Python's own reader
+    assert tomllib.loads(_toml.document({"key": it, "table": {"of": it}})) == {"key": it, "table": {"of": it}}
+
+
+def test_arrays_are_values():
+    assert tomllib.loads(_toml.document({"m": np.eye(2), "n": np.int64(3), "b": np.bool_(True)})) == {
+        "m": [[1.0, 0.0], [0.0, 1.0]],
+        "n": 3,
+        "b": True,
+    }
+
+
+def test_what_is_no_value_is_refused():
+    for it in (object(), None, 1j, {1: 2}):
+        with pytest.raises(poinsot.UsageError):
+            poinsot.loads({"body": {"mass": it}})
+
+
+def test_a_mistake_has_its_place(tmp_path):
+    file = tmp_path / "spin.toml"
+    file.write_text("[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_bdoy = [1, 2, 3]\n")
+    with pytest.raises(poinsot.SceneError, match="did you mean motion.omega_body") as caught:
+        poinsot.load(file)
+    assert isinstance(caught.value, ValueError)
+    places = [(one.file, one.line, one.column) for one in caught.value.problems]
+    assert places == [(str(file), 3, 2), (str(file), 4, 1)]  # [motion] lacks a start, and the key is none
+    with pytest.raises(poinsot.SceneError, match="no_such.toml"):
+        poinsot.load(tmp_path / "no_such.toml")
+
+
+def test_overrides_are_above_the_file_and_replace_is_above_them(racket):
+    assert racket.size == (160, 90)
+    dark = racket.replace({"style.theme": "dark", "output.size": [64, 48]})
+    assert dark.size == (64, 48)
+    assert racket.size == (160, 90)
+    with pytest.raises(poinsot.SceneError) as caught:
+        racket.replace({"motion.omega_body": [1, 2]})
+    assert caught.value.problems[0].line == 0
+
+
+def test_limits_hold_and_can_be_raised():
+    long = {**OWN, "time": {"duration": 5000}}
+    with pytest.raises(poinsot.SceneError, match="duration: must be from 0.001 to 3600 s"):
+        poinsot.loads(long)
+    assert poinsot.loads(long, limits={"duration": 6000, "frames": 200_000}).frame_count == 150_000
+    with pytest.raises(poinsot.UsageError, match="no_such"):
+        poinsot.loads(OWN, limits={"no_such": 3})
+
+
+def test_files_that_a_scene_names_lie_in_its_folder_or_an_asset_root(tmp_path):
+    (tmp_path / "own.toml").write_text('[style]\ntheme = "dark"\n')
+    styled = {**OWN, "style": {"file": "own.toml"}}
+    with pytest.raises(poinsot.SceneError, match="own.toml"):
+        poinsot.loads(styled, folder=tmp_path / "elsewhere")
+    for scene in (
+        poinsot.loads(styled, folder=tmp_path),
+        poinsot.loads(styled, folder=tmp_path / "elsewhere", asset_roots=[tmp_path]),
+    ):
+        assert scene.render(0, size=(32, 32)).mean() < 100  # dark paper
+        scene.save(tmp_path / "still.png", 0, size=(32, 32))
+        (tmp_path / "still.png").unlink()
+
+
+def test_what_a_scene_says_of_itself(racket):
+    assert (racket.name, racket.duration, racket.fps, racket.frame_count) == ("tennis_racket", 14, 30, 420)
+    assert racket.motion_time(10.0) == pytest.approx(9.0)  # at speed 0.9
+    assert racket.motion_time([[0, 1], [2, 3]]).shape == (2, 2)
+    assert racket.info()["body_flips"] is True
+    assert "racket" in racket.alt_text()
+    assert "tennis_racket" in repr(racket)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The motion as arrays, against integrations and closed forms worked out here, and against the program's table."""
+
+import numpy as np
+import pytest
+
+import poinsot
+
+MOMENTS = np.array([1.0, 2.0, 3.0])
+START = np.array([0.3, 2.0, 0.1])
+
+
+def free(**motion):
+    return poinsot.loads({"body": {"principal_moments": list(MOMENTS)}, "motion": {"omega_body": list(START), **motion}})
+
+
+def euler(omega):
+    """Eq 24 to 26 without torque."""
+    return np.cross(MOMENTS * omega, omega) / MOMENTS
+
+
+def test_omega_is_what_eulers_equations_give():
+    step, steps = 1e-3, 5000
+    omega, all_omega = START, [START]
+    for _ in range(steps):  # Runge-Kutta of fourth order
+        a = euler(omega)
+        b = euler(omega + step / 2 * a)
+        c = euler(omega + step / 2 * b)
+        d = euler(omega + step * c)
+        omega = omega + step / 6 * (a + 2 * b + 2 * c + d)
+        all_omega.append(omega)
+    motion = free().trajectory(np.arange(steps + 1) * step)
+    assert np.abs(motion.omega_B - all_omega).max() < 1e-10  # 6e-12, the integration's own error
+
+
+def test_the_attitude_follows_omega():
+    t, h = np.linspace(0, 20, 50), 1e-5
+    scene = free()
+    before, now, after = (scene.trajectory(t + shift) for shift in (-h, 0, h))
+    rate_W = (after.R_WB - before.R_WB) / (2 * h) @ np.swapaxes(now.R_WB, -1, -2)
+    omega_W = np.stack([rate_W[:, 2, 1], rate_W[:, 0, 2], rate_W[:, 1, 0]], axis=-1)
+    assert np.abs(omega_W - now.omega_W).max() < 1e-8  # 5e-10: differences of second order
+
+
+def test_what_is_kept_is_kept():
+    motion = free().trajectory(np.linspace(-1e6, 1e6, 1001))
+    assert np.abs(motion.L_W - motion.L_W[0]).max() < 1e-13
+    assert np.ptp(motion.T) < 1e-13
+    assert np.abs(motion.L_B - MOMENTS * motion.omega_B).max() < 1e-13
+    assert np.abs(motion.R_WB @ np.swapaxes(motion.R_WB, -1, -2) - np.eye(3)).max() < 1e-14
+    w, x, y, z = motion.q_WB.T
+    assert np.abs(1 - 2 * (y * y + z * z) - motion.R_WB[:, 0, 0]).max() < 1e-14
+    assert np.abs(2 * (x * y - w * z) - motion.R_WB[:, 0, 1]).max() < 1e-14
+
+
+def test_a_symmetric_top_precesses_at_L_over_I1():  # eq 20
+    scene = poinsot.loads({"body": {"principal_moments": [2, 2, 3]}, "motion": {"omega_body": [0.5, 0, 4]}})
+    motion = scene.trajectory([0.0, 1.7])
+    L = np.linalg.norm([2 * 0.5, 0, 3 * 4])
+    axis = motion.L_W[0] / L
+    k = motion.R_WB[:, :, 2]
+    angle = L / 2 * 1.7
+    turned = k[0] * np.cos(angle) + np.cross(axis, k[0]) * np.sin(angle) + axis * (axis @ k[0]) * (1 - np.cos(angle))
+    assert np.abs(turned - k[1]).max() < 1e-14
+
+
+def test_the_rows_are_those_of_the_programs_table(tmp_path, program, racket):
+    times = [0.0, -3.5, 1e6]
+    table = program("trajectory", "scenes/tennis_racket.toml", "--at=0,-3.5,1e6").decode().splitlines()
+    rows = np.array([[float(word) for word in line.split(",")] for line in table[1:]])
+    motion = racket.trajectory(times)
+    own = np.column_stack([motion.t, motion.q_WB, motion.omega_B, motion.omega_W, motion.L_W, motion.T])
+    assert np.array_equal(own, rows)  # to the last bit
+
+
+def test_arrays_have_the_shape_of_the_times():
+    scene = free()
+    one, grid, none = scene.trajectory(2.0), scene.trajectory(np.zeros((4, 5))), scene.trajectory([])
+    assert (one.T.shape, one.omega_B.shape, one.R_WB.shape) == ((), (3,), (3, 3))
+    assert (grid.T.shape, grid.q_WB.shape, grid.R_WB.shape) == ((4, 5), (4, 5, 4), (4, 5, 3, 3))
+    assert (none.T.shape, none.omega_B.shape, len(none)) == ((0,), (0, 3), 0)
+
+
+def test_bad_and_far_times():
+    with pytest.raises(poinsot.UsageError):
+        free().trajectory([0, np.nan])
+    with pytest.warns(UserWarning, match="no longer exact"):
+        free().trajectory(1e18)
+    with pytest.raises(poinsot.LimitError, match="steps"):
+        poinsot.loads(
+            {"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [1, 2, 3], "drag": {"rate": [0.1, 0.2, 0.3]}}},
+            limits={"steps": 100},
+        ).trajectory(1e3)

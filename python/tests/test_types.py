@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The types: strict within, complete for users, and the stubs of the module name what it has."""
+
+import ast
+import os
+import subprocess
+from pathlib import Path
+
+import poinsot
+from poinsot import _core
+
+PACKAGE = Path(poinsot.__file__).parent
+
+
+def mypy(*words, cwd):
+    environment = {**os.environ, "MYPY_CACHE_DIR": str(cwd / "cache")}
+    command = ["/usr/bin/python3", "-m", "mypy", "--strict", *words]
+    return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True)
+
+
+def test_the_package_and_its_users_are_checked(tmp_path):
+    (tmp_path / "user.py").write_text(
+        "import poinsot\n"
+        "scene = poinsot.load('a.toml', {'style.theme': 'dark'})\n"
+        "count: int = scene.frame_count\n"
+        "scene.film('a.mp4', progress=lambda done, total: print(done / total))\n"
+        "x = scene.trajectory([1, 2]).omega_B + 1.0\n"
+        "scene.render(size=3)\n"
+    )
+    said = mypy("user.py", cwd=tmp_path)
+    assert said.stdout.count("error:") == 1 and 'user.py:6: error: Argument "size"' in said.stdout, said.stdout
+    within = mypy("-p", "poinsot", cwd=tmp_path)
+    assert within.returncode == 0, within.stdout
+
+
+def names(of):
+    return {name for name in vars(of) if not name.startswith("_")}
+
+
+def test_the_stubs_name_what_the_module_has():
+    stub = ast.parse((PACKAGE / "_core.pyi").read_text())
+    classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
+    values = {node.target.id for node in stub.body if isinstance(node, ast.AnnAssign)}
+    assert classes.keys() | values == names(_core)
+    for name, node in classes.items():
+        assert {part.name for part in node.body} == names(getattr(_core, name)), name
+
+
+def test_what_is_public_has_a_docstring():
+    for name in poinsot.__all__:
+        thing = getattr(poinsot, name)
+        assert thing.__doc__, name
+        if isinstance(thing, type):
+            for part, value in vars(thing).items():
+                if not part.startswith("_") and (callable(value) or isinstance(value, property)):
+                    assert value.__doc__, f"{name}.{part}"
