@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <system_error>
 
+#include "app/user_file.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
@@ -18,13 +18,6 @@ namespace fs = std::filesystem;
 using scene::Limits;
 using scene::Node;
 
-/// Of an environment variable; empty unless it is an absolute path, as the XDG specification has it.
-fs::path folderNamed(const char* variable) {
-  const char* value = std::getenv(variable);
-  const fs::path folder = value ? value : "";
-  return folder.is_absolute() ? folder : fs::path();
-}
-
 void take(const Node& value, scene::Limit limit, Limits& limits) {
   if (const auto* number = value.as<std::int64_t>()) return limits.set(limit, *number);
   if (const auto* text = value.as<std::string>()) return limits.set(limit, std::string_view(*text));
@@ -34,11 +27,7 @@ void take(const Node& value, scene::Limit limit, Limits& limits) {
 
 }  // namespace
 
-fs::path userLimitsFile() {
-  fs::path folder = folderNamed("XDG_CONFIG_HOME");
-  if (const fs::path home = folderNamed("HOME"); folder.empty() && !home.empty()) folder = home / ".config";
-  return folder.empty() ? folder : folder / "poinsot" / "limits.toml";
-}
+fs::path userLimitsFile() { return userFile("limits.toml"); }
 
 Limits limitsOf(const fs::path& file) {
   Limits limits;

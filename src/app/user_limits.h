@@ -7,8 +7,7 @@
 
 namespace poinsot::app {
 
-/// Where a user keeps limits of his own: $XDG_CONFIG_HOME/poinsot/limits.toml, else ~/.config/poinsot/limits.toml;
-/// empty where the environment names neither folder.
+/// Where a user keeps limits of his own: userFile() of the name limits.toml.
 std::filesystem::path userLimitsFile();
 
 /// The usual limits with those of a file above them: keys are names of limits, values whole numbers or sizes as

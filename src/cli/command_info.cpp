@@ -4,6 +4,7 @@
 
 #include "app/alt_text.h"
 #include "app/report_scene.h"
+#include "app/report_units.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -24,7 +25,10 @@ int info(const InfoOptions& options) {
     return kDone;
   }
   const app::Report report = app::sceneReport(loadScene(options));
-  writeOut(options.json ? app::reportJson(report) : app::reportTable(report));
+  if (options.json)
+    writeOut(app::reportJson(report));
+  else
+    writeOut(app::reportTable(app::inUnits(report, app::defaultsOf(app::userDefaultsFile()).units)));
   return kDone;
 }
 

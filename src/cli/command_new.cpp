@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/new_scene.h"
 #include "cli/scene_options.h"
 #include "cli/scenes_place.h"
 #include "core/error.h"
@@ -22,9 +23,6 @@
 #include "output/atomic_file.h"
 #include "scene/limits.h"
 #include "scene/reference.h"
-
-// Of new_scene.toml.
-extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];
 
 namespace poinsot::cli {
 namespace {
@@ -40,32 +38,8 @@ struct NewOptions {
   bool force = false;
 };
 
-bool isPlain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '-';
-}
-
-/// "My book" for "my_book"; a title is set in type, so that a name with other characters makes none.
-std::string titleOf(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  if (name.empty() || !std::ranges::all_of(name, isPlain)) return "A new scene";
-  if (name.front() >= 'a' && name.front() <= 'z') name.front() = static_cast<char>(name.front() - 'a' + 'A');
-  return name;
-}
-
-void replaceAll(std::string& text, std::string_view what, std::string_view with) {
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
-    text.replace(at, what.size(), with);
-}
-
-std::string blankScene(const std::string& name) {
-  std::string text(poinsot_new_scene, poinsot_new_scene_end);
-  replaceAll(text, "@NAME@", core::printable(name));
-  replaceAll(text, "@TITLE@", titleOf(name));
-  return text;
-}
-
 /// A scene of the gallery, which stands by itself: none of them names a file.
-std::string galleryScene(const std::string& name) {
+std::string galleryText(const std::string& name) {
   const std::vector<fs::path> scenes = scenesIn(scenesPlace());
   std::vector<std::string> names;
   for (const fs::path& scene : scenes) names.push_back(scene.stem().string());
@@ -85,7 +59,9 @@ int makeNew(const NewOptions& options) {
   if (!options.force && fs::exists(fs::symlink_status(file, ignored)))
     throw Error(ErrorKind::kIo,
                 fmt::format("{}: is there already; --force replaces it", core::printable(file.string())));
-  const std::string scene = options.from.empty() ? blankScene(file.stem().string()) : galleryScene(options.from);
+  const app::UserDefaults defaults = app::defaultsOf(app::userDefaultsFile());
+  const std::string scene = options.from.empty() ? blankScene(file.stem().string(), defaults)
+                                                 : galleryScene(galleryText(options.from), defaults);
   // The first line is for editors that know Taplo (VS Code with Even Better TOML, Helix, Neovim).
   output::writeFileAtomically(output::folderOf(file) / kSchemaName, scene::schemaJson());
   output::writeFileAtomically(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));
@@ -112,7 +88,8 @@ void addNew(CLI::App& program, Action& chosen) {
   command->footer(
       "Examples:\n"
       "  poinsot new book\n"
-      "  poinsot new lectures/throw --from football");
+      "  poinsot new lectures/throw --from football\n"
+      "~/.config/poinsot/defaults.toml says what every new scene has (docs/defaults.md).");
   command->callback([options, &chosen] { chosen = [options] { return makeNew(*options); }; });
 }
 

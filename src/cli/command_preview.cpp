@@ -48,6 +48,7 @@ int preview(const PreviewOptions& options) {
                                  .overrides = options.overrides,
                                  .allowance = granted(options),
                                  .filmWords = allowanceWords(options),
+                                 .units = app::defaultsOf(app::userDefaultsFile()).units,
                                  .backend = gl::Backend::kAuto,
                                  .port = options.port});
   writeOut(

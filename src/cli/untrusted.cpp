@@ -2,6 +2,7 @@
 #include "cli/untrusted.h"
 
 #include "app/supervisor.h"
+#include "app/user_defaults.h"
 #include "app/user_limits.h"
 #include "cli/exit_code.h"
 #include "output/atomic_file.h"
@@ -26,7 +27,7 @@ app::Confinement confinementOf(const Reach& reach, const scene::Limits& limits) 
     sandbox.read.push_back(output::folderOf(scene));
   }
   for (const std::string& input : reach.inputs) sandbox.read.emplace_back(input);
-  sandbox.read.push_back(app::userLimitsFile());  // the user's own
+  for (const auto& own : {app::userLimitsFile(), app::userDefaultsFile()}) sandbox.read.push_back(own);
   for (const std::string& file : reach.outputs)
     if (isFile(file)) sandbox.write.push_back(output::folderOf(file));
   for (const std::string& folder : reach.made) {

@@ -11,6 +11,7 @@
 
 #include "app/frame_clock.h"
 #include "app/report_scene.h"
+#include "app/report_units.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/state_quantity.h"
@@ -32,9 +33,10 @@ json quantityJson(const scene::StateQuantity& quantity) {
 }
 
 /// What `info` prints, as sections.
-json physicsOf(const scene::Scene& scene) {
+json physicsOf(const scene::Scene& scene, const app::UnitChoice& units) {
   json sections = json::array();
-  for (const app::Section& section : app::sceneReport(scene).sections) {
+  const app::Report report = app::inUnits(app::sceneReport(scene), units);
+  for (const app::Section& section : report.sections) {
     if (section.facts.empty()) continue;
     json facts = json::array();
     for (const app::Fact& fact : section.facts)
@@ -46,7 +48,7 @@ json physicsOf(const scene::Scene& scene) {
 
 double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
 
-json filmOf(const scene::Scene& scene) {
+json filmOf(const scene::Scene& scene, const app::UnitChoice& units) {
   json quantities = json::array();
   for (const scene::StateQuantity& quantity : scene::stateQuantities())
     quantities.push_back(quantityJson(quantity));
@@ -58,7 +60,7 @@ json filmOf(const scene::Scene& scene) {
            {{"azimuth", degrees(scene.camera.azimuth_rad)},
             {"elevation", degrees(scene.camera.elevation_rad)},
             {"zoom", scene.camera.zoom}}},
-          {"physics", physicsOf(scene)},
+          {"physics", physicsOf(scene, units)},
           {"quantities", std::move(quantities)}};
 }
 
@@ -76,9 +78,9 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 
 }  // namespace
 
-std::string sceneJson(const SceneVersion& version) {
+std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units) {
   json all{{"version", version.number}, {"error", version.error}, {"file", version.request.fileName}};
-  if (version.scene) all["film"] = filmOf(*version.scene);
+  if (version.scene) all["film"] = filmOf(*version.scene, units);
   return text(all);
 }
 

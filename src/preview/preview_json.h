@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/user_defaults.h"
 #include "preview/film_errand.h"
 #include "preview/watched_scene.h"
 
@@ -11,7 +12,8 @@
 namespace poinsot::preview {
 
 /// Number, mistake; of the last scene without one its film, its size, the physics and the quantities to plot.
-std::string sceneJson(const SceneVersion& version);
+/// @param units  that the physics is told in.
+std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units);
 
 /// Quantities of the motion over the film, by their names in a scene: times and values, at most a thousand of
 /// each.

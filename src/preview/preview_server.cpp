@@ -167,7 +167,7 @@ class PreviewServer::Site {
     });
     server_.Get(root + "/scene", [this](const Request& request, Response& response) {
       const auto known = static_cast<int>(number(request, "after").value_or(-1));
-      json(response, sceneJson(scene_.after(known, kLongestWait)));
+      json(response, sceneJson(scene_.after(known, kLongestWait), request_.units));
     });
     server_.Get(root + "/picture",
                 [this](const Request& request, Response& response) { picture(request, response); });

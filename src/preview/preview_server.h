@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/user_defaults.h"
 #include "gl/offscreen_context.h"
 #include "scene/limits.h"
 
@@ -15,6 +16,7 @@ struct PreviewRequest {
   std::vector<std::string> overrides;  ///< after -D
   scene::Allowance allowance;
   std::vector<std::string> filmWords = {};  ///< besides file and overrides, for `poinsot render`
+  app::UnitChoice units = {};               ///< that the physics is told in
   gl::Backend backend = gl::Backend::kAuto;
   int port = 0;  ///< 0: any that is free
 };

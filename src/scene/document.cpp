@@ -2,6 +2,7 @@
 #include "scene/document.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -100,6 +101,18 @@ std::string messageOf(const toml::parse_error& error) {
   throw std::logic_error("unreachable");
 }
 
+std::string tomlString(std::string_view text) {
+  std::string all = "\"";
+  for (const char c : text)
+    if (c == '"' || c == '\\')
+      all += {'\\', c};
+    else if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
+      all += fmt::format("\\u{:04X}", c);
+    else
+      all += c;
+  return all + '"';
+}
+
 }  // namespace
 
 Node parseDocument(const Source& source, const Limits& limits) {
@@ -109,6 +122,21 @@ Node parseDocument(const Source& source, const Limits& limits) {
   } catch (const toml::parse_error& error) {
     refuse(placeOf(error, source), messageOf(error));
   }
+}
+
+std::string tomlText(const Node& node) {
+  if (const auto* text = node.as<std::string>()) return tomlString(*text);
+  if (const auto* array = node.as<Node::Array>()) {
+    std::vector<std::string> parts;
+    for (const Node& element : *array) parts.push_back(tomlText(element));
+    return fmt::format("[{}]", fmt::join(parts, ", "));
+  }
+  if (const auto* table = node.as<Node::Table>()) {
+    std::vector<std::string> parts;
+    for (const Entry& entry : *table) parts.push_back(tomlString(entry.key) + " = " + tomlText(entry.value));
+    return fmt::format("{{{}}}", fmt::join(parts, ", "));
+  }
+  return describe(node);  // true, 3, 0.5
 }
 
 std::string describe(const Node& node) {

@@ -39,6 +39,9 @@ struct Entry {
 /// @throws SceneErrors with the one problem that stopped it: a syntax error, a key given twice, a limit.
 Node parseDocument(const Source& source, const Limits& limits = {});
 
+/// The value as TOML, on one line. @pre it holds no date or time.
+std::string tomlText(const Node& node);
+
 /// What was got, for a message: `"abc"`, `3.5`, `an array of 2`; safe to print.
 std::string describe(const Node& node);
 

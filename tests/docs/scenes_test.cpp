@@ -10,6 +10,7 @@
 
 #include "app/golden_manifest.h"
 #include "app/scene_request.h"
+#include "app/user_defaults.h"
 #include "app/user_limits.h"
 #include "core/error.h"
 #include "docs/pages.h"
@@ -63,6 +64,19 @@ std::string problemOfGoldens(const std::string& toml) {
   }
 }
 
+/// A user's defaults.toml.
+bool isDefaults(const std::string& toml) { return toml.starts_with("[units]\n"); }
+
+std::string problemOfDefaults(const std::string& toml) {
+  const ScratchFolder folder;
+  try {
+    app::defaultsOf(folder.put("defaults.toml", toml));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 std::string problemOfLimits(const std::string& toml) {
   const ScratchFolder folder;
   try {
@@ -77,6 +91,7 @@ std::string problemOfLimits(const std::string& toml) {
 std::string problem(const std::string& toml) {
   if (isSuite(toml)) return problemOfGoldens(toml);
   if (isLimits(toml)) return problemOfLimits(toml);
+  if (isDefaults(toml)) return problemOfDefaults(toml);
   try {
     app::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
     return "";
@@ -106,7 +121,10 @@ TEST(DocsScenes, EveryTomlBlockWorks) {
   int whole = 0;
   for (const fs::path& page : pages())
     for (const std::string& block : tomlBlocks(textOf(page))) {
-      EXPECT_EQ(problem(isWhole(block) || isSuite(block) || isLimits(block) ? block : madeWhole(block)), "")
+      EXPECT_EQ(
+          problem(isWhole(block) || isSuite(block) || isLimits(block) || isDefaults(block) ? block
+                                                                                           : madeWhole(block)),
+          "")
           << page.filename() << ":\n"
           << block;
       whole += isWhole(block) ? 1 : 0;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/new_scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <vector>
+
+#include "app/scene_request.h"
+#include "core/text.h"
+#include "scene/problem.h"
+
+// Of new_scene.toml.
+extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];
+
+namespace poinsot::cli {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+bool isPlain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '-';
+}
+
+/// "My book" for "my_book"; a title is set in type, so that a name with other characters makes none.
+std::string titleOf(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  if (name.empty() || !std::ranges::all_of(name, isPlain)) return "A new scene";
+  if (name.front() >= 'a' && name.front() <= 'z') name.front() = static_cast<char>(name.front() - 'a' + 'A');
+  return name;
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+}
+
+/// A quantity of the blank scene as a TOML value, to three digits where it is converted.
+std::string inUnit(const std::string& quantity, scene::Dimension dimension, const app::UnitChoice& units) {
+  const bool bare = quantity.find(' ') == quantity.npos;
+  const auto choice = units.find(dimension);
+  if (choice == units.end()) return bare ? quantity : '"' + quantity + '"';
+  const std::string_view si = scene::siUnit(dimension);
+  const double value = scene::parseQuantity(bare ? fmt::format("{} {}", quantity, si) : quantity, dimension).value;
+  return fmt::format("\"{:.3g} {}\"", value / scene::unitFactor(choice->second, dimension), choice->second);
+}
+
+/// "@length:24 cm@" stands for a quantity.
+void setQuantities(std::string& text, const app::UnitChoice& units) {
+  for (const scene::Dimension dimension : scene::dimensions()) {
+    const std::string mark = "@" + app::dimensionWord(dimension) + ":";
+    for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at)) {
+      const std::size_t begin = at + mark.size(), end = text.find('@', begin);
+      text.replace(at, end + 1 - at, inUnit(text.substr(begin, end - begin), dimension, units));
+    }
+  }
+}
+
+Lines linesOf(std::string_view text) {
+  Lines lines;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+    end = std::min(text.find('\n', begin), text.size());
+    lines.emplace_back(text.substr(begin, end - begin));
+  }
+  return lines;
+}
+
+/// The table of a line "[show.body]", perhaps with a comment; none for another line.
+std::optional<std::string> headerOf(const std::string& line) {
+  if (!line.starts_with('[') || line.starts_with("[[")) return std::nullopt;
+  return line.substr(1, line.find(']') - 1);
+}
+
+/// The line of the deepest table that the key lies in, or the end.
+std::size_t tableLine(const Lines& lines, const std::string& path) {
+  std::size_t deepest = lines.size(), depth = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (const auto header = headerOf(lines[i]);
+        header && path.starts_with(*header + ".") && header->size() > depth) {
+      deepest = i;
+      depth = header->size();
+    }
+  return deepest;
+}
+
+/// Whether the line has the key of this name, or in a comment offers it.
+bool names(std::string_view line, const std::string& name, bool offers) {
+  if (offers && line.starts_with("# ")) line.remove_prefix(2);
+  return line.starts_with(name + " =") || line.starts_with(name + "=");
+}
+
+bool hasKey(std::string_view text, const std::string& path) {
+  const Lines lines = linesOf(text);
+  const std::size_t header = tableLine(lines, path);
+  if (header == lines.size()) return false;
+  const std::string name = path.substr(headerOf(lines[header])->size() + 1);
+  for (std::size_t i = header + 1; i < lines.size() && !lines[i].starts_with('['); ++i)
+    if (names(lines[i], name, false)) return true;
+  return false;
+}
+
+bool isGood(const std::string& text) {
+  try {
+    app::loadRequested({"scene.toml", text, {}, std::nullopt, {}});
+    return true;
+  } catch (const scene::SceneErrors&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::string withKey(std::string_view text, const app::DefaultKey& key) {
+  Lines lines = linesOf(text);
+  const std::size_t header = tableLine(lines, key.path);
+  if (header == lines.size()) {
+    const std::size_t dot = key.path.find('.');
+    lines.insert(lines.end(), {"", fmt::format("[{}]", key.path.substr(0, dot)),
+                               fmt::format("{} = {}", key.path.substr(dot + 1), key.value)});
+    return fmt::format("{}\n", fmt::join(lines, "\n"));
+  }
+  const std::string name = key.path.substr(headerOf(lines[header])->size() + 1);
+  const std::string line = fmt::format("{} = {}", name, key.value);
+  std::size_t i = header + 1;
+  while (i < lines.size() && !lines[i].starts_with('[') && !names(lines[i], name, true)) ++i;
+  if (i < lines.size() && names(lines[i], name, true))
+    lines[i] = line;
+  else
+    lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(header) + 1, line);
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+std::string blankScene(const std::string& name, const app::UserDefaults& defaults) {
+  std::string text(poinsot_new_scene, poinsot_new_scene_end);
+  setQuantities(text, defaults.units);
+  for (const app::DefaultKey& key : defaults.keys) text = withKey(text, key);
+  replaceAll(text, "@NAME@", core::printable(name));
+  replaceAll(text, "@TITLE@", titleOf(name));
+  return text;
+}
+
+std::string galleryScene(std::string text, const app::UserDefaults& defaults) {
+  for (const app::DefaultKey& key : defaults.keys) {
+    if (hasKey(text, key.path)) continue;
+    if (std::string with = withKey(text, key); isGood(with)) text = std::move(with);
+  }
+  return text;
+}
+
+}  // namespace poinsot::cli
