@@ -48,6 +48,20 @@ json physicsOf(const scene::Scene& scene, const app::UnitChoice& units) {
 
 double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
 
+json cameraJson(const scene::Camera& camera) {
+  return {{"azimuth", degrees(camera.azimuth_rad)},
+          {"elevation", degrees(camera.elevation_rad)},
+          {"zoom", camera.zoom}};
+}
+
+/// Of those that can be looked at alone.
+json viewsOf(const scene::Scene& scene) {
+  json views = json::array();
+  for (const scene::View& view : scene.views)
+    views.push_back({{"title", view.title}, {"camera", cameraJson(view.camera)}});
+  return views;
+}
+
 json filmOf(const scene::Scene& scene, const app::UnitChoice& units) {
   json quantities = json::array();
   for (const scene::StateQuantity& quantity : scene::stateQuantities())
@@ -56,10 +70,9 @@ json filmOf(const scene::Scene& scene, const app::UnitChoice& units) {
           {"fps", static_cast<double>(scene.time.fps.num) / static_cast<double>(scene.time.fps.den)},
           {"duration_s", scene.time.duration_s},
           {"size", {scene.output.width, scene.output.height}},
-          {"camera",
-           {{"azimuth", degrees(scene.camera.azimuth_rad)},
-            {"elevation", degrees(scene.camera.elevation_rad)},
-            {"zoom", scene.camera.zoom}}},
+          {"camera", cameraJson(scene.camera)},
+          {"panels", scene.views.size() + scene.plots.size()},
+          {"views", viewsOf(scene)},
           {"physics", physicsOf(scene, units)},
           {"quantities", std::move(quantities)}};
 }
@@ -81,6 +94,8 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units) {
   json all{{"version", version.number}, {"error", version.error}, {"file", version.request.fileName}};
   if (version.scene) all["film"] = filmOf(*version.scene, units);
+  // Views have tables of their own, where they do not come from camera.frames.
+  all["viewTables"] = version.request.text.find("[[view]]") != std::string::npos;
   return text(all);
 }
 

@@ -9,8 +9,11 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 
+#include "app/trajectory_number.h"
 #include "core/base64.h"
 #include "core/error.h"
 #include "preview/film_errand.h"
@@ -70,6 +73,20 @@ void refuse(Response& response, int status, const std::string& why) {
   response.set_content(why + "\n", "text/plain; charset=utf-8");
 }
 
+/// Azimuth and elevation in degrees, and zoom; nothing where they are not given, or no camera's.
+std::optional<Turn> turnAsked(const Request& request) {
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto value = app::parseNumber(request.get_param_value("turn", i));
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    values.at(i) = *value;
+  }
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto [azimuth, elevation, zoom] = values;
+  if (std::abs(azimuth) > 360 || std::abs(elevation) > 90 || !(zoom > 0.01 && zoom < 100)) return std::nullopt;
+  return Turn{azimuth * kDegree, elevation * kDegree, zoom};
+}
+
 /// Nothing, after it was refused.
 std::optional<PictureAsk> pictureAsk(const Request& request, Response& response) {
   const auto frame = number(request, "frame"), width = number(request, "width"),
@@ -88,6 +105,8 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
     refuse(response, 400, fmt::format("a picture has a frame, and sides from {} to {}", kLeastSide, kMostSide));
     return std::nullopt;
   }
+  if (const auto view = number(request, "view"); view && *view >= 0) ask.view = static_cast<std::size_t>(*view);
+  ask.turn = turnAsked(request);
   ask.frame = *frame;
   ask.size = {static_cast<int>(*width), static_cast<int>(*height)};
   return ask;

@@ -114,6 +114,14 @@ def check(page, scene, screenshot):
     page.find('back').click()
     until('the camera is back', lambda: page.picture() == first)
 
+    scene.write_text(SCENE + '[camera]\nframes = ["space", "body"]\n')
+    until('two views', lambda: page.find('view').is_displayed() and page.shown()['version'] > before and page.picture() != first)
+    both = page.picture()
+    page.driver.execute_script('const view = document.getElementById("view"); view.value = "1"; view.onchange();')
+    until('one of them', lambda: page.picture() not in (both, first))
+    scene.write_text(SCENE)
+    until('one view', lambda: not page.find('view').is_displayed() and page.picture() == first)
+
     page.find('film').click()
     until('the film', lambda: page.find('filmState').text in ('ready', 'failed'), 120)
     assert page.find('filmState').text == 'ready', page.find('error').text

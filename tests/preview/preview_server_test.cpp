@@ -92,6 +92,25 @@ TEST_F(Preview, TellsTheFilmAndThePhysics) {
   EXPECT_NEAR(series["series"][1]["values"].back().get<double>(), (0.01 + 2 * 9 + 3 * 0.01) / 2, 1e-12);
 }
 
+TEST_F(Preview, ShowsOneViewOfSeveral) {
+  const std::string one = "[[view]]\ncamera.azimuth = \"40 deg\"\n",
+                    other = "[[view]]\ntitle = \"Body\"\ncamera.frame = \"body\"\ncamera.elevation = \"8 deg\"\n",
+                    plot = "[[plot]]\nquantities = [\"omega_2\"]\n";
+  save("a.toml", kScene + one + other + plot);
+  const json film = scene(1)["film"];
+  EXPECT_EQ(film["panels"], 3);
+  EXPECT_EQ(film["views"][1]["title"], "Body");
+  EXPECT_NEAR(film["views"][1]["camera"]["elevation"].get<double>(), 8, 1e-12);
+  const std::string alone = picture(30, "&view=1"), turned = picture(30, "&view=1&turn=-20&turn=30&turn=1.5");
+  const auto refused = get("picture?frame=0&width=320&height=180&view=2");
+  EXPECT_EQ(refused->status, 422);
+  save("a.toml", kScene + other);  // as if there were no others
+  expectSamePicture(alone, "--time 1");
+  expectSamePicture(turned,
+                    "--time 1 -D 'view[0].camera.azimuth=\"-20 deg\"' -D 'view[0].camera.elevation=\"30 deg\"' "
+                    "-D 'view[0].camera.zoom=1.5'");
+}
+
 TEST_F(Preview, FollowsTheFile) {
   const int first = scene(-1)["version"];
   std::thread editor([this] {
