@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""docs/ as a site that is read without a network: `./poinsot docs`.
+
+    python3 -B docs/site --program build/bin/poinsot --work build/site --out out/site
+"""
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import films
+import links
+import pages
+import theme
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog='./poinsot docs', description='docs/ as a site that is read without a network')
+    parser.add_argument('--program', required=True, help=argparse.SUPPRESS)
+    parser.add_argument('--work', type=pathlib.Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument('--root', type=pathlib.Path, default=HERE.parents[1], help=argparse.SUPPRESS)
+    parser.add_argument('-o', '--out', type=pathlib.Path, default='out/site', help='where to (default: out/site)')
+    parser.add_argument('--draft', action='store_true', help='one film of three frames stands for all of the gallery')
+    return parser.parse_args()
+
+
+def make_media(options, media):
+    """The films of the gallery, each with the picture that stands for it until it plays."""
+    print('poinsot: making the films of the gallery', file=sys.stderr)
+    media.mkdir(parents=True, exist_ok=True)
+    scenes = sorted(options.root.glob('scenes/*.toml'))
+    for scene in scenes:
+        film = media / f'{scene.stem}.mp4'
+        if options.draft and scene != scenes[0]:
+            shutil.copyfile(media / f'{scenes[0].stem}.mp4', film)
+        else:
+            films.make(options.program, scene, film, **({'count': 3} if options.draft else {}))
+        shutil.copyfile(options.root / f'docs/images/gallery/{scene.stem}.png', film.with_suffix('.png'))
+    return {scene.stem: films.in_words(options.program, scene) for scene in scenes}
+
+
+def main():
+    options = arguments()
+    films_folder = options.work / ('draft' if options.draft else 'films')
+    words = make_media(options, films_folder)
+    staged = options.work / 'pages'
+    pages.Pages(options.root, staged, words).stage()
+    shutil.copy(HERE / 'conf.py', staged)
+    for folder in (HERE / 'static', films_folder):
+        shutil.copytree(folder, staged / 'static', ignore=shutil.ignore_patterns('*.srt', '*.vtt'), dirs_exist_ok=True)
+    shutil.rmtree(options.out, ignore_errors=True)
+    told = subprocess.run([sys.executable, '-B', '-m', 'sphinx', '-q', '-W', '--keep-going', '-j', str(os.cpu_count()),
+                           '-d', options.work / 'doctrees', '-b', 'html', staged, options.out])
+    theme.make_whole(options.out / '_static')
+    wrong = links.broken(options.out)
+    print(*wrong, sep='\n', end='\n' if wrong else '', file=sys.stderr)
+    if told.returncode or wrong:
+        sys.exit('poinsot: the site has broken links or pages')
+    print(f'poinsot: {options.out}/index.html is ready', file=sys.stderr)
+
+
+if __name__ == '__main__':
+    main()

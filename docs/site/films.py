@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The films of the gallery: of each scene some seconds about the instant that it calls telling, made by the program."""
+import pathlib
+import re
+import subprocess
+import tomllib
+
+FPS = 15
+SECONDS = 8
+
+
+def run(program, *words):
+    return subprocess.run([program, *map(str, words)], check=True, text=True, capture_output=True).stdout
+
+
+def in_words(program, scene):
+    """What is to be seen in the scene's picture; its lines are joined."""
+    return ' '.join(run(program, 'info', scene, '--alt').split())
+
+
+def frames(program, scene, count):
+    """First and last frame of the film's part that is shown: about time.still, or the middle."""
+    told = run(program, 'render', scene, '--fps', FPS, '--dry-run')
+    number = int(re.search(r': (\d+) frames', told)[1])
+    still = tomllib.loads(scene.read_text()).get('time', {}).get('still')
+    middle = number // 2 if still is None else round(float(str(still).split()[0]) * FPS)
+    first = max(0, min(middle - count // 2, number - count))
+    return first, min(first + count, number) - 1
+
+
+def make(program, scene, film, count=FPS * SECONDS):
+    """Makes the film, unless it is newer than the program and the scene."""
+    made_of = max(path.stat().st_mtime for path in (pathlib.Path(program), scene))
+    if film.exists() and film.stat().st_mtime > made_of:
+        return
+    first, last = frames(program, scene, count)
+    run(program, 'render', scene, '-o', film, '--force', '--quiet', '--size', '480x270', '--fps', FPS,
+        '-D', 'output.crf=26', '-D', 'output.effort=slow', '--frames', f'{first}-{last}')

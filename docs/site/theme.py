@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Debian's theme made whole: it takes a style sheet from the web server's root and a script as a module, and pages that are
+files have neither."""
+import pathlib
+import re
+
+IMPORTED_STYLE = re.compile(r'@import url\((/javascript/[^)]+)\);')
+IMPORTED_SCRIPT = re.compile(r'^import \w+ from "\./([^"]+)";$', re.M)
+
+
+def make_whole(static):
+    """Puts what the theme's files import in its place."""
+    styles, script = static / 'styles/furo.css', static / 'scripts/furo.js'
+    if styles.exists():
+        styles.write_text(IMPORTED_STYLE.sub(lambda match: pathlib.Path('/usr/share' + match[1]).read_text(), styles.read_text()))
+    if script.exists():
+        script.write_text(IMPORTED_SCRIPT.sub(lambda match: (script.parent / match[1]).read_text(), script.read_text()))
