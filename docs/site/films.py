@@ -19,11 +19,11 @@ def in_words(program, scene):
 
 
 def frames(program, scene, count):
-    """First and last frame of the film's part that is shown: about time.still, or the middle."""
+    """First and last frame of the film's part that is shown: about time.still, a third of the way if there is none."""
     told = run(program, 'render', scene, '--fps', FPS, '--dry-run')
     number = int(re.search(r': (\d+) frames', told)[1])
     still = tomllib.loads(scene.read_text()).get('time', {}).get('still')
-    middle = number // 2 if still is None else round(float(str(still).split()[0]) * FPS)
+    middle = number // 3 if still is None else round(float(str(still).split()[0]) * FPS)
     first = max(0, min(middle - count // 2, number - count))
     return first, min(first + count, number) - 1
 

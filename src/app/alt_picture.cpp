@@ -67,6 +67,7 @@ const std::vector<Thing>& thingsOfL() {
   static const std::vector<Thing> things{
       {"an arrow for L", [](const scene::Show& s) { return s.L.visible; }},
       {"the invariable plane at right angles to it", [](const scene::Show& s) { return s.plane.visible; }},
+      {"the plane through L and ω", [](const scene::Show& s) { return s.figures.planeOfL.visible; }},
       {"the height 2T/L of the centre", [](const scene::Show& s) { return s.plane.visible && s.height.visible; }},
       {"the space cone, which ω goes round", [](const scene::Show& s) { return s.figures.cones.visible; }},
       {"the angular momentum about the origin, with R × P and L as its parts",

@@ -67,6 +67,7 @@ TEST(AltText, OfASymmetricTop) {
   EXPECT_THAT(text, HasSubstr("once in " + rounded(info["wobble_period"]) +
                               " s, in the sense opposite to the spin"));  // prolate: Omega_p < 0
   EXPECT_LT(info["body_precession_rate"], 0);
+  EXPECT_THAT(text, HasSubstr("In blue: an arrow for L and the plane through L and ω."));  // show.plane_of_L
 }
 
 TEST(AltText, OfFlips) {
