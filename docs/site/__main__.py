@@ -43,8 +43,14 @@ def make_media(options, media):
     return {scene.stem: films.in_words(options.program, scene) for scene in scenes}
 
 
-def main():
-    options = arguments()
+def check_target(out):
+    """A folder that holds something else than a site is left as it is."""
+    if out.exists() and not (out / '_static/films.js').is_file() and (not out.is_dir() or any(out.iterdir())):
+        sys.exit(f'poinsot: error: {out}: is there, and is no site of this program; name another folder, or remove it')
+
+
+def stage(options):
+    """All that Sphinx reads, in one folder."""
     films_folder = options.work / ('draft' if options.draft else 'films')
     words = make_media(options, films_folder)
     staged = options.work / 'pages'
@@ -52,14 +58,29 @@ def main():
     shutil.copy(HERE / 'conf.py', staged)
     for folder in (HERE / 'static', films_folder):
         shutil.copytree(folder, staged / 'static', ignore=shutil.ignore_patterns('*.srt', '*.vtt'), dirs_exist_ok=True)
-    shutil.rmtree(options.out, ignore_errors=True)
+    return staged
+
+
+def build(staged, work):
+    """The site in a folder of `work`, when nothing is wrong with it."""
+    built = work / 'html'
+    shutil.rmtree(built, ignore_errors=True)
     told = subprocess.run([sys.executable, '-B', '-m', 'sphinx', '-q', '-W', '--keep-going', '-j', str(os.cpu_count()),
-                           '-d', options.work / 'doctrees', '-b', 'html', staged, options.out])
-    theme.make_whole(options.out / '_static')
-    wrong = links.broken(options.out)
+                           '-d', work / 'doctrees', '-b', 'html', staged, built])
+    theme.make_whole(built / '_static')
+    wrong = links.broken(built)
     print(*wrong, sep='\n', end='\n' if wrong else '', file=sys.stderr)
     if told.returncode or wrong:
-        sys.exit('poinsot: the site has broken links or pages')
+        sys.exit('poinsot: error: the site has broken links or pages')
+    return built
+
+
+def main():
+    options = arguments()
+    check_target(options.out)
+    built = build(stage(options), options.work)
+    shutil.rmtree(options.out, ignore_errors=True)
+    shutil.copytree(built, options.out)
     print(f'poinsot: {options.out}/index.html is ready', file=sys.stderr)
 
 

@@ -93,11 +93,23 @@ class AMistake(unittest.TestCase):
             page.write_text('# Page\n\n## Part\n\n[a](#part) [b](page.md#part) [c](page.md)\n')
             good = build(folder, '--root', root)
             self.assertEqual(good.returncode, 0, good.stderr)
+            before = (pathlib.Path(folder, 'site/docs/page.html')).read_text()
             for link in ('no_such_page.md', '../src/no_such.h', '#no-such-part', 'page.md#no-such-part', '../../outside.md'):
                 page.write_text(f'# Page\n\n[a]({link})\n')
                 bad = build(folder, '--root', root)
                 self.assertNotEqual(bad.returncode, 0, link)
                 self.assertIn(pathlib.PurePath(link).name, bad.stderr)
+            self.assertEqual((pathlib.Path(folder, 'site/docs/page.html')).read_text(), before, 'the site that was there stays')
+
+    def test_of_the_folder_costs_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, 'site').mkdir()
+            mine = pathlib.Path(folder, 'site/mine.txt')
+            mine.write_text('mine')
+            refused = build(folder)
+            self.assertNotEqual(refused.returncode, 0)
+            self.assertIn('is no site of this program', refused.stderr)
+            self.assertEqual(mine.read_text(), 'mine')
 
     def test_in_a_built_page_is_told(self):
         with tempfile.TemporaryDirectory() as folder:
