@@ -3,13 +3,16 @@
 
 Every page lies in the site where it lies in the repository, so that its links stay what they are. A file that a page
 links to and that is no page (a scene, a source) becomes one that shows it, a folder one that lists what is in it.
-Two things are shown otherwise than in a repository's browser: a row of the gallery is a card with a film, and of a
-paragraph that is nothing but a link into examples/ the file's text is part.
+Three things are shown otherwise than in a repository's browser: a row of the gallery is a card with a film, a table of
+keys has two columns (key_tables.py), and of a paragraph that is nothing but a link into examples/ the file's text is
+part.
 """
 import os
 import pathlib
 import re
 import shutil
+
+import key_tables
 
 LINK = re.compile(r'\]\(([^()#\s]+)(#[^()\s]*)?\)')
 TABLE = re.compile(r'^\| scene \| lesson \|\n\| --- \| --- \|\n((?:\|.*\n)+)', re.M)
@@ -63,7 +66,8 @@ class Pages:
         if place in self.staged:
             return place
         self.staged.add(place)
-        text = TABLE.sub(lambda table: cards(table[1], os.path.dirname(place)), (self.root / source).read_text())
+        text = key_tables.shown((self.root / source).read_text())
+        text = TABLE.sub(lambda table: cards(table[1], os.path.dirname(place)), text)
         self.write(place, '\n'.join(self.lines(text.split('\n'), source, place)))
         return place
 

@@ -4,6 +4,7 @@ files, films and search included. A broken link, heading or file is told.
 
     site_test.py SITE PROGRAM
 """
+import html
 import pathlib
 import re
 import subprocess
@@ -64,6 +65,15 @@ class TheSite(unittest.TestCase):
             self.assertTrue((self.site / f'_static/{scene.stem}.mp4').stat().st_size)
             page = re.sub('<[^>]*>', '', (self.site / f'scenes/{scene.name}.html').read_text())
             self.assertTrue('\n[motion]\n' in page and 'The film lasts' in page, scene.name)
+
+    def test_says_all_of_every_key(self):
+        rows = [line.strip('| ').split(' | ') for line in (ROOT / 'docs/scene.md').read_text().splitlines() if line.startswith('| `')]
+        keys = [row for row in rows if len(row) == 6]
+        self.assertGreater(len(keys), 200)
+        shown = html.unescape(re.sub('<[^>]*>', '', (self.site / 'docs/scene.html').read_text())).replace('\\', '')
+        for text in {text for row in keys for text in row if text != 'none'}:
+            plain = re.sub(r'\[(\w+)\]\(#\w+\)', r'\1', text)
+            self.assertTrue(re.sub(r'[`\\]', '', plain) in shown, text)
 
     def test_shows_the_examples_in_the_page_on_the_library(self):
         shown = re.sub('<[^>]*>', '', (self.site / 'docs/library.html').read_text())
