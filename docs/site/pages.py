@@ -14,6 +14,7 @@ import shutil
 
 import key_tables
 
+START = ('README.md', 'docs/site/index.md')
 LINK = re.compile(r'\]\(([^()#\s]+)(#[^()\s]*)?\)')
 TABLE = re.compile(r'^\| scene \| lesson \|\n\| --- \| --- \|\n((?:\|.*\n)+)', re.M)
 ROW = re.compile(r'^\| !\[\]\(images/gallery/(\w+)\.png\) (\[\w+\]\(\S+\)) \| (.*) \|$', re.M)
@@ -50,25 +51,31 @@ class Pages:
 
     def stage(self):
         shutil.rmtree(self.folder, ignore_errors=True)
-        self.page('docs/site/index.md', 'index.md')
+        self.start_page()
         for page in sorted([*self.root.glob('docs/*.md'), *self.root.glob('*.md')]):
-            if page.name != 'README.md':  # what it says stands on the start page and those it leads to
-                self.page(str(page.relative_to(self.root)))
+            self.target(str(page.relative_to(self.root)))
 
     def write(self, place, text):
         path = self.folder / place
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
 
-    def page(self, source, place=None):
+    def start_page(self):
+        """How the README begins, and where to go on from there."""
+        beginning = (self.root / START[0]).read_text().split('\n## ')[0]
+        ways = (self.root / START[1]).read_text()
+        parts = zip(START, (beginning, ways))
+        lines = (line for source, text in parts for line in self.lines(text.split('\n'), source, 'index.md'))
+        self.write('index.md', '---\nhide-toc: true\n---\n\n' + '\n'.join(lines))
+
+    def page(self, place):
         """Stages a page, and all that it links to."""
-        place = place or source
         if place in self.staged:
             return place
         self.staged.add(place)
-        text = key_tables.shown((self.root / source).read_text())
+        text = key_tables.shown((self.root / place).read_text())
         text = TABLE.sub(lambda table: cards(table[1], os.path.dirname(place)), text)
-        self.write(place, '\n'.join(self.lines(text.split('\n'), source, place)))
+        self.write(place, '\n'.join(self.lines(text.split('\n'), place, place)))
         return place
 
     def lines(self, lines, source, place):
@@ -99,6 +106,8 @@ class Pages:
         path = self.root / target
         if target.startswith('..') or not path.exists():
             return target  # Sphinx will say that it is not there
+        if target in START:
+            return 'index.md'
         if path.is_dir():
             return self.listing(target)
         if path.suffix == '.md':

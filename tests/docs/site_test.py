@@ -98,9 +98,10 @@ class AMistake(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder, 'root')
             (root / 'docs/site').mkdir(parents=True)
-            (root / 'docs/site/index.md').write_text('# Start\n[a](../page.md)\n```{toctree}\ndocs/page\n```\n')
+            (root / 'README.md').write_text('# Start\n\n[a](docs/page.md)\n\n## Not of the site\n\n[b](nowhere.md)\n')
+            (root / 'docs/site/index.md').write_text('[a](../page.md)\n```{toctree}\ndocs/page\n```\n')
             page = root / 'docs/page.md'
-            page.write_text('# Page\n\n## Part\n\n[a](#part) [b](page.md#part) [c](page.md)\n')
+            page.write_text('# Page\n\n## Part\n\n[a](#part) [b](page.md#part) [c](page.md) [d](../README.md)\n')
             good = build(folder, '--root', root)
             self.assertEqual(good.returncode, 0, good.stderr)
             before = (pathlib.Path(folder, 'site/docs/page.html')).read_text()
