@@ -45,4 +45,15 @@ FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omeg
           distinct && tangent < kTangentOfFlip};
 }
 
+double flipInterval(const PrincipalMoments& moments, const Eigen::Vector3d& m_P) {
+  const Eigen::Vector3d omega_P = m_P.cwiseQuotient(moments.values());
+  const double interval_s = flipTimes(moments, omega_P).interval_s;
+  if (interval_s > 0) return interval_s;
+  int axis = 0;
+  m_P.cwiseAbs().maxCoeff(&axis);
+  const SpinStability spin = spinStability(moments, axis, omega_P[axis]);
+  POINSOT_EXPECT(spin.kind != Stability::kNeutral);
+  return spin.kind == Stability::kStable ? std::numbers::pi / spin.rate : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace poinsot::physics

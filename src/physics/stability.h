@@ -51,4 +51,9 @@ struct FlipTimes {
 /// @throws core::Error(kPhysics) if it is not finite.
 FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
 
+/// Time between flips for any direction of L in the body, s: FlipTimes::interval_s, and at a steady spin what it
+/// tends to: pi over the rate of SpinStability about an extreme axis, infinity about the middle one. m_P = L in
+/// principal axes, kg·m²/s. @pre the moments differ, m_P is not 0.
+double flipInterval(const PrincipalMoments& moments, const Eigen::Vector3d& m_P);
+
 }  // namespace poinsot::physics

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "core/error.h"
 #include "physics/free_motion.h"
@@ -110,6 +112,52 @@ TEST(FlipTimes, InLimits) {
   EXPECT_EQ(flipTimes(PrincipalMoments({1, 2, 2.25}), {.75, .5, 1}).interval_s, INFINITY);
   EXPECT_NEAR(flipTimes(PrincipalMoments({1, 2, 2.25}), {.75, .5, 1}).growthRate, 0.4289845892077917, 1e-16);
   EXPECT_THROW(flipTimes(kTHandle, {NAN, 1, 0}), core::Error);
+}
+
+/// Time between two sign changes of the middle component of L, from Euler's equations dm/dt = m x (I^-1 m) alone,
+/// by Runge and Kutta's fourth order.
+double integratedInterval(const PrincipalMoments& moments, Vector3d m_P) {
+  const int middle = moments.ascendingAxes()[1];
+  const auto rate = [&](const Vector3d& m) -> Vector3d { return m.cross(m.cwiseQuotient(moments.values())); };
+  const double h = 2e-3 / m_P.cwiseQuotient(moments.values()).norm();
+  std::vector<double> crossings;
+  for (int i = 0; crossings.size() < 2; ++i) {
+    const Vector3d a = rate(m_P), b = rate(m_P + 0.5 * h * a), c = rate(m_P + 0.5 * h * b), d = rate(m_P + h * c);
+    const Vector3d next = m_P + h / 6 * (a + 2 * b + 2 * c + d);
+    if ((m_P[middle] < 0) != (next[middle] < 0))
+      crossings.push_back(h * (i + m_P[middle] / (m_P[middle] - next[middle])));
+    m_P = next;
+  }
+  return crossings[1] - crossings[0];
+}
+
+TEST(FlipInterval, IsTheTimeBetweenSignChangesOfTheMiddleComponent) {
+  Draw draw(314);
+  double worst = 0;
+  for (int i = 0; i < 40; ++i) {
+    const PrincipalMoments moments = draw.moments();
+    const Vector3d m_P = draw.decade(-2, 2) * draw.direction();
+    const double exact = flipInterval(moments, m_P);
+    worst = std::max(worst, std::abs(integratedInterval(moments, m_P) / exact - 1));
+    EXPECT_EQ(exact, flipTimes(moments, m_P.cwiseQuotient(moments.values())).interval_s);
+  }
+  expectResidual("interval against integrated", worst, 1e-10);  // 1.2e-11
+}
+
+TEST(FlipInterval, GoesOnToTheSteadySpins) {
+  const Vector3d& I = kTHandle.values();
+  for (const int axis : {0, 2}) {
+    const Vector3d along = -3 * Vector3d::Unit(axis);
+    // Equation (24) linearised: the square of the rate is w² (I_k - I_i)(I_k - I_j)/(I_i I_j).
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const double rate = 3 / I[axis] * std::sqrt((I[axis] - I[i]) * (I[axis] - I[j]) / (I[i] * I[j]));
+    EXPECT_NEAR(flipInterval(kTHandle, along) * rate, 3.14159265358979324, 1e-14);
+    // A polhode of 1e-5 rad takes longer by a part of that square.
+    const Vector3d beside = along + 3e-5 * (Vector3d(1, 1, 1) - Vector3d::Unit(axis));
+    EXPECT_NEAR(flipInterval(kTHandle, beside) / flipInterval(kTHandle, along), 1, 1e-8);
+  }
+  EXPECT_EQ(flipInterval(kTHandle, {0, 5, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(flipInterval(kTHandle, {0, -5, 0}), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
