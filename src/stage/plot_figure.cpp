@@ -48,16 +48,23 @@ std::vector<int> tracked(const scene::Plot& plot) {
   return all;
 }
 
-QuantityRange together(const QuantityTrack& track, std::size_t count) {
-  QuantityRange all = track.range(0);
-  for (std::size_t i = 1; i < count; ++i) {
-    const QuantityRange one = track.range(i);
-    all = {std::min(all.low, one.low), std::max(all.high, one.high), std::max(all.size, one.size)};
-  }
+QuantityRange both(const QuantityRange& a, const QuantityRange& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high), std::max(a.size, b.size)};
+}
+
+PlotRanges rangesOf(const QuantityTrack& track, const scene::Plot& plot) {
+  PlotRanges all{track.range(0), {}};
+  for (std::size_t i = 1; i < plot.quantities.size(); ++i) all.y = both(all.y, track.range(i));
+  if (plot.x) all.x = track.range(1);
   return all;
 }
 
 }  // namespace
+
+PlotRanges joined(const PlotRanges& a, const PlotRanges& b) {
+  POINSOT_EXPECT(a.x.has_value() == b.x.has_value());
+  return {both(a.y, b.y), a.x ? std::optional(both(*a.x, *b.x)) : std::nullopt};
+}
 
 struct PlotFigure::Plan {
   scene::Plot plot;
@@ -66,17 +73,21 @@ struct PlotFigure::Plan {
   Palette colors;
   std::vector<draw::Color> tones;
   QuantityTrack track;
+  PlotRanges ranges;
   PlotFrame frame;
   std::vector<PlotPath> curves;
 
-  Plan(const scene::Scene& scene, const scene::Plot& p, std::shared_ptr<const physics::Motion> motion)
+  Plan(const scene::Scene& scene, const scene::Plot& p, std::shared_ptr<const physics::Motion> motion,
+       const std::optional<PlotRanges>& least)
       : plot(p),
         style(scene.style),
         repeats(scene.time.loop.has_value()),
         colors(palette(style)),
         tones(quantityColors(colors, plot.quantities)),
-        track(scene, std::move(motion), tracked(plot)) {
+        track(scene, std::move(motion), tracked(plot)),
+        ranges(rangesOf(track, plot)) {
     POINSOT_EXPECT(!plot.quantities.empty() && (!plot.x || plot.quantities.size() == 1));
+    if (least) ranges = joined(ranges, *least);
     makeFrame();
     for (std::size_t i = 0; i < plot.quantities.size(); ++i) curves.push_back(curve(i));
   }
@@ -89,17 +100,16 @@ struct PlotFigure::Plan {
 
   void makeFrame() {
     const scene::QuantityUnit unit = track.quantity(0).unit;
-    const QuantityRange range = together(track, plot.quantities.size());
     const std::string names = joinedNames(plot.quantities);
     frame.title = plot.title;
-    frame.y = plot.range ? givenAxis(unit, range, names, plot.range->low, plot.range->high)
-                         : valueAxis(unit, range, names);
+    frame.y = plot.range ? givenAxis(unit, ranges.y, names, plot.range->low, plot.range->high)
+                         : valueAxis(unit, ranges.y, names);
     if (!isPortrait()) {
       frame.x = timeAxis(shownTime_s(0), shownTime_s(track.duration_s()), "t");
       return;
     }
     const scene::StateQuantity& x = track.quantity(1);
-    frame.x = valueAxis(x.unit, track.range(1), std::string(x.tex));
+    frame.x = valueAxis(x.unit, *ranges.x, std::string(x.tex));
     frame.equalScales = x.unit == unit && frame.x.unit.perSi == frame.y.unit.perSi && ofLikeLength();
   }
 
@@ -238,10 +248,12 @@ void PlotFigure::Plan::addPair(draw::Picture& picture, const PixelBox& panel, co
 }
 
 PlotFigure::PlotFigure(const scene::Scene& scene, const scene::Plot& plot,
-                       std::shared_ptr<const physics::Motion> motion)
-    : plan_(std::make_unique<Plan>(scene, plot, std::move(motion))) {}
+                       std::shared_ptr<const physics::Motion> motion, const std::optional<PlotRanges>& least)
+    : plan_(std::make_unique<Plan>(scene, plot, std::move(motion), least)) {}
 PlotFigure::~PlotFigure() = default;
 PlotFigure::PlotFigure(PlotFigure&&) noexcept = default;
+
+const PlotRanges& PlotFigure::ranges() const { return plan_->ranges; }
 
 PlotSides PlotFigure::sides(const Cell& cell, const Sizing& sizing) const {
   if (plan_->isPortrait()) return {};

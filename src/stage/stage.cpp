@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/expect.h"
+#include "stage/common_scale.h"
 #include "stage/note_rows.h"
 #include "stage/picture_motion.h"
 #include "stage/timed_motion.h"
@@ -16,8 +18,6 @@ using scene::Spot;
 // Type in a small panel shrinks less than the panel, so that it stays legible from afar: this power of its share
 // of the picture. In half a picture to 87 %, in a quarter to 76 %.
 constexpr double kTypeShrinks = 0.2;
-// Bodies of panels that could differ more than this in size are not drawn alike: the smaller would look lost.
-constexpr double kMostUnlike = 1.6;
 // Of the picture's height: a title that reaches farther down, as on a small print, would run into what is shown.
 constexpr double kTallTitle = 0.16;
 constexpr double kMostStrip = 0.4;     // of the picture's height, for captions
@@ -104,11 +104,10 @@ Margins marginsBeside(const std::vector<NoteBlock>& blocks, const std::vector<Pi
 
 /// The body is as large in all panels where it can be.
 void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& frames) {
-  std::vector<double> metre_px;
-  for (std::size_t i = 0; i < views.size(); ++i) metre_px.push_back(views[i].metre_px(frames[i]));
-  const auto [least, most] = std::ranges::minmax(metre_px);
-  if (!(most <= kMostUnlike * least)) return;
-  for (std::size_t i = 0; i < views.size(); ++i) frames[i].mostUnit_px = least / views[i].bodyScale();
+  std::vector<double> metres_px;
+  for (std::size_t i = 0; i < views.size(); ++i) metres_px.push_back(views[i].metre_px(frames[i]));
+  const double common_px = commonMetre_px(metres_px);
+  for (std::size_t i = 0; i < views.size(); ++i) frames[i].mostUnit_px = common_px / views[i].bodyScale();
 }
 
 }  // namespace
@@ -116,7 +115,8 @@ void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& fr
 Stage::Stage(const scene::Scene& scene, core::StepLedger* steps)
     : Stage(scene, timed(drawnMotion(scene), steps)) {}
 
-Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion)
+Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion,
+             std::span<const PlotRanges> least)
     : scene_(std::move(scene)),
       colors_(palette(scene_.style)),
       layout_(placesOf(scene_)),
@@ -124,21 +124,20 @@ Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& m
       presence_(scene_.timeline),
       captions_(scene_.timeline.captions, scene_.time.duration_s) {
   for (const scene::View& view : scene_.views) views_.emplace_back(viewOf(scene_, view), motion);
-  for (const scene::Plot& plot : scene_.plots) plots_.emplace_back(scene_, plot, motion);
+  POINSOT_EXPECT(least.empty() || least.size() == scene_.plots.size());
+  for (std::size_t i = 0; i < scene_.plots.size(); ++i)
+    plots_.emplace_back(scene_, scene_.plots[i], motion, least.empty() ? std::nullopt : std::optional(least[i]));
 }
 
-draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px) const {
-  return compose(filmTime_s, size_px, screenSizing(size_px));
-}
-
-draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {
+draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing,
+                             std::span<const double> mostMetre_px) const {
+  POINSOT_EXPECT(mostMetre_px.empty() || mostMetre_px.size() == views_.size());
   draw::Picture picture;
   picture.size_px = size_px;
   picture.background = colors_.paper;
-  const glm::ivec2 stage_px = size_px - glm::ivec2(0, strip_px(size_px, sizing));
-  const Writing writing = this->writing(filmTime_s, stage_px, sizing);
-  const std::vector<Cell> cells = layout_.cells(stage_px, writesOverView() ? NoteReach() : writing.reach);
-  const std::vector<PanelFrame> frames = framesOf(picture, cells, sizing, writing);
+  auto [writing, cells, frames] = arrange(picture, filmTime_s, sizing);
+  for (std::size_t i = 0; i < mostMetre_px.size(); ++i)
+    frames[i].mostUnit_px = std::min(frames[i].mostUnit_px, mostMetre_px[i] / views_[i].bodyScale());
   for (std::size_t i = 0; i < views_.size(); ++i)
     picture.panels.push_back({cells[i].origin_px, views_[i].compose(filmTime_s, frames[i])});
   addPlots(picture, std::span(cells).subspan(views_.size()), sizing, filmTime_s);
@@ -148,27 +147,33 @@ draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing
   return picture;
 }
 
+Stage::Arrangement Stage::arrange(draw::Picture& picture, double filmTime_s, const Sizing& sizing) const {
+  const glm::ivec2 stage_px = picture.size_px - glm::ivec2(0, strip_px(picture.size_px, sizing));
+  Arrangement made;
+  made.writing = writing(filmTime_s, stage_px, sizing);
+  made.cells = layout_.cells(stage_px, writesOverView() ? NoteReach() : made.writing.reach);
+  made.frames = framesOf(picture, made.cells, sizing, made.writing);
+  return made;
+}
+
 int Stage::strip_px(glm::ivec2 size_px, const Sizing& sizing) const {
   const double wanted_px = captions_.height_px(size_px, typeScaled(sizing, scene_.style.textSize));
   return static_cast<int>(std::min(wanted_px, kMostStrip * size_px.y));
 }
 
-// Type that is too much for the picture is set smaller, all of it alike. What decides are widths and places, which
-// do not depend on the time: so a film's type does not breathe.
-Stage::Writing Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {
-  constexpr int kRounds = 40;
-  constexpr double kSmaller = 0.9;
+std::vector<double> Stage::metres_px(glm::ivec2 size_px, const Sizing& sizing) const {
+  draw::Picture headings;
+  headings.size_px = size_px;
+  const Arrangement made = arrange(headings, 0, sizing);  // of no account: nothing moves with the time
+  std::vector<double> metres_px;
+  for (std::size_t i = 0; i < views_.size(); ++i) metres_px.push_back(views_[i].metre_px(made.frames[i]));
+  return metres_px;
+}
+
+PictureWriting Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {
   const WrittenThings things{readouts_.at(filmTime_s), presence_.at("title", filmTime_s),
                              presence_.at("notes", filmTime_s), presence_.at("readouts", filmTime_s)};
-  const glm::dvec2 size(size_px);
-  Sizing type = typeScaled(sizing, scene_.style.textSize);
-  for (int round = 0;; ++round, type = typeScaled(type, kSmaller)) {
-    const double edge_px = noteEdge_px(type);
-    Writing writing{pictureBlocks(scene_, things, type, size.x - 2 * edge_px, colors_), {}, {}};
-    writing.boxes = placedBlocks(writing.blocks, size, edge_px);
-    writing.reach = reachOf(writing.blocks, writing.boxes, size);
-    if (round == kRounds || leavesRoom(writing.boxes, writing.reach, size)) return writing;
-  }
+  return pictureWriting(scene_, things, size_px, sizing, colors_);
 }
 
 // Plots that stand right under one another have one axis of time.
@@ -189,7 +194,7 @@ void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const 
 }
 
 std::vector<PanelFrame> Stage::framesOf(draw::Picture& picture, const std::vector<Cell>& cells,
-                                        const Sizing& sizing, const Writing& writing) const {
+                                        const Sizing& sizing, const PictureWriting& writing) const {
   std::vector<PanelFrame> frames;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     PanelFrame& frame = frames.emplace_back();
@@ -209,7 +214,7 @@ std::vector<PanelFrame> Stage::framesOf(draw::Picture& picture, const std::vecto
   return frames;
 }
 
-void Stage::makeRoomFor(const Writing& writing, PanelFrame& frame) const {
+void Stage::makeRoomFor(const PictureWriting& writing, PanelFrame& frame) const {
   frame.taken = writing.boxes;
   frame.margins = marginsBeside(writing.blocks, writing.boxes, frame.size_px);
   if (scene_.show.title.empty()) return;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "draw/picture.h"
+#include "stage/lettering.h"
+
+namespace poinsot::stage {
+
+/// Makes pictures-as-values of a film. compose() is a pure function of the film time.
+class Composer {
+ public:
+  virtual ~Composer() = default;
+
+  /// What the picture shows at film time `filmTime_s`, for a picture of `size_px` (width, height), with type and
+  /// lines of a size of their own, such as printSizing().
+  virtual draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const = 0;
+  /// With type and lines to be seen from afar.
+  draw::Picture compose(double filmTime_s, glm::ivec2 size_px) const {
+    return compose(filmTime_s, size_px, screenSizing(size_px));
+  }
+
+ protected:
+  Composer() = default;
+  Composer(const Composer&) = default;
+  Composer(Composer&&) = default;
+  Composer& operator=(const Composer&) = default;
+  Composer& operator=(Composer&&) = default;
+};
+
+}  // namespace poinsot::stage
