@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "scene/keys.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr std::string_view kForms = "a range is FROM..TO:COUNT, such as 10..50 rpm:5, or FROM..TO:COUNT:log";
+
+struct Number {
+  double value = 0;
+  std::string typed, unit;
+};
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+/// "10 rpm"; nothing where no number begins.
+std::optional<Number> numberIn(std::string_view text) {
+  text = trimmed(text);
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (status != std::errc() || !std::isfinite(value)) return std::nullopt;
+  const auto length = static_cast<std::size_t>(end - text.data());
+  return Number{value, std::string(text.substr(0, length)), std::string(trimmed(text.substr(length)))};
+}
+
+/// What of a word after -D may be a range, and what is around it.
+struct Found {
+  std::string key, before, range, after;
+  std::optional<int> element;
+  bool quoted = false;
+};
+
+class Reader {
+ public:
+  explicit Reader(Found found) : found_(std::move(found)) {}
+
+  SweepAxis axis() const {
+    const std::vector<Number> numbers = found_.range.find('|') == std::string::npos ? spread() : listed();
+    SweepAxis axis{found_.key, found_.element, unitOf(numbers), {}, found_.before, found_.after};
+    for (const Number& number : numbers) {
+      std::string text = axis.unit.empty() ? number.typed : number.typed + " " + axis.unit;
+      // A quantity in a list is text; by itself it may stand bare.
+      if (!axis.unit.empty() && found_.element && !found_.quoted) text = fmt::format("\"{}\"", text);
+      axis.values.push_back({std::move(text), number.typed});
+    }
+    if (axis.unit.empty()) axis.unit = siUnit(findKey(found_.key)->dimension);
+    return axis;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw core::Error(core::ErrorKind::kUsage, fmt::format("-D {}: '{}': {}", core::printable(found_.key),
+                                                           core::printable(found_.range), why));
+  }
+
+  /// All have one unit, which need not be said more than once.
+  std::string unitOf(const std::vector<Number>& numbers) const {
+    std::string unit;
+    for (const Number& number : numbers) {
+      if (number.unit.empty()) continue;
+      if (!unit.empty() && number.unit != unit)
+        refuse(
+            fmt::format("one unit for all, got {} and {}", core::printable(unit), core::printable(number.unit)));
+      unit = number.unit;
+    }
+    return unit;
+  }
+
+  std::vector<Number> listed() const {
+    std::vector<Number> numbers;
+    for (std::string_view rest = found_.range;;) {
+      const auto bar = rest.find('|');
+      const auto number = numberIn(rest.substr(0, bar));
+      if (!number) refuse("expected numbers between the bars, such as 1|2|5");
+      numbers.push_back(*number);
+      if (bar == std::string_view::npos) return numbers;
+      rest.remove_prefix(bar + 1);
+    }
+  }
+
+  std::vector<Number> spread() const {
+    const std::string_view text = found_.range;
+    const auto dots = text.find("..");
+    const auto colon = text.find(':', dots);
+    const auto from = numberIn(text.substr(0, dots));
+    if (!from || colon == std::string_view::npos) refuse(std::string(kForms));
+    const auto to = numberIn(text.substr(dots + 2, colon - dots - 2));
+    if (!to) refuse(std::string(kForms));
+    const auto [count, logarithmic] = countIn(text.substr(colon + 1));
+    return logarithmic ? inRatios(*from, *to, count) : even(*from, *to, count);
+  }
+
+  std::pair<int, bool> countIn(std::string_view text) const {
+    const auto colon = text.find(':');
+    const std::string_view word = colon == std::string_view::npos ? "" : trimmed(text.substr(colon + 1));
+    if (colon != std::string_view::npos && word != "log") refuse(std::string(kForms));
+    const std::string_view digits = trimmed(text.substr(0, colon));
+    int count = 0;
+    const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    const bool whole = end == digits.data() + digits.size() && status != std::errc::invalid_argument;
+    if (!whole) refuse(std::string(kForms));
+    if (status != std::errc() || count < 2 || count > kMostCells)
+      refuse(fmt::format("a range has from 2 to {} values, got {}", kMostCells, core::printable(digits)));
+    return {count, word == "log"};
+  }
+
+  static std::string unitOfEnds(const Number& from, const Number& to) {
+    return from.unit.empty() ? to.unit : from.unit;
+  }
+
+  /// Digits of x with so many decimals; never "-0.0".
+  static std::string fixed(double x, int decimals) {
+    std::string digits = fmt::format("{:.{}f}", x, decimals);
+    const bool zero = digits.find_first_of("123456789") == std::string::npos;
+    return zero && digits[0] == '-' ? digits.substr(1) : digits;
+  }
+
+  /// As few digits as a person would write; beyond what decimals are good for with a power of ten.
+  static std::string digitsOf(double x, int decimals) {
+    constexpr int kMostDecimals = 9;
+    constexpr double kMostWritten = 1e7;
+    return decimals > kMostDecimals || std::abs(x) >= kMostWritten ? fmt::format("{:.6g}", x) : fixed(x, decimals);
+  }
+
+  // So many decimals that no value is off by more than a hundredth of a step, which nobody sees; the numbers that
+  // are written are the numbers that are drawn.
+  std::vector<Number> even(const Number& from, const Number& to, int count) const {
+    if (from.value == to.value) refuse("both ends are the same");
+    unitOf({from, to});
+    const double step = (to.value - from.value) / (count - 1);
+    const auto exact = [&](int i) { return i == count - 1 ? to.value : from.value + step * i; };
+    const auto off = [&](int i, int decimals) {
+      return std::abs(numberIn(fixed(exact(i), decimals))->value - exact(i)) > 1e-2 * std::abs(step);
+    };
+    int decimals = 0;
+    for (int i = 0; i < count; ++i)
+      while (decimals < 18 && off(i, decimals)) ++decimals;
+    std::vector<Number> numbers;
+    for (int i = 0; i < count; ++i) {
+      const std::string digits = digitsOf(exact(i), decimals);
+      numbers.push_back({exact(i), digits, unitOfEnds(from, to)});
+    }
+    return numbers;
+  }
+
+  std::vector<Number> inRatios(const Number& from, const Number& to, int count) const {
+    if (!(from.value / to.value > 0)) refuse("equal ratios need two ends of one sign, neither of them 0");
+    if (from.value == to.value) refuse("both ends are the same");
+    unitOf({from, to});
+    std::vector<Number> numbers;
+    for (int i = 0; i < count; ++i) {
+      const double exact = from.value * std::pow(to.value / from.value, static_cast<double>(i) / (count - 1));
+      numbers.push_back({exact, fmt::format("{:.3g}", exact), unitOfEnds(from, to)});
+    }
+    numbers.front().typed = from.typed;
+    numbers.back().typed = to.typed;
+    return numbers;
+  }
+
+  Found found_;
+};
+
+/// Whether numbers are what the key is about. Of a key that there is not, the scene says so.
+bool takesNumbers(std::string_view path) {
+  const Key* key = findKey(path);
+  if (!key) return false;
+  switch (key->type) {
+    case ValueType::kNumber:
+    case ValueType::kInteger:
+    case ValueType::kVector:
+    case ValueType::kPerAxis:
+    case ValueType::kExtents:
+    case ValueType::kQuaternion:
+    case ValueType::kNumbers:
+    case ValueType::kPair:
+    case ValueType::kMatrix:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool isRange(std::string_view text) {
+  return text.find("..") != std::string_view::npos || text.find('|') != std::string_view::npos;
+}
+
+/// The element of a list at a place of its text; none outside of lists.
+std::optional<int> elementAt(std::string_view value, std::size_t place) {
+  const auto before = value.substr(0, place);
+  if (std::ranges::count(before, '[') <= std::ranges::count(before, ']')) return std::nullopt;
+  return static_cast<int>(std::ranges::count(before.substr(before.rfind('[')), ','));
+}
+
+/// The piece of the value about a place, between what delimits values.
+Found foundAt(const std::string& override, std::size_t equals, std::size_t place) {
+  constexpr std::string_view kDelimiters = "[],\"'";
+  const auto begin = std::max(override.find_last_of(kDelimiters, place) + 1, equals + 1);  // npos + 1 is 0
+  const auto end = std::min(override.find_first_of(kDelimiters, place), override.size());
+  Found found{std::string(trimmed(std::string_view(override).substr(0, equals))), override.substr(0, begin),
+              std::string(trimmed(std::string_view(override).substr(begin, end - begin))), override.substr(end),
+              elementAt(std::string_view(override).substr(equals + 1), place - equals - 1)};
+  found.quoted = found.before.ends_with('"') || found.before.ends_with('\'');
+  return found;
+}
+
+}  // namespace
+
+std::string SweepAxis::override(std::size_t value) const { return before + values.at(value).text + after; }
+
+std::optional<SweepAxis> sweepAxis(const std::string& override) {
+  const auto equals = override.find('=');
+  if (equals == std::string::npos || !takesNumbers(trimmed(std::string_view(override).substr(0, equals))))
+    return std::nullopt;
+  const auto place = std::min(override.find("..", equals), override.find('|', equals));
+  if (place == std::string::npos) return std::nullopt;
+  const Found found = foundAt(override, equals, place);
+  if (isRange(found.after))
+    throw core::Error(
+        core::ErrorKind::kUsage,
+        fmt::format("-D {}: one range in a key; another -D may have another", core::printable(override)));
+  return Reader(found).axis();
+}
+
+}  // namespace poinsot::scene
