@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/stability_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/error.h"
+#include "physics/binet.h"
+#include "stage/globe.h"
+#include "stage/picture_writing.h"
+#include "stage/plot_frame.h"
+#include "text/math_setter.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kBands = 96;       // of colours: neighbours differ by less than an eye sees
+constexpr int kPoints = 240;     // of the separatrix
+constexpr double kDark = 0.6;    // of the scale: below, lines are white, else black
+constexpr float kQuiet = 0.45f;  // opacity of the lines of equal time
+
+// Where the eye stands, from the middle axis towards that of smallest moment and up that of largest: both lines of
+// the separatrix cross in sight, and no axis points at the eye.
+constexpr double kAside_rad = 0.66, kAbove_rad = 0.42;
+
+constexpr double kAxis = 1.3;  // in radii of the sphere
+// In em of the type.
+constexpr double kType = 0.034;  // of what type is sized by
+constexpr double kGap = 3.2, kBarWidth = 1.0;
+constexpr double kTick = 0.3, kTickGap = 0.35, kDigit = 0.67;
+constexpr double kBarHeight = 1.7;                // in radii
+constexpr double kTip = 1.1, kOverBar = 0.9;      // height of the bar's end; of the unit over it
+constexpr double kMark = 1.1, kBesideMark = 0.8;  // where the scene's L is on the bar
+constexpr double kNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5,
+                 kHeadWidth = 0.22;  // of axes and L
+constexpr double kEdge = 0.6;        // free at the picture's edges, of what notes leave
+// In ordinary lines.
+constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kAxisLine = 1.4, kFoot = 1.6,
+                 kDot = 3.2, kRing = 1.3;
+constexpr double kLeastRim_px = 2;  // covers the steps that areas over one another leave at their common edge
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw core::Error(core::ErrorKind::kPhysics, "stability map: " + why);
+}
+
+Vector3d startingL_P(const scene::Scene& scene) {
+  if (!scene.motion.forcing.none()) refuse("the body is not free: leave out what acts on it");
+  if (!physics::separatrix(scene.body.axes.moments()))
+    refuse("two principal moments are equal: such a body has no middle axis, and never flips");
+  Vector3d m_P = scene.body.axes.moments().angularMomentum(scene.body.axes.toP(scene.motion.omega_B));
+  if (m_P.isZero(0)) refuse("the body is at rest: it has no L");
+  return m_P;
+}
+
+/// Without its dollar signs.
+std::string inFormula(const std::string& tex) { return tex.substr(1, tex.size() - 2); }
+
+Vector3d signsOf(const Vector3d& m_P) {
+  return m_P.unaryExpr([](double x) { return x < 0 ? -1.0 : 1.0; });
+}
+
+/// In one formula, so that it is spaced as one.
+std::string lengthOfL(double L, scene::DecimalSign sign) {
+  const WrittenUnit unit = writtenUnit(scene::QuantityUnit::kAction, L);
+  return fmt::format("$|\\mathbf{{L}}| = {}{}$",
+                     inFormula(numberTex(fmt::format("{:.4g}", unit.written(L)), sign)),
+                     inFormula(unitSuffix(unit)));
+}
+
+scene::Scene writingOf(scene::Scene scene, double L) {
+  scene.show.subtitle = "Time $t$ from flip to flip, for each direction of $\\mathbf{L}$ in the body";
+  scene.show.exaggerateAngles = 1;
+  scene.readouts.clear();
+  scene.notes.clear();
+  scene.notes.push_back({});
+  scene.notes.back().at = scene::Spot::kBottomLeft;
+  scene.notes.back().lines = {lengthOfL(L, scene.style.decimalSign)};
+  return scene;
+}
+
+draw::Stroke stroke(std::vector<glm::vec2> points_px, double width_px, const draw::Color& color,
+                    bool closed = false) {
+  draw::Stroke made;
+  made.points_px = std::move(points_px);
+  made.width_px = static_cast<float>(width_px);
+  made.color = color;
+  made.closed = closed;
+  return made;
+}
+
+/// A round spot, over lines: the joins of a stroke are round.
+draw::Stroke spot(glm::vec2 centre_px, double radius_px, const draw::Color& color) {
+  constexpr int kCorners = 32;
+  std::vector<glm::vec2> circle;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    circle.push_back(centre_px + glm::vec2(0.5 * radius_px * glm::dvec2(std::cos(angle), std::sin(angle))));
+  }
+  return stroke(std::move(circle), 1.02 * radius_px, color, true);
+}
+
+void addRectangle(draw::Picture& picture, const PixelBox& box, const draw::Color& color) {
+  draw::Area area;
+  area.points_px = {glm::vec2(box.left, box.top), glm::vec2(box.right, box.top), glm::vec2(box.right, box.bottom),
+                    glm::vec2(box.left, box.bottom)};
+  area.color = color;
+  picture.areas.push_back(std::move(area));
+}
+
+/// Type on the sphere, with a rim that keeps it legible on every colour.
+void addName(draw::Picture& picture, const std::string& tex, glm::dvec2 centre_px, double em_px,
+             const draw::Color& color, const draw::Color& halo) {
+  if (tex.empty()) return;
+  draw::Text text;
+  text.tex = tex;
+  text.size_px = static_cast<float>(em_px);
+  text.baseline_px = glm::vec2(centre_px + glm::dvec2(-0.5 * widthOf(tex, em_px), 0.5 * kDigit * em_px));
+  text.color = color;
+  text.halo = halo;
+  text.halo_px = static_cast<float>(0.14 * em_px);
+  picture.texts.push_back(std::move(text));
+}
+
+}  // namespace
+
+/// Sizes of type and lines, px.
+struct StabilityMap::Pen {
+  double em_px, line_px;
+};
+
+struct StabilityMap::Layout {
+  glm::dvec2 centre_px;
+  double radius_px;
+  PixelBox bar;
+};
+
+StabilityMap::StabilityMap(const scene::Scene& scene)
+    : colors_(palette(scene.style)),
+      m_P_(startingL_P(scene)),
+      sceneDirection_P_(m_P_.normalized()),
+      signs_(signsOf(m_P_)),
+      scale_(scene.body.axes.moments(), m_P_.norm()),
+      unit_(writtenUnit(scene::QuantityUnit::kSecond, scale_.most_s())) {
+  scene_ = writingOf(scene, m_P_.norm());
+}
+
+draw::Picture StabilityMap::compose(double /*filmTime_s*/, glm::ivec2 size_px, const Sizing& sizing) const {
+  draw::Picture picture;
+  picture.size_px = size_px;
+  picture.background = colors_.paper;
+  const PictureWriting writing = pictureWriting(scene_, {}, size_px, sizing, colors_);
+  const Sizing type = typeScaled(sizing, scene_.style.textSize);
+  const Pen pen{std::max(kType * type.type_px, type.least_px), sizing.line_px * scene_.style.lineWidth};
+  // What stands in a corner at the bottom is beside the sphere.
+  const double edge_px = kEdge * noteEdge_px(type);
+  const Layout layout =
+      layoutIn({edge_px, std::max(edge_px, writing.reach.top), size_px.x - edge_px, size_px.y - edge_px}, pen);
+  const auto& axes = scale_.separatrix();
+  Vector3d eye;
+  eye[axes.smallest] = std::cos(kAbove_rad) * std::sin(kAside_rad);
+  eye[axes.middle] = std::cos(kAbove_rad) * std::cos(kAside_rad);
+  eye[axes.largest] = std::sin(kAbove_rad);
+  const Globe globe(eye.cwiseProduct(signs_), signs_[axes.largest] * Vector3d::Unit(axes.largest),
+                    layout.centre_px, layout.radius_px);
+  addBands(picture, globe);
+  addCurves(picture, globe, pen);
+  addAxes(picture, globe, pen);
+  addScenesL(picture, globe, pen);
+  addBar(picture, layout.bar, pen);
+  addBlocks(picture, writing.blocks, writing.boxes);
+  return picture;
+}
+
+StabilityMap::Layout StabilityMap::layoutIn(const PixelBox& room, const Pen& pen) const {
+  double labels_px = 0;
+  for (const StabilityScale::Tick& tick : scale_.ticks(unit_.perSi))
+    labels_px = std::max(labels_px, widthOf(numberTex(tick.digits, scene_.style.decimalSign), pen.em_px));
+  const double e1_radii = kAxis * std::cos(kAside_rad), e3_radii = kAxis * std::cos(kAbove_rad);
+  const double name_px = kBesideName * pen.em_px;
+  const double bar_px = (kGap + kBarWidth + kTick + kTickGap) * pen.em_px + labels_px;
+  const double radius_px = std::max(1.0, std::min((room.height() - name_px) / (e3_radii + 1),
+                                                  (room.width() - name_px - bar_px) / (e1_radii + 1)));
+  // Sphere and bar together in the middle.
+  const double width_px = (e1_radii + 1) * radius_px + name_px + bar_px;
+  const double height_px = (e3_radii + 1) * radius_px + name_px;
+  const glm::dvec2 centre(room.left + 0.5 * (room.width() - width_px) + e1_radii * radius_px + name_px,
+                          room.top + 0.5 * (room.height() - height_px) + e3_radii * radius_px + name_px);
+  const double left = centre.x + radius_px + kGap * pen.em_px, half = 0.5 * kBarHeight * radius_px;
+  return {centre, radius_px, {left, centre.y - half, left + kBarWidth * pen.em_px, centre.y + half}};
+}
+
+// Each band lies over the wider ones, so that no paper shows between two.
+void StabilityMap::addBands(draw::Picture& picture, const Globe& globe) const {
+  picture.areas.push_back({globe.rim(), StabilityScale::color(1), 1});
+  for (int band = kBands; band > 0; --band)
+    for (const TimeCap& cap : scale_.caps(scale_.timeAt(static_cast<double>(band) / kBands)))
+      if (auto part = globe.visiblePart(cap.outline_P, cap.contains); part.size() > 2)
+        picture.areas.push_back({std::move(part), StabilityScale::color((band - 0.5) / kBands), 1});
+}
+
+void StabilityMap::addCurves(draw::Picture& picture, const Globe& globe, const Pen& pen) const {
+  const auto add = [&](const Globe::Directions& curve, double lines, const draw::Color& color, float opacity) {
+    for (auto& line : globe.visibleParts(curve, 0.5 * lines * pen.line_px)) {
+      picture.strokes.push_back(stroke(std::move(line), lines * pen.line_px, color));
+      picture.strokes.back().opacity = opacity;
+    }
+  };
+  for (const StabilityScale::Tick& tick : scale_.ticks(unit_.perSi)) {
+    const draw::Color line(scale_.share(tick.time_s) < kDark ? 1 : 0);
+    for (const TimeCap& cap : scale_.caps(tick.time_s)) add(cap.outline_P, kThin, line, kQuiet);
+  }
+  for (const bool mirrored : {false, true})
+    add(scale_.separatrix().momentumCircle(1, kPoints, mirrored), kSeparatrix, colors_.separatrix, 1);
+  picture.strokes.push_back(
+      stroke(globe.rim(), std::max(kRim * pen.line_px, kLeastRim_px), colors_.quietInk, true));
+}
+
+void StabilityMap::addAxes(draw::Picture& picture, const Globe& globe, const Pen& pen) const {
+  constexpr std::array kKeys{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3d direction = signs_[axis] * Vector3d::Unit(axis);
+    const glm::vec2 foot = globe.at_px(direction), tip = globe.at_px(direction, kAxis);
+    const glm::dvec2 along = glm::dvec2(tip - foot) / std::max(1e-9, static_cast<double>(glm::length(tip - foot)));
+    const glm::dvec2 across(-along.y, along.x), neck = glm::dvec2(tip) - kHead * pen.em_px * along;
+    const std::vector<glm::vec2> head{glm::vec2(neck + kHeadWidth * pen.em_px * across), tip,
+                                      glm::vec2(neck - kHeadWidth * pen.em_px * across)};
+    const auto add = [&](double rim, const draw::Color& color) {
+      picture.strokes.push_back(stroke({foot, tip}, (kAxisLine + rim) * pen.line_px, color));
+      picture.strokes.push_back(stroke(head, (kAxisLine + rim) * pen.line_px, color));
+      picture.strokes.push_back(spot(foot, (kFoot + 0.5 * rim) * pen.line_px, color));
+    };
+    add(kRing, colors_.paper);
+    add(0, colors_.axis);
+    std::string name = scene_.labels[kKeys[static_cast<std::size_t>(axis)]];
+    if (signs_[axis] < 0 && !name.empty()) name.insert(0, "$-$");
+    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, kNames * pen.em_px, colors_.axis,
+            colors_.paper);
+  }
+}
+
+void StabilityMap::addScenesL(draw::Picture& picture, const Globe& globe, const Pen& pen) const {
+  const glm::vec2 at = globe.at_px(sceneDirection_P_);
+  picture.strokes.push_back(spot(at, (kDot + kRing) * pen.line_px, colors_.paper));
+  picture.strokes.push_back(spot(at, kDot * pen.line_px, colors_.L));
+  addName(picture, scene_.labels[scene::LabelName::kL], glm::dvec2(at) + glm::dvec2(1.1, -0.8) * pen.em_px,
+          kNames * pen.em_px, colors_.L, colors_.paper);
+}
+
+// Its end stands for all longer times, up to infinity.
+void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen& pen) const {
+  const double top = bar.top + kTip * pen.em_px;  // of the times that are told apart
+  const auto at = [&](double share) { return bar.bottom + share * (top - bar.bottom); };
+  const glm::vec2 tip(0.5 * (bar.left + bar.right), bar.top);
+  const std::vector<glm::vec2> outline{
+      {bar.left, top}, tip, {bar.right, top}, {bar.right, bar.bottom}, {bar.left, bar.bottom}};
+  picture.areas.push_back({outline, StabilityScale::color(1), 1});
+  for (int band = kBands; band > 0; --band)
+    addRectangle(picture, {bar.left, at(static_cast<double>(band) / kBands), bar.right, bar.bottom},
+                 StabilityScale::color((band - 0.5) / kBands));
+  picture.strokes.push_back(stroke(outline, std::max(kOutline * pen.line_px, 1.0), colors_.quietInk, true));
+  addTimes(picture, bar, at, pen);
+  const double share = scale_.share(sceneTime_s());
+  const double y = share < 1 ? at(share) : std::isfinite(share) ? 0.5 * (top + bar.top) : bar.top;
+  const double left = bar.left - kMark * pen.em_px;
+  picture.strokes.push_back(stroke({{left, y}, {bar.left, y}}, kAxisLine * pen.line_px, colors_.L));
+  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y}, kNames * pen.em_px,
+          colors_.L, colors_.paper);
+}
+
+void StabilityMap::addTimes(draw::Picture& picture, const PixelBox& bar, const std::function<double(double)>& at,
+                            const Pen& pen) const {
+  const double em = pen.em_px, right = bar.right + kTick * em;
+  const auto label = [&](const std::string& tex, double y, const draw::Color& color) {
+    addLine(picture, tex, right + kTickGap * em, y + 0.5 * kDigit * em, Align::kLeft, em, color);
+  };
+  for (const StabilityScale::Tick& tick : scale_.ticks(unit_.perSi)) {
+    const double y = at(scale_.share(tick.time_s));
+    picture.strokes.push_back(stroke({{bar.right, y}, {right, y}}, kThin * pen.line_px, colors_.quietInk));
+    label(numberTex(tick.digits, scene_.style.decimalSign), y, colors_.ink);
+  }
+  picture.strokes.push_back(stroke({{0.5 * (bar.left + bar.right), bar.top}, {right, bar.top}},
+                                   kSeparatrix * pen.line_px, colors_.separatrix));
+  label("$\\infty$", bar.top, colors_.separatrix);
+  addLine(picture, axisLabel("t", unit_), bar.left, bar.top - kOverBar * em, Align::kLeft, em, colors_.ink);
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/sweep_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/expect.h"
+#include "stage/common_scale.h"
+#include "stage/picture_writing.h"
+#include "stage/plot_frame.h"
+#include "stage/timed_motion.h"
+#include "text/math_setter.h"
+
+namespace poinsot::stage {
+namespace {
+
+// Type and lines shrink less than their cell, so that they stay legible: this power of its share of the picture.
+// In a ninth to 46 %.
+constexpr double kShrinks = 0.35;
+constexpr double kLabel = 0.05;                    // of what type is sized by in a cell
+constexpr double kOver = 1.25, kUnder = 0.35;      // of a label's line over its baseline and under it, em
+constexpr double kBeside = 0.8;                    // free at either side of the rows' labels, em
+constexpr double kAcross = 0.95, kMostBand = 0.3;  // of a cell, for its label
+constexpr double kMostMargin = 0.3;                // of the picture's width, for those of the rows
+constexpr double kMostStrip = 0.4;                 // of the picture's height, for captions
+constexpr double kLeastType_px = 9;                // nobody reads less
+
+double area(glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); }
+
+/// What is written once is not written in each cell.
+scene::Scene withoutWriting(scene::Scene cell) {
+  cell.show.title.clear();
+  cell.show.subtitle.clear();
+  cell.notes.clear();
+  cell.timeline.captions.clear();
+  return cell;
+}
+
+/// That a thing is not to scale stands in each cell, where the thing is.
+scene::Scene writingOf(scene::Scene scene) {
+  scene.readouts.clear();
+  scene.show.exaggerateAngles = 1;
+  return scene;
+}
+
+void addAt(draw::Picture& picture, draw::Picture cell, glm::ivec2 origin_px) {
+  const glm::vec2 origin(origin_px);
+  const auto shift = [&](std::vector<glm::vec2>& points) {
+    for (glm::vec2& p : points) p += origin;
+  };
+  for (draw::Panel& panel : cell.panels) {
+    panel.origin_px += origin_px;
+    picture.panels.push_back(std::move(panel));
+  }
+  for (draw::Area& each : cell.areas) {
+    shift(each.points_px);
+    picture.areas.push_back(std::move(each));
+  }
+  for (draw::Stroke& each : cell.strokes) {
+    shift(each.points_px);
+    picture.strokes.push_back(std::move(each));
+  }
+  for (draw::Text& each : cell.texts) {
+    each.baseline_px += origin;
+    picture.texts.push_back(std::move(each));
+  }
+}
+
+/// What the axes of each plot hold in all cells, so that curves can be compared.
+std::vector<PlotRanges> commonRanges(const std::vector<scene::Scene>& cells,
+                                     const std::vector<std::shared_ptr<const physics::Motion>>& motions) {
+  std::vector<PlotRanges> all;
+  for (std::size_t plot = 0; plot < cells[0].plots.size(); ++plot)
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const PlotRanges one = PlotFigure(cells[i], cells[i].plots.at(plot), motions[i]).ranges();
+      if (i == 0)
+        all.push_back(one);
+      else
+        all.back() = joined(all.back(), one);
+    }
+  return all;
+}
+
+double widest_em(const std::vector<std::string>& lines) {
+  double widest = 0;
+  for (const std::string& tex : lines) widest = std::max(widest, text::setTex(tex).width_em);
+  return widest;
+}
+
+}  // namespace
+
+SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels> labels, int columns,
+                       core::StepLedger* steps)
+    : written_(writingOf(cells.at(0))),
+      labels_(std::move(labels)),
+      columns_(columns),
+      colors_(palette(written_.style)),
+      presence_(written_.timeline),
+      captions_(written_.timeline.captions, written_.time.duration_s) {
+  POINSOT_EXPECT(labels_.size() == 1 || labels_.size() == 2);
+  POINSOT_EXPECT(cells.size() == labels_[0].whole.size() * (labels_.size() == 2 ? labels_[1].whole.size() : 1));
+  std::vector<std::shared_ptr<const physics::Motion>> motions;
+  for (const scene::Scene& cell : cells) motions.push_back(timed(drawnMotion(cell), steps));
+  const std::vector<PlotRanges> ranges = commonRanges(cells, motions);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells_.emplace_back(withoutWriting(std::move(cells[i])), motions[i], ranges);
+}
+
+draw::Picture SweepStage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {
+  draw::Picture picture;
+  picture.size_px = size_px;
+  picture.background = colors_.paper;
+  const Sizing type = typeScaled(sizing, written_.style.textSize);
+  const int strip_px = static_cast<int>(std::min(captions_.height_px(size_px, type), kMostStrip * size_px.y));
+  const glm::ivec2 free_px = size_px - glm::ivec2(0, strip_px);
+  const WrittenThings things{{}, presence_.at("title", filmTime_s), presence_.at("notes", filmTime_s), 0};
+  const PictureWriting writing = pictureWriting(written_, things, free_px, sizing, colors_);
+  const PictureLayout whole(std::vector<scene::GridPlace>(1));
+  const Grid grid = gridIn(whole.cells(free_px, writing.reach).front(), size_px, sizing);
+  const std::vector<double> metres_px = mostMetre_px(grid);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    addAt(picture, cells_[i].compose(filmTime_s, grid.cell_px, grid.sizing, metres_px),
+          grid.originOf(static_cast<int>(i)));
+  addLabels(picture, grid);
+  addBlocks(picture, writing.blocks, writing.boxes);
+  captions_.add(picture, filmTime_s, type, colors_);
+  return picture;
+}
+
+// A scene is made for its picture: a cell is worth what that picture, made smaller, would have in it. Nearly as
+// large with fewer places left over is better.
+int SweepStage::columnsFor(glm::ivec2 size_px, glm::ivec2 picture_px) const {
+  const int count = static_cast<int>(cells_.size());
+  if (hasRows()) return static_cast<int>(labels_[0].whole.size());
+  if (columns_ > 0) return std::min(columns_, count);
+  const glm::dvec2 whole = glm::dvec2(size_px) / glm::dvec2(picture_px);
+  int best = 1;
+  double most = 0;
+  for (int columns = 1; columns <= count; ++columns) {
+    const int rows = (count + columns - 1) / columns;
+    const double scale = std::min(whole.x / columns, whole.y / rows);
+    const double worth = scale * std::sqrt(static_cast<double>(count) / (columns * rows));
+    if (worth > most * (1 + 1e-6)) most = worth, best = columns;
+  }
+  return best;
+}
+
+SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, const Sizing& sizing) const {
+  Grid grid;
+  grid.columns = columnsFor(room.size_px, picture_px);
+  grid.rows = (static_cast<int>(cells_.size()) + grid.columns - 1) / grid.columns;
+  const glm::ivec2 share_px = glm::max(room.size_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
+  const double share = std::pow(area(share_px) / area(picture_px), kShrinks);
+  grid.sizing = {share * sizing.type_px, share * sizing.line_px, sizing.least_px};
+  grid.label_px = labelSize_px(typeScaled(grid.sizing, written_.style.textSize), share_px, room.size_px);
+  const int band_px = static_cast<int>(std::ceil((kOver + kUnder) * grid.label_px));
+  const int margin_px = static_cast<int>(std::ceil(margin_em() * grid.label_px));
+  // One band over all for the columns, or one in each cell.
+  const int headBand_px = hasRows() ? band_px : 0, cellBand_px = band_px - headBand_px;
+  // Whole pixels, the same for all: what is left over is at the edges.
+  const glm::ivec2 cells_px = room.size_px - glm::ivec2(margin_px, headBand_px);
+  grid.pitch_px = glm::max(cells_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
+  grid.cell_px = glm::max(grid.pitch_px - glm::ivec2(0, cellBand_px), glm::ivec2(1));
+  const glm::ivec2 left_px = cells_px - grid.pitch_px * glm::ivec2(grid.columns, grid.rows);
+  grid.origin_px = room.origin_px + glm::ivec2(margin_px + std::max(left_px.x, 0) / 2, band_px);
+  return grid;
+}
+
+/// Beside the rows, for their labels.
+double SweepStage::margin_em() const { return hasRows() ? widest_em(labels_[1].whole) + 2 * kBeside : 0; }
+
+double SweepStage::labelSize_px(const Sizing& type, glm::dvec2 cell_px, glm::dvec2 room_px) const {
+  const double wanted_px = std::max({kLabel * type.type_px, type.least_px, kLeastType_px});
+  return std::min({wanted_px, kAcross * cell_px.x / std::max(widest_em(labels_[0].whole), 1e-9),
+                   kMostMargin * room_px.x / std::max(margin_em(), 1e-9),
+                   kMostBand * cell_px.y / (kOver + kUnder)});
+}
+
+void SweepStage::addLabels(draw::Picture& picture, const Grid& grid) const {
+  const double em_px = grid.label_px;
+  const auto over = [&](const std::string& tex, int cell) {
+    const glm::ivec2 corner = grid.originOf(cell);
+    addLine(picture, tex, corner.x + 0.5 * grid.cell_px.x, corner.y - kUnder * em_px, Align::kCentre, em_px,
+            colors_.ink);
+  };
+  for (std::size_t i = 0; i < labels_[0].whole.size(); ++i) over(labels_[0].whole[i], static_cast<int>(i));
+  if (!hasRows()) return;
+  for (std::size_t row = 0; row < labels_[1].whole.size(); ++row) {
+    const glm::ivec2 corner = grid.originOf(static_cast<int>(row) * grid.columns);
+    addLine(picture, labels_[1].whole[row], corner.x - kBeside * em_px,
+            corner.y + 0.5 * grid.cell_px.y + kUnder * em_px, Align::kRight, em_px, colors_.ink);
+  }
+}
+
+std::vector<double> SweepStage::mostMetre_px(const Grid& grid) const {
+  std::vector<std::vector<double>> ofCells;
+  for (const Stage& cell : cells_) ofCells.push_back(cell.metres_px(grid.cell_px, grid.sizing));
+  std::vector<double> most;
+  for (std::size_t view = 0; view < ofCells[0].size(); ++view) {
+    std::vector<double> possible_px;
+    for (const std::vector<double>& cell : ofCells) possible_px.push_back(cell.at(view));
+    most.push_back(commonMetre_px(possible_px));
+  }
+  return most;
+}
+
+}  // namespace poinsot::stage
