@@ -5,6 +5,7 @@
 
 #include "app/frame_clock.h"
 #include "app/memory.h"
+#include "stage/stage.h"
 
 namespace poinsot::app {
 namespace {
@@ -26,7 +27,8 @@ FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<
   while (entries_.size() >= kMost) entries_.pop_back();
   if (!context_) context_ = gl::openContext(backend_);
   entries_.push_front({key, frameCount(scene.time.duration_s, scene.time.fps),
-                       std::make_unique<SceneFrames>(scene, *context_, std::nullopt, form)});
+                       std::make_unique<SceneFrames>(scene, std::make_unique<stage::Stage>(scene), *context_,
+                                                     std::nullopt, form)});
   return entries_.front();
 }
 

@@ -23,6 +23,12 @@ void addText(core::Sha256& sum, std::string_view text) {
 
 void addDigest(core::Sha256& sum, const core::Digest& digest) { sum.add(std::as_bytes(std::span(digest))); }
 
+void addSweep(core::Sha256& sum, const SweepRequest& sweep) {
+  addText(sum, sweep.map ? "map" : "sweep");
+  addText(sum, fmt::format("{}", sweep.columns));
+  for (const std::string& label : sweep.labels) addText(sum, label);
+}
+
 }  // namespace
 
 core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene) {
@@ -34,6 +40,7 @@ core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene)
     addText(sum, input.path);
     addDigest(sum, input.digest);
   }
+  if (request.sweep) addSweep(sum, *request.sweep);
   return sum.finish();
 }
 
@@ -70,7 +77,7 @@ core::Digest jobDigest(const core::Digest& scene, const std::string& settings) {
 
 JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
   const core::Digest sceneSum = sceneDigest(request.scene, scene);
-  const PictureWords words = pictureWords(scene);
+  const PictureWords words = pictureWords(request.scene, scene);
   JobFile job;
   job.scene = core::toHex(sceneSum);
   job.settings = renderSettings(request.target, request.form, request.reproducible, request.segmentFrames, scene);

@@ -11,7 +11,7 @@
 /// By what a render knows its own work again, so that a later one can go on with it.
 namespace poinsot::app {
 
-/// Of a scene's text, what overrides it, and the files that it names.
+/// Of a scene's text, what overrides it, the files that it names, and how it is swept.
 core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene);
 
 /// All that the bytes of a frame depend on besides its picture and what draws it: size, and of a film the rate,

@@ -120,8 +120,9 @@ double meshMemory_bytes(const scene::Scene& scene) {
   return bytes;
 }
 
-double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form) {
-  return workerMemory_bytes(target, scene.output, form) + meshMemory_bytes(scene);
+double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
+                          int cells) {
+  return workerMemory_bytes(target, scene.output, form) + cells * meshMemory_bytes(scene);
 }
 
 // Measured of two pictures that differ everywhere, maps included: 39.5 MB of 1024x1024, 246 MB of 3000x3000.

@@ -25,8 +25,9 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked
 /// What the meshes of a scene add to that.
 double meshMemory_bytes(const scene::Scene& scene);
 
-/// Both.
-double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form);
+/// Both; of a sweep with the meshes of all its cells.
+double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
+                          int cells = 1);
 
 /// Bytes that comparing two pictures of a size takes at its peak, maps included.
 double compareMemory_bytes(image::PixelSize size);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/scene_request.h"
 #include "scene/scene.h"
 
 namespace poinsot::app {
@@ -13,7 +14,8 @@ struct PictureWords {
   std::string description;  ///< altText(): for those who do not see it
 };
 
-/// @throws core::Error(kPhysics) as altText().
-PictureWords pictureWords(const scene::Scene& scene);
+/// @param scene  loadRequested(request)
+/// @throws core::Error(kPhysics) as altText() and stage::StabilityMap.
+PictureWords pictureWords(const SceneRequest& request, const scene::Scene& scene);
 
 }  // namespace poinsot::app

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/scene_frames.h"
 
+#include <utility>
+
 #include "app/frame_clock.h"
 #include "output/figure_alpha.h"
 
 namespace poinsot::app {
 
-SceneFrames::SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
-                         const PictureForm& form, std::optional<output::FigureMedium> medium,
-                         const std::string& settings, core::StepLedger* steps)
+SceneFrames::SceneFrames(const scene::Scene& scene, std::unique_ptr<const stage::Composer> composer,
+                         gl::OffscreenContext& context, std::optional<double> time_s, const PictureForm& form,
+                         std::optional<output::FigureMedium> medium, const std::string& settings,
+                         core::StepLedger* steps)
     : size_{scene.output.width, scene.output.height},
       fps_(scene.time.fps),
       time_s_(time_s),
       form_(form),
       medium_(medium),
-      stage_(scene, steps),
+      composer_(std::move(composer)),
       renderer_(context, steps),
       rendererName_(context.renderer()),
       digestOf_(settings, rendererName_),
@@ -42,8 +45,8 @@ void SceneFrames::compose(std::int64_t k) {
   const core::StepScope timing(steps_, core::Step::kCompose);
   const double time_s = time_s_.value_or(filmTime_s(k, fps_));
   const glm::ivec2 size_px(size_.width, size_.height);
-  picture_ = form_.print ? stage_.compose(time_s, size_px, stage::printSizing(form_.print->dpi))
-                         : stage_.compose(time_s, size_px);
+  picture_ = form_.print ? composer_->compose(time_s, size_px, stage::printSizing(form_.print->dpi))
+                         : composer_->compose(time_s, size_px);
   composed_ = k;
 }
 

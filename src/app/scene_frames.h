@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/frame_source.h"
@@ -10,21 +11,25 @@
 #include "gl/offscreen_context.h"
 #include "output/figure.h"
 #include "render/renderer.h"
-#include "stage/stage.h"
+#include "scene/scene.h"
+#include "stage/composer.h"
 
 namespace poinsot::app {
 
-/// The frames of a scene: stage composes, renderer draws. Needs a current context for life.
+/// The frames of what is drawn of a scene: stage composes, renderer draws. Needs a current context for life.
 class SceneFrames : public FrameSource {
  public:
+  /// @param scene  of which rate and size are
+  /// @param composer  of its pictures: composerOf() a request, or the scene's own stage
   /// @param time_s  film time of every frame, in place of its own: for a still between two frames.
   /// @param medium  of a figure: a frame is then only what the figure holds as an image.
   /// @param settings  renderSettings(), of which digests are.
   /// @param steps  where the time is entered.
   /// @throws core::Error(kPhysics, kGraphics)
-  SceneFrames(const scene::Scene& scene, gl::OffscreenContext& context, std::optional<double> time_s,
-              const PictureForm& form = {}, std::optional<output::FigureMedium> medium = std::nullopt,
-              const std::string& settings = "", core::StepLedger* steps = nullptr);
+  SceneFrames(const scene::Scene& scene, std::unique_ptr<const stage::Composer> composer,
+              gl::OffscreenContext& context, std::optional<double> time_s, const PictureForm& form = {},
+              std::optional<output::FigureMedium> medium = std::nullopt, const std::string& settings = "",
+              core::StepLedger* steps = nullptr);
 
   /// As if made with that time.
   void setTime(std::optional<double> time_s) {
@@ -50,7 +55,7 @@ class SceneFrames : public FrameSource {
   std::optional<output::FigureMedium> medium_;
   draw::Picture picture_;
   std::optional<std::int64_t> composed_;  // whose picture that is
-  stage::Stage stage_;
+  std::unique_ptr<const stage::Composer> composer_;
   render::Renderer renderer_;
   image::AnyImage fitted_;  // of the last transparent frame
   std::string rendererName_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/scene_request.h"
 
+#include <algorithm>
+
+#include "app/sweep_cells.h"
 #include "core/error.h"
 #include "scene/scene_file.h"
 #include "text/math_setter.h"
@@ -17,6 +20,18 @@ std::string texProblem(std::string_view tex) {
   }
 }
 
+/// A range of a key that there is not is none: the scene says what is wrong before the grid does.
+SceneRequest firstCell(const SceneRequest& request) {
+  if (!request.sweep->map && std::ranges::none_of(request.overrides, [](const std::string& word) {
+        return scene::sweepAxis(word).has_value();
+      })) {
+    SceneRequest plain = request;
+    plain.sweep.reset();
+    loadRequested(plain);
+  }
+  return cellRequest(request, SweepGrid(request), 0);
+}
+
 }  // namespace
 
 SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
@@ -26,6 +41,7 @@ SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::stri
 }
 
 scene::Scene loadRequested(const SceneRequest& request) {
+  if (request.sweep) return loadRequested(firstCell(request));
   scene::Scene scene =
       scene::parseScene(request.text, request.fileName, request.overrides, texProblem, request.allowance);
   if (request.size) {

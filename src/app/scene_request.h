@@ -12,6 +12,13 @@
 
 namespace poinsot::app {
 
+/// What is drawn of a scene in place of its film: its values swept.
+struct SweepRequest {
+  bool map = false;                      ///< the stability map of its body; else a grid of films
+  int columns = 0;                       ///< of the grid of one range; 0: as the picture has room
+  std::vector<std::string> labels = {};  ///< names of the swept keys in TeX, in place of their own
+};
+
 /// A scene as the user asked for it. The text is read once: workers get it from here, so that a file edited during
 /// a render cannot mix two scenes into one film.
 struct SceneRequest {
@@ -20,6 +27,7 @@ struct SceneRequest {
   std::vector<std::string> overrides;    ///< "key.path=value", in the order given
   std::optional<image::PixelSize> size;  ///< in place of the scene's; may be odd, which the key may not
   scene::Allowance allowance{};          ///< how much, and files of which folders besides its own
+  std::optional<SweepRequest> sweep{};   ///< ranges among the overrides stand for cells (sweep_cells.h)
 };
 
 /// Reads the file.
@@ -28,7 +36,7 @@ struct SceneRequest {
 SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
                               const scene::Allowance& allowance = {});
 
-/// The validated scene.
+/// The validated scene; of a sweep that of its first cell.
 /// @throws scene::SceneErrors with all problems.
 scene::Scene loadRequested(const SceneRequest& request);
 

@@ -60,7 +60,7 @@ class SingleFigure : public output::FrameSink {
 std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene::Scene& scene,
                                                SceneFrames& frames, core::StepLedger& steps) {
   const auto& path = job.target.path;
-  const auto [title, description] = pictureWords(scene);
+  const auto [title, description] = pictureWords(job.scene, scene);
   const PrintSize print = job.form.print.value_or(PrintSize{});
   if (job.target.kind == OutputKind::kFigure)
     return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames,

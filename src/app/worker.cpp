@@ -13,6 +13,7 @@
 #include "app/interrupt.h"
 #include "app/job_identity.h"
 #include "app/sandbox.h"
+#include "app/scene_composer.h"
 #include "app/scene_frames.h"
 #include "app/segment_sink.h"
 #include "app/worker_protocol.h"
@@ -117,8 +118,8 @@ void work(LineReader& jobs, int reports) {
   const auto context = gl::openContext(job.backend);
   core::StepLedger steps;
   if (job.trace) steps.trace();
-  SceneFrames frames(scene, *context, job.time_s, job.form, output::figureMedium(job.target.path), settings,
-                     &steps);
+  SceneFrames frames(scene, composerOf(job.scene, scene, &steps), *context, job.time_s, job.form,
+                     output::figureMedium(job.target.path), settings, &steps);
   const bool keeps = !job.job.empty();
   const SegmentKeeper keeper(job, context->renderer());
   Statistics spent =

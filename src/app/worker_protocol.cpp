@@ -34,12 +34,25 @@ scene::Allowance allowanceOf(const Json& json) {
   return allowance;
 }
 
+Json toJson(const SweepRequest& sweep) {
+  Json json{{"map", sweep.map}, {"columns", sweep.columns}, {"labels", Json::array()}};
+  for (const std::string& label : sweep.labels) json["labels"].push_back(utf8FromBytes(label));
+  return json;
+}
+
+SweepRequest sweepOf(const Json& json) {
+  SweepRequest sweep{json.at("map").get<bool>(), json.at("columns").get<int>()};
+  for (const Json& label : json.at("labels")) sweep.labels.push_back(textOf(label));
+  return sweep;
+}
+
 Json toJson(const SceneRequest& scene) {
   Json json{
       {"file", utf8FromBytes(scene.fileName)}, {"text", utf8FromBytes(scene.text)}, {"overrides", Json::array()}};
   for (const std::string& override : scene.overrides) json["overrides"].push_back(utf8FromBytes(override));
   if (scene.size) json["size"] = {scene.size->width, scene.size->height};
   json["allowance"] = toJson(scene.allowance);
+  if (scene.sweep) json["sweep"] = toJson(*scene.sweep);
   return json;
 }
 
@@ -48,6 +61,7 @@ SceneRequest sceneOf(const Json& json) {
   for (const Json& override : json.at("overrides")) scene.overrides.push_back(textOf(override));
   if (json.contains("size"))
     scene.size = image::PixelSize{json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
+  if (json.contains("sweep")) scene.sweep = sweepOf(json.at("sweep"));
   return scene;
 }
 

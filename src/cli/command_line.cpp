@@ -34,6 +34,7 @@ constexpr std::array kCommands{
     Command{"preview", addPreview},
     Command{"render", addRender},
     Command{"still", addStill},
+    Command{"sweep", addSweep},
     Command{"gallery", addGallery},
     Command{"status", addStatus},
     Command{"assemble", addAssemble},

@@ -23,33 +23,6 @@ void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& fra
                   core::printable(target.path.string()), frames.count(), frames.first));
 }
 
-void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
-  if (!parts.shard.empty()) app::parseShard(parts.shard);
-  if (!parts.shard.empty() && !parts.manifest.empty())
-    refuse("--manifest: tells of a whole film, and a shard makes a part of one");
-  if (target.stream && (!parts.shard.empty() || !parts.manifest.empty() || parts.resume || parts.keep))
-    refuse("-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
-  if (target.kind != app::OutputKind::kPicture) return;
-  if (!parts.shard.empty()) refuse("--shard: one picture is made by one process");
-  if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
-}
-
-void addPartsOptions(CLI::App& command, PartsOptions& parts) {
-  command.add_flag("--resume", parts.resume,
-                   "go on where a render of this output stopped; what has changed is made again");
-  command.add_flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
-  command
-      .add_option("--manifest", parts.manifest,
-                  "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command
-      .add_option("--shard", parts.shard,
-                  "only the segments of the k-th of n processes; then join them with assemble")
-      ->type_name("k/n")
-      ->check(notEmpty());
-}
-
 Reach reachOf(const FilmOptions& options) {
   Reach reach = reachOf(options, namedTarget(options));
   reach.outputs.push_back(options.parts.manifest);

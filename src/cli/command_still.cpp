@@ -1,80 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 
 #include "cli/commands.h"
 #include "cli/picture_bits.h"
-#include "cli/print_size.h"
-#include "cli/rendering.h"
-#include "cli/time_word.h"
-#include "core/error.h"
-#include "core/text.h"
+#include "cli/still_options.h"
 
 namespace poinsot::cli {
 namespace {
 
-struct StillOptions : RenderOptions {
-  std::optional<std::string> time;
-  std::string width;
-  std::optional<double> dpi;
+struct Options : RenderOptions {
+  StillOptions still;
   bool transparent = false;
   int bits = 8;
 };
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 /// -o, or out/NAME.png.
-app::OutputTarget targetOf(const StillOptions& options, const std::string& sceneName) {
+app::OutputTarget targetOf(const Options& options, const std::string& sceneName) {
   return app::parseStillTarget(options.output.empty() ? "out/" + sceneName + ".png" : options.output);
 }
 
-/// A figure has a size on paper, a picture only where one is asked for.
-app::PictureForm formOf(const StillOptions& options, app::OutputKind kind) {
-  app::PictureForm form{std::nullopt, options.transparent, options.bits};
-  if (kind == app::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
-  if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
-  if (options.dpi && !form.print) refuse("--dpi needs --width: pixels to the inch of a picture that has a width");
-  if (options.dpi) form.print->dpi = *options.dpi;
-  return form;
-}
-
-/// With a size on paper the one in pixels is its proportion.
-void setPixels(const app::PictureForm& form, RequestedScene& requested) {
-  if (!form.print) return;
-  scene::Output& output = requested.scene.output;
-  const image::PixelSize pixels =
-      printedPixels(*form.print, {output.width, output.height}, requested.request.allowance.limits);
-  requested.request.size = pixels;
-  output.width = pixels.width;
-  output.height = pixels.height;
-}
-
-std::optional<double> askedTime_s(const StillOptions& options) {
-  return options.time ? std::optional(parseTime_s("--time", *options.time)) : std::nullopt;
-}
-
-int still(const StillOptions& options) {
-  const auto named = targetOf(options, "SCENE");  // what is typed wrong is said first
-  checkBits(options.bits, named);
-  const auto form = formOf(options, named.kind);
-  const auto asked_s = askedTime_s(options);
-  RequestedScene requested = requestedScene(options);
-  const scene::Scene& scene = requested.scene;
-  if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
-    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*options.time),
-                       scene.time.duration_s));
-  setPixels(form, requested);
-  return renderTo(options, targetOf(options, scene.name), std::move(requested.request), scene,
-                  app::FrameRange{0, 0}, asked_s.value_or(scene.time.stillTime_s()), form);
+int still(const Options& options) {
+  return makeStill(options, options.still, {std::nullopt, options.transparent, options.bits},
+                   [&](const std::string& sceneName) { return targetOf(options, sceneName); });
 }
 
 }  // namespace
 
 void addStill(CLI::App& program, Action& chosen) {
-  auto options = std::make_shared<StillOptions>();
+  auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("still", "make one picture of a scene");
   addRenderOptions(*command, *options);
   command
@@ -82,19 +36,7 @@ void addStill(CLI::App& program, Action& chosen) {
                    "NAME.png, NAME.pdf, NAME.svg or NAME.tex (default: out/SCENE.png)")
       ->type_name("FILE")
       ->check(notEmpty());
-  command
-      ->add_option("--time", options->time,
-                   "film time, such as 1.25 (seconds) or '90 ms' (default: the scene's time.still)")
-      ->type_name("T");
-  command
-      ->add_option("--width", options->width,
-                   "width on paper, in mm, cm, in or pt: then type and lines have a size in points, and --size is "
-                   "only the proportion (default of a PDF, SVG or TeX: 86mm)")
-      ->type_name("LENGTH")
-      ->check(notEmpty());
-  command->add_option("--dpi", options->dpi, "pixels to the inch on paper (default: 600)")
-      ->type_name("N")
-      ->check(CLI::Range(1.0, 10000.0));
+  addStillOptions(*command, options->still);
   command->add_flag("--transparent", options->transparent, "no paper behind the picture");
   addBitsOption(*command, options->bits);
   command->footer(

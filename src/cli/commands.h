@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 /// Each declares one command with its options, and sets `chosen` when it is the one on the command line.
 void addRender(CLI::App& program, Action& chosen);
 void addStill(CLI::App& program, Action& chosen);
+void addSweep(CLI::App& program, Action& chosen);
 void addGallery(CLI::App& program, Action& chosen);
 void addStatus(CLI::App& program, Action& chosen);
 void addAssemble(CLI::App& program, Action& chosen);

@@ -10,6 +10,11 @@
 #include "output/film_format.h"
 
 namespace poinsot::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+}  // namespace
 
 void addFilmOptions(CLI::App& command, FilmOptions& options) {
   command
@@ -37,10 +42,36 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
       ->check(CLI::Range(1, 10'000));
 }
 
+void addPartsOptions(CLI::App& command, PartsOptions& parts) {
+  command.add_flag("--resume", parts.resume,
+                   "go on where a render of this output stopped; what has changed is made again");
+  command.add_flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
+  command
+      .add_option("--manifest", parts.manifest,
+                  "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command
+      .add_option("--shard", parts.shard,
+                  "only the segments of the k-th of n processes; then join them with assemble")
+      ->type_name("k/n")
+      ->check(notEmpty());
+}
+
+void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
+  if (!parts.shard.empty()) app::parseShard(parts.shard);
+  if (!parts.shard.empty() && !parts.manifest.empty())
+    refuse("--manifest: tells of a whole film, and a shard makes a part of one");
+  if (target.stream && (!parts.shard.empty() || !parts.manifest.empty() || parts.resume || parts.keep))
+    refuse("-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
+  if (target.kind != app::OutputKind::kPicture) return;
+  if (!parts.shard.empty()) refuse("--shard: one picture is made by one process");
+  if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
+}
+
 std::optional<app::OutputTarget> namedTarget(const FilmOptions& options) {
   if (options.output == "-") return app::streamTarget(options.format);
-  if (!options.format.empty())
-    throw core::Error(core::ErrorKind::kUsage, "--format goes with -o -; a file's name says what it is");
+  if (!options.format.empty()) refuse("--format goes with -o -; a file's name says what it is");
   return options.output.empty() ? std::nullopt : std::optional(app::parseTarget(options.output));
 }
 

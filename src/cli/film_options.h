@@ -19,6 +19,12 @@ struct FilmOptions : RenderOptions {
 /// Declares the output, the frames and their rate, --loop, and --segment.
 void addFilmOptions(CLI::App& command, FilmOptions& options);
 
+/// Declares how it is made in parts: --resume, --keep, --manifest, --shard.
+void addPartsOptions(CLI::App& command, PartsOptions& parts);
+
+/// @throws core::Error(kUsage) for what the target cannot be made in.
+void checkParts(const PartsOptions& parts, const app::OutputTarget& target);
+
 /// What they ask for.
 struct RequestedFilm {
   app::SceneRequest request;

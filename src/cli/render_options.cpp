@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "app/scene_composer.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/limits.h"
@@ -124,9 +125,12 @@ RequestedScene requestedScene(const RenderOptions& options, const scene::Allowan
   std::vector<std::string> texts;
   for (const Override& override : overrides) texts.push_back(override.text);
   auto request = app::readSceneRequest(options.scene, std::move(texts), allowance);
+  request.sweep = options.sweep;
   if (!options.size.empty()) request.size = parseSize(options.size, allowance.limits);
   try {
-    return {request, app::loadRequested(request)};
+    RequestedScene requested{request, app::loadRequested(request)};
+    if (request.sweep) app::checkSweep(request, requested.scene);
+    return requested;
   } catch (const scene::SceneErrors& errors) {
     throwAsTyped(errors, overrides);
   }

@@ -19,6 +19,7 @@ struct RenderOptions : SceneOptions {
   int jobs = 0;
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
+  std::optional<app::SweepRequest> sweep;  ///< by the command
 };
 
 /// Declares those that every process of a render must be told: size, quality, back end, what may be replaced.

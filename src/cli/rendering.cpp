@@ -13,7 +13,9 @@
 #include "app/loop_text.h"
 #include "app/memory.h"
 #include "app/progress.h"
+#include "app/scene_composer.h"
 #include "app/subtitles.h"
+#include "app/sweep_cells.h"
 #include "app/temporary_folder.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -23,7 +25,6 @@
 #include "output/figure.h"
 #include "output/png_sequence.h"
 #include "output/target_check.h"
-#include "stage/stage.h"
 
 namespace poinsot::cli {
 namespace {
@@ -73,7 +74,7 @@ int describePrinted(const app::RenderRequest& request, const scene::Output& outp
 }
 
 int describe(const app::RenderRequest& request, const scene::Scene& scene) {
-  const stage::Stage stage(scene);  // what the motion lacks is found here
+  app::composerOf(request.scene, scene);  // what the motion lacks is found here
   if (request.form.print) return describePrinted(request, scene.output);
   const auto segments = app::segmentsOf(request.frames, request.segmentFrames).size();
   writeOut(fmt::format("{}: {} frame{} ({}-{}), {}x{}, {} frames/s, {} segment{}\n",
@@ -189,7 +190,8 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             parts.segmentFrames,
                             parts.resume,
                             parts.keep};
-  render.worker_bytes = app::workerMemory_bytes(target, scene, form);
+  const int cells = render.scene.sweep ? app::SweepGrid(render.scene).cells : 1;
+  render.worker_bytes = app::workerMemory_bytes(target, scene, form, cells);
   render.jobs = workersOf(options, render, scene);
   if (!parts.shard.empty()) {
     render.shard = app::parseShard(parts.shard);

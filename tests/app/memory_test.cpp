@@ -95,5 +95,17 @@ TEST(WorkerMemory, GrowsWithThePictureAndTheEncoder) {
   EXPECT_LT(workerMemory_bytes(large, output::FilmFormat()), 1024 * kMib);  // the promise for 4K
 }
 
+// Each cell of a sweep reads its scene's meshes for itself.
+TEST(WorkerMemory, OfASweepHasTheMeshesOfAllCells) {
+  auto mesh = std::make_shared<geometry::Mesh>();
+  mesh->triangles.resize(1000);
+  scene::Scene scene;
+  scene.body.parts.push_back({.figure = mesh});
+  const OutputTarget picture{OutputKind::kPicture, "a.png"};
+  const double one = workerMemory_bytes(picture, scene, {}), nine = workerMemory_bytes(picture, scene, {}, 9);
+  EXPECT_EQ(nine - one, 8 * meshMemory_bytes(scene));
+  EXPECT_GE(meshMemory_bytes(scene), 1000 * 3 * sizeof(float));
+}
+
 }  // namespace
 }  // namespace poinsot::app

@@ -58,7 +58,7 @@ class BashCompletion : public Completion {
 
 TEST_F(BashCompletion, Commands) {
   EXPECT_THAT(offered({"re"}), ElementsAre("render"));
-  EXPECT_THAT(offered({"s"}), ElementsAre("schema", "status", "still", "submit"));
+  EXPECT_THAT(offered({"s"}), ElementsAre("schema", "status", "still", "submit", "sweep"));
   EXPECT_THAT(offered({""}), AllOf(IsSupersetOf({"help", "gallery", "--version"}), Not(Contains("worker"))));
   EXPECT_THAT(offered({"help", "gr"}), ElementsAre("grade"));
   EXPECT_THAT(run("source share/bash-completion/completions/poinsot; complete -p poinsot"),
@@ -142,7 +142,7 @@ TEST_F(ZshCompletion, CommandsOptionsValuesKeysAndFiles) {
               "zpty -w z 'unsetopt prompt_sp; PS1=; autoload -U compinit; compinit -u -D;"
               " source share/zsh/vendor-completions/_poinsot; echo REA''DY'\n"
               "zpty -r z seen '*READY*' || exit 1\n" +
-                  ask("poinsot s", {"schema", "status", "still", "submit"}) +
+                  ask("poinsot s", {"schema", "status", "still", "submit", "sweep"}) +
                   ask("poinsot still --backend ", {"auto", "egl", "osmesa"}) +
                   ask("poinsot render top.toml -D style.theme=", {"dark", "light", "print"}) +
                   ask("poinsot render top.toml --f", {"force", "format", "fps", "frames"}) +

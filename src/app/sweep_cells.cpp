@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/sweep_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/memory.h"
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+#include "scene/make_motion.h"
+#include "stage/palette.h"
+
+namespace poinsot::app {
+namespace {
+
+using scene::Limit;
+
+constexpr std::size_t kMostAxes = 2;  // rows and columns
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
+  const std::size_t ranges = grid.axes.size();
+  if (request.sweep->map) {
+    if (ranges > 0) refuse(fmt::format("--map is of one body; leave out the range of {}", grid.axes[0].key));
+    return;
+  }
+  if (ranges == 0)
+    refuse(
+        "a sweep has one range or two: -D KEY=FROM..TO:COUNT, such as -D 'time.start=0..4 s:9'; --map has none");
+  if (ranges > kMostAxes) refuse(fmt::format("a sweep has one range or two, got {}", ranges));
+  if (grid.cells > scene::kMostCells)
+    refuse(fmt::format("{} x {} are {} cells: a sweep has at most {}", grid.axes[0].values.size(),
+                       grid.axes.back().values.size(), grid.cells, scene::kMostCells));
+}
+
+/// Of two words for a key the last one wins: the range would count for nothing, or all else would.
+void expectOnce(const std::vector<std::string>& overrides, const std::string& key) {
+  const auto isOfKey = [&](const std::string& word) {
+    const auto from = std::min(word.find_first_not_of(' '), word.size());
+    return word.compare(from, key.size(), key) == 0 &&
+           word.find_first_not_of(' ', from + key.size()) == word.find('=');
+  };
+  if (std::ranges::count_if(overrides, isOfKey) > 1) refuse(fmt::format("-D {}: given more than once", key));
+}
+
+bool isOneFilm(const scene::Scene& a, const scene::Scene& b) {
+  const auto isSameOutput = [](const scene::Output& p, const scene::Output& q) {
+    return p.width == q.width && p.height == q.height && p.crf == q.crf && p.codec == q.codec;
+  };
+  return a.time.duration_s == b.time.duration_s && a.time.fps == b.time.fps && isSameOutput(a.output, b.output) &&
+         stage::palette(a.style).paper == stage::palette(b.style).paper;
+}
+
+void expectOneFilm(const std::vector<scene::Scene>& cells, const SweepGrid& grid) {
+  for (const scene::Scene& cell : cells) {
+    if (cell.time.loop) refuse("a sweep does not repeat: --loop changes each motion by itself");
+    if (isOneFilm(cells.front(), cell)) continue;
+    refuse(fmt::format("a sweep of {}: its cells would differ in length, rate, size or paper, and are one film",
+                       grid.axes.size() == 1 ? grid.axes[0].key : grid.axes[0].key + " and " + grid.axes[1].key));
+  }
+}
+
+void shareSpeed(std::vector<scene::Scene>& cells) {
+  double least = INFINITY;
+  for (const scene::Scene& cell : cells)
+    if (!cell.time.speed) least = std::min(least, scene::chosenSpeed(cell));
+  for (scene::Scene& cell : cells)
+    if (!cell.time.speed) cell.time.speed = least;
+}
+
+}  // namespace
+
+SweepGrid::SweepGrid(const SceneRequest& request) {
+  POINSOT_EXPECT(request.sweep.has_value());
+  for (std::size_t i = 0; i < request.overrides.size(); ++i) {
+    auto axis = scene::sweepAxis(request.overrides[i]);
+    if (!axis) continue;
+    expectOnce(request.overrides, axis->key);
+    cells *= static_cast<int>(axis->values.size());
+    axes.push_back(std::move(*axis));
+    overrides_.push_back(i);
+    if (axes.size() > kMostAxes) break;  // so that the product stays small
+  }
+  expectGrid(request, *this);
+}
+
+std::size_t SweepGrid::valueOf(std::size_t axis, int cell) const {
+  const auto inRow = static_cast<int>(axes.at(0).values.size());
+  return static_cast<std::size_t>(axis == 0 ? cell % inRow : cell / inRow);
+}
+
+SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell) {
+  SceneRequest one = request;
+  one.sweep.reset();
+  for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
+    one.overrides.at(grid.overrides_[axis]) = grid.axes[axis].override(grid.valueOf(axis, cell));
+  scene::Limits& limits = one.allowance.limits;
+  for (const Limit limit : {Limit::kFilesBytes, Limit::kTriangles, Limit::kCharacters, Limit::kSteps})
+    limits.set(limit, std::max<std::int64_t>(limits[limit] / grid.cells, 1));
+  return one;
+}
+
+std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid) {
+  std::vector<scene::Scene> cells;
+  for (int i = 0; i < grid.cells; ++i) {
+    cells.push_back(loadRequested(cellRequest(request, grid, i)));
+    if (i == 0)
+      expectWithinMemory(grid.cells * meshMemory_bytes(cells[0]),
+                         fmt::format("the meshes of {} cells", grid.cells), request.allowance.limits);
+  }
+  expectOneFilm(cells, grid);
+  shareSpeed(cells);
+  return cells;
+}
+
+}  // namespace poinsot::app

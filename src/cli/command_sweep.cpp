@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/sweep_cells.h"
+#include "cli/commands.h"
+#include "cli/film_options.h"
+#include "cli/picture_bits.h"
+#include "cli/still_options.h"
+#include "core/error.h"
+#include "output/film_format.h"
+#include "output/frame_pattern.h"
+
+namespace poinsot::cli {
+namespace {
+
+struct SweepOptions : FilmOptions {
+  StillOptions still;
+  app::SweepRequest asked;
+};
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// By the name of the output; without one it is a picture.
+bool isFilm(const SweepOptions& options) {
+  return options.output == "-" || output::filmContainer(options.output).has_value() ||
+         output::FramePattern::isPattern(options.output);
+}
+
+/// -o, or out/NAME_sweep.png, out/NAME_map.png.
+app::OutputTarget pictureTarget(const SweepOptions& options, const std::string& sceneName) {
+  const std::string ofItself = "out/" + sceneName + (options.asked.map ? "_map.png" : "_sweep.png");
+  return app::parseStillTarget(options.output.empty() ? ofItself : options.output);
+}
+
+void checkWords(const SweepOptions& options) {
+  const PartsOptions& parts = options.parts;
+  if (isFilm(options)) {
+    if (options.asked.map) refuse("--map: a map stands still; -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
+    if (options.still.any()) refuse("--time, --width and --dpi are for one picture, not for a film");
+    return;
+  }
+  if (!options.frames.empty() || !options.format.empty() || parts.resume || parts.keep || !parts.shard.empty() ||
+      !parts.manifest.empty())
+    refuse("--frames, --format, --resume, --keep, --shard and --manifest are for films; one picture has --time");
+  if (options.asked.map && (options.asked.columns > 0 || !options.asked.labels.empty()))
+    refuse("--columns and --label are for a grid, not for --map");
+}
+
+int makeFilm(const SweepOptions& options) {
+  auto film = requestedFilm(options);
+  checkParts(options.parts, film.target);
+  return renderTo(options, film.target, std::move(film.request), film.scene, film.frames, std::nullopt,
+                  pictureForm(options), options.parts);
+}
+
+int sweep(SweepOptions options) {
+  options.sweep = options.asked;
+  if (isFilm(options)) return makeFilm(options);
+  return makeStill(options, options.still, pictureForm(options),
+                   [&](const std::string& sceneName) { return pictureTarget(options, sceneName); });
+}
+
+Reach reachOf(const SweepOptions& options) {
+  Reach reach =
+      reachOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
+  reach.outputs.push_back(options.parts.manifest);
+  return reach;
+}
+
+}  // namespace
+
+void addSweep(CLI::App& program, Action& chosen) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = program.add_subcommand(
+      "sweep", "draw a scene with several values of a key side by side, or its stability map");
+  addRenderOptions(*command, *options);
+  addFilmOptions(*command, *options);
+  command->remove_option(command->get_option("--loop"));  // would change each motion by itself
+  addPartsOptions(*command, options->parts);
+  addStillOptions(*command, options->still);
+  command->add_flag(
+      "--map", options->asked.map,
+      "in place of the grid: the sphere of directions of L in the body, coloured by the time from flip "
+      "to flip, with the separatrix");
+  command
+      ->add_option("--columns", options->asked.columns,
+                   "of the grid of one range (default: as the picture has room)")
+      ->type_name("N")
+      ->check(CLI::Range(1, scene::kMostCells));
+  command
+      ->add_option("--label", options->asked.labels,
+                   "what a range's key is called in the picture, in TeX: the first for the first range")
+      ->type_name("TEX")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
+  command->footer(
+      "A range is FROM..TO:COUNT, both ends included, with a unit where the key has one; :log after it makes the "
+      "ratios equal; 1|2|5 are these. One range fills rows; of two, the first runs from left to right, the second "
+      "from top to bottom.\n"
+      "Examples:\n"
+      "  poinsot sweep scenes/tennis_racket.toml -D 'motion.omega_body=[0.01..0.41:9, 4.2, 0]' -o out/grid.mp4\n"
+      "  poinsot sweep scenes/football.toml -D 'time.start=0..2 s:6' -o out/sheet.pdf\n"
+      "  poinsot sweep scenes/tennis_racket.toml --map -o out/map.pdf");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      checkWords(*options);
+      return confined(
+          *options, [&] { return reachOf(*options); }, [&] { return sweep(*options); });
+    };
+  });
+}
+
+}  // namespace poinsot::cli

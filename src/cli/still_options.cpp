@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/still_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/picture_bits.h"
+#include "cli/print_size.h"
+#include "cli/time_word.h"
+#include "core/error.h"
+#include "core/text.h"
+
+namespace poinsot::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// A figure has a size on paper, a picture only where one is asked for.
+app::PictureForm printed(app::PictureForm form, const StillOptions& options, app::OutputKind kind) {
+  if (kind == app::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
+  if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
+  if (options.dpi && !form.print) refuse("--dpi needs --width: pixels to the inch of a picture that has a width");
+  if (options.dpi) form.print->dpi = *options.dpi;
+  return form;
+}
+
+/// With a size on paper the one in pixels is its proportion.
+void setPixels(const app::PictureForm& form, RequestedScene& requested) {
+  if (!form.print) return;
+  scene::Output& output = requested.scene.output;
+  const image::PixelSize pixels =
+      printedPixels(*form.print, {output.width, output.height}, requested.request.allowance.limits);
+  requested.request.size = pixels;
+  output.width = pixels.width;
+  output.height = pixels.height;
+}
+
+std::optional<double> askedTime_s(const StillOptions& options) {
+  return options.time ? std::optional(parseTime_s("--time", *options.time)) : std::nullopt;
+}
+
+}  // namespace
+
+void addStillOptions(CLI::App& command, StillOptions& options) {
+  command
+      .add_option("--time", options.time,
+                  "film time, such as 1.25 (seconds) or '90 ms' (default: the scene's time.still)")
+      ->type_name("T");
+  command
+      .add_option("--width", options.width,
+                  "width on paper, in mm, cm, in or pt: then type and lines have a size in points, and --size is "
+                  "only the proportion (default of a PDF, SVG or TeX: 86mm)")
+      ->type_name("LENGTH")
+      ->check(notEmpty());
+  command.add_option("--dpi", options.dpi, "pixels to the inch on paper (default: 600)")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, 10000.0));
+}
+
+int makeStill(const RenderOptions& options, const StillOptions& still, app::PictureForm form,
+              const StillTarget& targetOf) {
+  const auto named = targetOf("SCENE");  // what is typed wrong is said first
+  checkBits(form.bits, named);
+  form = printed(form, still, named.kind);
+  const auto asked_s = askedTime_s(still);
+  RequestedScene requested = requestedScene(options);
+  const scene::Scene& scene = requested.scene;
+  if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
+    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
+                       scene.time.duration_s));
+  setPixels(form, requested);
+  return renderTo(options, targetOf(scene.name), std::move(requested.request), scene, app::FrameRange{0, 0},
+                  asked_s.value_or(scene.time.stillTime_s()), form);
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grids and maps through the whole program: the same bytes however they are made, what is refused, what files say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program_run.h"
+#include "image/png_file.h"
+#include "support/sanitized.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::string kRange = "motion.omega_body=[0.01..0.05:3, 4, 0]";
+
+class SweepCommand : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.put("a.toml", kGoodScene); }
+
+  RunResult sweep(std::vector<std::string> words) {
+    words.insert(words.begin(), {"sweep", "a.toml"});
+    return run(folder_, words);
+  }
+  RunResult good(const std::vector<std::string>& words) {
+    const auto result = sweep(words);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return result;
+  }
+  void refused(const std::vector<std::string>& words, const std::string& why) {
+    const auto result = sweep(words);
+    EXPECT_EQ(result.exitCode, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(why));
+  }
+  std::string bytes(const std::string& name) { return bytesOf(folder_ / name); }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(SweepCommand, AFilmIsTheSameHoweverItIsMade) {
+  const auto film = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> words{"-D", kRange, "--frames", "0-11", "--segment", "4", "-o", name};
+    words.insert(words.end(), more.begin(), more.end());
+    return good(words);
+  };
+  film("one.mp4", {"-j", "1"});
+  film("two.mp4", {"-j", "2", "--keep"});
+  EXPECT_TRUE(bytes("one.mp4") == bytes("two.mp4"));
+  if (!kSanitized) {
+    film("three.mp4", {"--untrusted"});
+    EXPECT_TRUE(bytes("one.mp4") == bytes("three.mp4"));
+  }
+  // A segment that is gone is made again, as it was.
+  std::filesystem::remove(folder_ / "two.mp4");
+  std::filesystem::remove(folder_ / ".two.mp4.poinsot/segment-000000004-000000007.mp4");
+  EXPECT_THAT(film("two.mp4", {"--resume", "--keep"}).err, HasSubstr("8 of them were there already"));
+  EXPECT_TRUE(bytes("one.mp4") == bytes("two.mp4"));
+  // Another grid has other frames.
+  EXPECT_THAT(film("two.mp4", {"--resume", "--columns", "1"}).err, Not(HasSubstr("there already")));
+  EXPECT_FALSE(bytes("one.mp4") == bytes("two.mp4"));
+}
+
+TEST_F(SweepCommand, ASheetIsAFrameOfTheFilm) {
+  good({"-D", kRange, "--time", "0.1", "-o", "sheet.png"});  // at 30 fps frame 3
+  good({"-D", kRange, "--frames", "2-3", "-o", "f/{frame}.png"});
+  EXPECT_TRUE(image::readPng(folder_ / "sheet.png") == image::readPng(folder_ / "f/3.png"));
+  EXPECT_FALSE(image::readPng(folder_ / "sheet.png") == image::readPng(folder_ / "f/2.png"));
+}
+
+TEST_F(SweepCommand, WithoutANameAPictureIsMadeOfTheScenes) {
+  good({"-D", kRange, "-D", "time.start=0..1 s:2"});
+  good({"--map"});
+  EXPECT_THAT(namesIn(folder_ / "out"), ElementsAre("a_map.png", "a_sweep.png"));
+  const auto description = [&](const char* name) {
+    const auto texts = image::textsOfWholePng(folder_ / name);
+    if (texts)
+      for (const auto& text : *texts)
+        if (text.key == "Description") return text.value;
+    return std::string();
+  };
+  EXPECT_THAT(description("out/a_sweep.png"), AllOf(StartsWith("6 pictures of one scene side by side"),
+                                                    HasSubstr("from 0.01 rad/s to 0.05 rad/s")));
+  EXPECT_THAT(description("out/a_map.png"), StartsWith("A map of how long the body takes from flip to flip"));
+}
+
+TEST_F(SweepCommand, FiguresOnPaper) {
+  good({"-D", kRange, "-o", "sheet.pdf", "--dpi", "100"});
+  good({"--map", "-o", "map.svg", "--dpi", "100"});
+  good({"--map", "-o", "map.tex", "--dpi", "100"});
+  EXPECT_THAT(bytes("sheet.pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(bytes("map.svg"), HasSubstr("A map of how long the body takes from flip to flip"));
+}
+
+TEST_F(SweepCommand, WhatDoesNotFitTogetherIsRefused) {
+  refused({}, "a sweep has one range or two");
+  refused({"-D", "time.speed=1..2"}, "a range is FROM..TO:COUNT");
+  refused({"-D", "time.speed=1..2:1"}, "a range has from 2 to 100 values, got 1");
+  refused({"-D", "time.sped=1..2:2"}, "time.sped: unknown key; did you mean time.speed?");
+  refused({"-D", "time.duration=1..2:2"}, "differ in length, rate, size or paper");
+  refused({"-D", kRange, "--label", "$\\omgea$"}, "--label");
+  refused({"-D", kRange, "-D", "time.loop=true", "-o", "a.mp4"}, "a sweep does not repeat");
+  refused({"-D", kRange, "--map"}, "--map is of one body");
+  refused({"--map", "-o", "a.mp4"}, "--map: a map stands still");
+  refused({"--map", "--columns", "2"}, "--columns and --label are for a grid");
+  refused({"-D", kRange, "--frames", "0-3", "-o", "a.png"}, "are for films");
+  refused({"-D", kRange, "--time", "1", "-o", "a.mp4"}, "for one picture");
+  refused({"--map", "-D", "body.principal_moments=[1, 1, 1.5]"}, "never flips");
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+// What a scene may have of triangles is what all cells may have together.
+TEST_F(SweepCommand, CellsShareTheLimitsOfAScene) {
+  folder_.put("t.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder_.put(
+      "a.toml",
+      "[body]\n[[body.part]]\nshape = 'mesh'\nfile = 't.obj'\nmass = 1\n[motion]\nomega_body = [0.1, 4, 0]\n"
+      "[output]\nsize = [160, 90]\n");
+  good({"-D", "time.start=0..1:3", "--limit", "triangles=12", "--dry-run"});
+  refused({"-D", "time.start=0..1:3", "--limit", "triangles=11", "--dry-run"}, "triangles");
+}
+
+}  // namespace
+}  // namespace poinsot
