@@ -78,6 +78,11 @@ void addSweep(CLI::App& program, Action& chosen) {
       "sweep", "draw a scene with several values of a key side by side, or its stability map");
   addRenderOptions(*command, *options);
   addFilmOptions(*command, *options);
+  command->get_option("--output")
+      ->description(
+          output::filmFormatsText() +
+          ", NAME_{frame:05}.png, or - for all cells on one clock; NAME.png, NAME.pdf, NAME.svg or NAME.tex "
+          "for a sheet or a map (default: out/SCENE_sweep.png, out/SCENE_map.png)");
   command->remove_option(command->get_option("--loop"));  // would change each motion by itself
   addPartsOptions(*command, options->parts);
   addStillOptions(*command, options->still);
