@@ -10,6 +10,7 @@
 
 #include "scene/limits.h"
 #include "scene_testing.h"
+#include "support/scratch_folder.h"
 
 namespace poinsot::scene {
 namespace {
@@ -212,13 +213,6 @@ TEST(Gallery, HoldsScenesThatSayWhatToLookAt) {
 
 class NoScene : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "poinsot_scene_test";
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string messageOf(const std::string& name) const {
     try {
       loadScene(folder_ + "/" + name);
@@ -229,7 +223,8 @@ class NoScene : public testing::Test {
     return "";
   }
 
-  std::string folder_;
+  const ScratchFolder scratch_;
+  const std::string folder_ = scratch_.path();
 };
 
 // The columns were counted by hand.

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "scene/limits.h"
+#include "support/scratch_folder.h"
 
 namespace poinsot::scene {
 namespace {
@@ -19,14 +20,11 @@ using testing::HasSubstr;
 class SceneFolderTest : public testing::Test {
  protected:
   void SetUp() override {
-    root_ = fs::path(testing::TempDir()) / "poinsot_scene_folder_test";
-    fs::remove_all(root_);
     fs::create_directories(root_ / "scene" / "meshes");
     put("secret.txt", "outside");
     put("scene/a.txt", "beside");
     put("scene/meshes/b.txt", "below");
   }
-  void TearDown() override { fs::remove_all(root_); }
 
   void put(const fs::path& name, const std::string& text) const { std::ofstream(root_ / name) << text; }
 
@@ -42,7 +40,8 @@ class SceneFolderTest : public testing::Test {
     }
   }
 
-  fs::path root_;
+  const ScratchFolder scratch_;
+  const fs::path root_ = scratch_.path();
 };
 
 TEST_F(SceneFolderTest, ReadsFilesInItAndBelow) {
