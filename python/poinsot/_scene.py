@@ -165,7 +165,7 @@ class Scene:
         Drawn on a thread of this package's, from which the first call sets variables of the environment for Mesa, as
         the program does. Raises UsageError, LimitError, RenderError.
         """
-        return self._core.picture(t, size, transparent, bits)
+        return self._core.picture(None if t is None else float(t), size, transparent, bits)
 
     def save(
         self,

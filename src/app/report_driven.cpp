@@ -106,6 +106,8 @@ Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
   Section section{"Run", {}};
   section.add("motion_from", "motion time of the first frame", span.from_s, "s", "");
   section.add("motion_to", "motion time at the end of the film", span.to_s, "s", "");
+  section.add("pace", "seconds of motion to a second of film", scene::chosenSpeed(scene), "",
+              scene.time.speed ? "time.speed" : "chosen from |omega|");
   if (scene.motion.forcing.none()) {
     const double farthest_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
     addCondition(section, physics::runCondition(scene.body.axes, scene.motion.omega_B, farthest_s));

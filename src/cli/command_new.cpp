@@ -68,6 +68,7 @@ int makeNew(const NewOptions& options) {
   const std::string word = core::shellWord(file.string());
   writeOut(
       fmt::format("{0} is ready to change; {1} beside it is for your editor, which completes keys.\n"
+                  "  poinsot preview {2}      shows it in a browser while you write\n"
                   "  poinsot check {2}\n"
                   "  poinsot still {2}\n"
                   "  poinsot render {2}\n",

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <memory>
+#include <sstream>
 #include <thread>
 
 #include "app/interrupt.h"
@@ -15,6 +17,7 @@
 #include "cli/render_options.h"
 #include "cli/scene_options.h"
 #include "core/error.h"
+#include "core/shell_word.h"
 #include "preview/preview_server.h"
 
 namespace poinsot::cli {
@@ -38,6 +41,17 @@ class StopOnSignal {
   std::jthread waiting_;
 };
 
+/// As who came by ssh calls it.
+std::string thisMachine() {
+  const char* const user = std::getenv("USER");
+  const char* const connection = std::getenv("SSH_CONNECTION");  // their address and port, ours
+  if (!user || !connection) return "THIS_MACHINE";
+  std::istringstream words(connection);
+  std::string theirs, theirPort, ours;
+  words >> theirs >> theirPort >> ours;
+  return ours.empty() ? "THIS_MACHINE" : core::shellWord(fmt::format("{}@{}", user, ours));
+}
+
 int preview(const PreviewOptions& options) {
   if (options.untrusted)  // the sandbox has no network
     throw core::Error(core::ErrorKind::kUsage, "--untrusted: a preview cannot be held to it; check and still can");
@@ -54,9 +68,9 @@ int preview(const PreviewOptions& options) {
   writeOut(
       fmt::format("{0}\n"
                   "Open this address in a browser on this machine. From another one, first\n"
-                  "  ssh -L {1}:127.0.0.1:{1} THIS_MACHINE\n"
-                  "there. Ctrl-C ends the preview.\n",
-                  server.address(), server.port()));
+                  "  ssh -L {1}:127.0.0.1:{1} {2}\n"
+                  "there; --port {1} keeps the number. Ctrl-C ends the preview.\n",
+                  server.address(), server.port(), thisMachine()));
   {
     const StopOnSignal stopping(server);
     server.run();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -25,6 +26,7 @@
 #include "output/figure.h"
 #include "output/png_sequence.h"
 #include "output/target_check.h"
+#include "scene/make_motion.h"
 
 namespace poinsot::cli {
 namespace {
@@ -134,6 +136,14 @@ bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
 
+/// A film that nobody gave a speed shows the motion at one that the eye follows: not to be taken for the real one.
+void notePace(const scene::Scene& scene) {
+  const double pace = scene::chosenSpeed(scene);
+  if (scene.time.speed || std::abs(pace - 1) < 0.05) return;
+  writeErr(fmt::format("poinsot: a second of film is {:.3g} s of the motion; time.speed = 1 is as fast as it is\n",
+                       pace));
+}
+
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
 std::string readyText(const PartsOptions& parts, const app::OutputTarget& target, const app::FrameRange& frames,
                       const app::RenderSummary& summary) {
@@ -201,6 +211,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   checkTrace(options, target);
   if (scene.time.loop && !options.quiet && options.progress != "json")
     writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
+  if (frames.count() > 1 && !options.quiet && options.progress != "json") notePace(scene);
   if (options.dryRun) return describe(render, scene);
   std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;
