@@ -53,14 +53,19 @@ std::vector<std::string_view> tables() {
   return found;
 }
 
+/// What a table is about: of a drawn thing that is what its key "visible" says.
+std::string storyOf(std::string_view table) {
+  const Key* visible = findKey(std::string(table) + ".visible");
+  return visible ? std::string(visible->help) : "a table of its own";
+}
+
 Explanation ofTable(std::string_view table) {
   Explanation explanation{tableText(table), "", {}};
   for (const Key& key : keys())
     if (tableOf(key.path) == table)
       explanation.rows.push_back({std::string(nameOf(key.path)), std::string(key.help)});
   for (const std::string_view other : tables())
-    if (!other.empty() && tableOf(other) == table)
-      explanation.rows.push_back({tableText(other), "a table of its own"});
+    if (!other.empty() && tableOf(other) == table) explanation.rows.push_back({tableText(other), storyOf(other)});
   return explanation;
 }
 
@@ -117,6 +122,15 @@ Explanations ofWord(std::string_view word) {
   return found;
 }
 
+/// Keys that take the word: style.theme for "dark".
+Explanations ofValue(std::string_view word) {
+  Explanations found;
+  for (const Key& key : keys())
+    if (key.wordList.empty() && !repeatsInView(key) && std::ranges::find(key.words, word) != key.words.end())
+      found.push_back({fmt::format("\"{}\", a value of {}", word, key.path), std::string(key.help), {}});
+  return found;
+}
+
 /// All that explain() knows.
 std::vector<std::string> known() {
   std::vector<std::string> words;
@@ -139,6 +153,7 @@ std::vector<Explanation> explain(std::string_view word) {
   if (word.find('.') == word.npos) {
     std::ranges::move(ofName(word), std::back_inserter(found));
     std::ranges::move(ofWord(word), std::back_inserter(found));
+    if (found.empty()) found = ofValue(word);
   }
   if (!found.empty()) return found;
   constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time

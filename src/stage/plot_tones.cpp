@@ -7,14 +7,27 @@
 namespace poinsot::stage {
 namespace {
 
-// Towards ink and towards paper, in linear light: farther, the hue or the type's contrast would be lost.
-constexpr float kDarkest = 0.75f, kLightest = 0.16f;
+// Towards ink and towards paper, in linear light: farther, the hue or the type's contrast would be lost. On dark
+// paper a step that the eye sees takes away more light.
+constexpr float kToInk = 0.75f, kToLightPaper = 0.16f, kToDarkPaper = 0.42f;
+constexpr float kLeastContrast = 4.5f;  // of type; what has less by itself is not made fainter
 
-/// `place` from 0, the darkest, to 1. Nothing is darker than ink.
+float luminance(const draw::Color& c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+
+float shareOfPaper(const draw::Color& color, const draw::Color& paper) {
+  const float there = luminance(paper), here = luminance(color);
+  if (there > here) return kToLightPaper;
+  constexpr float kFlare = 0.05f;  // WCAG 2's
+  const float faintest = kLeastContrast * (there + kFlare) - kFlare;
+  return std::clamp((here - faintest) / (here - there), kToLightPaper, kToDarkPaper);
+}
+
+/// `place` from 0, the strongest, to 1. Nothing is stronger than ink.
 draw::Color tone(const Palette& colors, const draw::Color& color, float place) {
-  if (color == colors.ink) return glm::mix(color, colors.paper, kLightest * place);
-  if (place < 0.5f) return glm::mix(color, colors.ink, kDarkest * (1 - 2 * place));
-  return glm::mix(color, colors.paper, kLightest * (2 * place - 1));
+  const float share = shareOfPaper(color, colors.paper);
+  if (color == colors.ink) return glm::mix(color, colors.paper, share * place);
+  if (place < 0.5f) return glm::mix(color, colors.ink, kToInk * (1 - 2 * place));
+  return glm::mix(color, colors.paper, share * (2 * place - 1));
 }
 
 }  // namespace

@@ -92,5 +92,17 @@ TEST(Explain, OthersAreRefusedWithTheNearest) {
     EXPECT_THAT(refusal(word), HasSubstr("has this name"));
 }
 
+// Who knows the value asks for that.
+TEST(Explain, AValueByTheKeysThatTakeIt) {
+  const auto found = explain("dark");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].title, "\"dark\", a value of style.theme");
+  EXPECT_EQ(found[0].help, findKey("style.theme")->help);
+}
+
+TEST(Explain, ATableOfDrawnThingsSaysWhatTheyAre) {
+  EXPECT_EQ(rowOf(explain("show").at(0), "[show.plane]"), findKey("show.plane.visible")->help);
+}
+
 }  // namespace
 }  // namespace poinsot::scene
