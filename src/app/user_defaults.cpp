@@ -5,12 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "app/scene_request.h"
 #include "app/user_file.h"
 #include "core/error.h"
-#include "core/regular_file.h"
 #include "core/text.h"
 #include "scene/document.h"
 
@@ -88,14 +86,7 @@ fs::path userDefaultsFile() { return userFile("defaults.toml"); }
 
 UserDefaults defaultsOf(const fs::path& file) {
   UserDefaults defaults;
-  std::error_code ignored;  // what cannot even be looked for is not there
-  if (file.empty() || !fs::exists(file, ignored)) return defaults;
-  const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
-  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
-  Problems problems;
-  const Node document = parseDocument(source);
-  for (const Entry& entry : *document.as<Node::Table>()) take(entry, defaults, problems);
-  problems.throwIfAny();
+  readUserFile(file, [&](const Entry& entry, Problems& problems) { take(entry, defaults, problems); });
   return defaults;
 }
 

@@ -2,6 +2,9 @@
 #include "app/user_file.h"
 
 #include <cstdlib>
+#include <system_error>
+
+#include "core/regular_file.h"
 
 namespace poinsot::app {
 namespace {
@@ -21,6 +24,17 @@ fs::path userFile(std::string_view name) {
   fs::path folder = folderNamed("XDG_CONFIG_HOME");
   if (const fs::path home = folderNamed("HOME"); folder.empty() && !home.empty()) folder = home / ".config";
   return folder.empty() ? folder : folder / "poinsot" / name;
+}
+
+void readUserFile(const fs::path& file, const std::function<void(const scene::Entry&, scene::Problems&)>& take) {
+  std::error_code ignored;  // what cannot even be looked for is not there
+  if (file.empty() || !fs::exists(file, ignored)) return;
+  const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
+  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
+  scene::Problems problems;
+  const scene::Node document = parseDocument(source);
+  for (const scene::Entry& entry : *document.as<scene::Node::Table>()) take(entry, problems);
+  problems.throwIfAny();
 }
 
 }  // namespace poinsot::app

@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
-
 #include "app/user_file.h"
 #include "core/error.h"
-#include "core/regular_file.h"
 #include "core/text.h"
 #include "scene/document.h"
 
@@ -31,13 +28,7 @@ fs::path userLimitsFile() { return userFile("limits.toml"); }
 
 Limits limitsOf(const fs::path& file) {
   Limits limits;
-  std::error_code ignored;  // what cannot even be looked for is not there
-  if (file.empty() || !fs::exists(file, ignored)) return limits;
-  const std::size_t most = limits.bytes(scene::Limit::kSceneBytes);
-  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
-  scene::Problems problems;
-  const Node document = parseDocument(source);
-  for (const scene::Entry& entry : *document.as<Node::Table>()) {
+  readUserFile(file, [&](const scene::Entry& entry, scene::Problems& problems) {
     scene::Place place = entry.keyPlace;
     try {
       const scene::Limit limit = scene::limitNamed(entry.key);
@@ -46,8 +37,7 @@ Limits limitsOf(const fs::path& file) {
     } catch (const core::Error& error) {
       problems.add(place, fmt::format("{}: {}", core::printable(entry.key), error.message()));
     }
-  }
-  problems.throwIfAny();
+  });
   return limits;
 }
 

@@ -15,24 +15,15 @@ import unittest
 
 SITE, PROGRAM = (pathlib.Path(word) for word in (sys.argv.pop(1), sys.argv.pop(1)))
 ROOT = SITE.parents[1]
-sys.path.insert(0, str(SITE))
+sys.path[:0] = [str(SITE), str(ROOT / 'tests' / 'support')]
 import links  # noqa: E402
+from browser import browser  # noqa: E402
 
 
 def build(folder, *options):
     """Builds into folder/site."""
     return subprocess.run([sys.executable, '-B', SITE, '--program', PROGRAM, '--work', f'{folder}/work', '-o', f'{folder}/site',
                            '--draft', *options], capture_output=True, text=True)
-
-
-def browser():
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    options = webdriver.ChromeOptions()
-    for word in ('--headless=new', '--no-sandbox', '--window-size=1400,1000'):
-        options.add_argument(word)
-    options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
-    return webdriver.Chrome(options=options, service=Service('/usr/bin/chromedriver'))
 
 
 def until(true, most_s=60):
@@ -81,7 +72,7 @@ class TheSite(unittest.TestCase):
             self.assertIn(re.search(r'^int main\(.*$', example.read_text(), re.M)[0], shown)
 
     def test_works_in_a_browser_as_files(self):
-        driver = browser()
+        driver = browser(1400, 1000)
         try:
             driver.get((self.site / 'docs/gallery.html').as_uri())
             until(lambda: driver.execute_script('return document.querySelector("video").played.length') > 0)

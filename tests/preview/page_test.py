@@ -11,11 +11,12 @@ import sys
 import tempfile
 import time
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / 'support'))
+from browser import browser  # noqa: E402
 
 SCENE = """[body]
 shape = "box"
@@ -28,14 +29,6 @@ duration = 4
 [output]
 size = [320, 180]
 """
-
-
-def browser():
-    options = webdriver.ChromeOptions()
-    for word in ('--headless=new', '--no-sandbox', '--window-size=1500,900'):
-        options.add_argument(word)
-    options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
-    return webdriver.Chrome(options=options, service=Service('/usr/bin/chromedriver'))
 
 
 class Page:
@@ -139,7 +132,7 @@ def main(program, screenshot):
         (pathlib.Path(folder) / 'shared' / 'own.toml').write_text('[style.colors]\nomega = "#AA2200"\n')
         # The film, too, must be allowed what the preview is.
         server = subprocess.Popen([program, 'preview', 'a.toml', '-D', 'style.file=own.toml', '--asset-root', 'shared'], cwd=folder, stdout=subprocess.PIPE, text=True)
-        driver = browser()
+        driver = browser(1500, 900)
         try:
             driver.get(server.stdout.readline().strip())
             edited_s = check(Page(driver), scene, screenshot)

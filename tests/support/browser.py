@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Debian's Chromium without a screen, by Debian's selenium."""
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+
+
+def browser(width, height):
+    """Keeps what pages complain of: get_log('browser')."""
+    options = webdriver.ChromeOptions()
+    for word in ('--headless=new', '--no-sandbox', f'--window-size={width},{height}'):
+        options.add_argument(word)
+    options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
+    return webdriver.Chrome(options=options, service=Service('/usr/bin/chromedriver'))
