@@ -48,7 +48,7 @@ class BodyAssembly {
   std::optional<Body> run() {
     const std::vector<std::string> ways = waysGiven();
     if (ways.empty())
-      findings_.refuse("body", fmt::format("the body is missing; give {}", kWays));
+      refuseNone();
     else if (ways.size() > 1)
       refuseSecond(ways);
     else
@@ -57,6 +57,13 @@ class BodyAssembly {
   }
 
  private:
+  void refuseNone() {
+    for (const char* path : {"body", "body.principal_moments", "body.inertia", "body.shape", "body.catalogue",
+                             "body.part", "body.point_mass"})
+      if (findings_.misspelt(path)) return;
+    findings_.refuse("body", fmt::format("the body is missing; give {}", kWays));
+  }
+
   /// For each way to describe a body that is used, the key to name it by.
   std::vector<std::string> waysGiven() const {
     std::vector<std::string> ways;

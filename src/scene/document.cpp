@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <regex>
 
 #include "core/text.h"
 #include "scene/text_limits.h"
@@ -94,6 +95,21 @@ std::string messageOf(const toml::parse_error& error) {
   return "not TOML: " + text;
 }
 
+/// Whether the line begins a table or gives a key, which no line within an array does.
+bool beginsAnew(std::string_view line) {
+  static const std::regex kHeaderOrKey(R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
+  constexpr std::size_t kLongest = 200;  // of which the library's recursion has to know nothing
+  return std::regex_match(std::string(line.substr(0, kLongest)), kHeaderOrKey);
+}
+
+/// The bracket of an array that has no end: toml++ sees that only at what follows, often lines below.
+std::optional<Place> unclosedArray(const toml::parse_error& error, const Source& source, const Limits& limits) {
+  const int line = static_cast<int>(error.source().begin.line);
+  const bool atEnd = error.description().find("encountered end-of-file") != std::string_view::npos;
+  if (!atEnd && !beginsAnew(source.line(line))) return std::nullopt;
+  return openArrayAtLine(source, limits, atEnd ? line + 1 : line);
+}
+
 [[noreturn]] void refuse(const Place& place, std::string message) {
   Problems problems;
   problems.add(place, std::move(message));
@@ -120,6 +136,8 @@ Node parseDocument(const Source& source, const Limits& limits) {
   try {
     return Converter(source).node(toml::parse(std::string_view(source.text())));
   } catch (const toml::parse_error& error) {
+    if (const auto bracket = unclosedArray(error, source, limits))
+      refuse(*bracket, "not TOML: the array that begins here has no closing ]");
     refuse(placeOf(error, source), messageOf(error));
   }
 }

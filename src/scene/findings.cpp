@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "scene/unknown_key.h"
+
 namespace poinsot::scene {
 
 bool Findings::hasBelow(std::string_view table) const {
@@ -13,6 +17,13 @@ bool Findings::hasBelow(std::string_view table) const {
 
 bool Findings::hasTable(std::string_view table) const { return given_.tables.contains(table) || hasBelow(table); }
 
+bool Findings::misspelt(std::string_view path) const {
+  const auto names = given_.unknown.find(tableOf(path));
+  return names != given_.unknown.end() && std::ranges::any_of(names->second, [&](const std::string& name) {
+           return scene::misspelt(tableOf(path), name) == path;
+         });
+}
+
 Place Findings::placeOf(std::string_view path) const {
   if (const auto leaf = given_.values.find(path); leaf != given_.values.end()) return leaf->second.place;
   for (std::string_view table = path; !table.empty(); table = tableOf(table))
@@ -22,6 +33,10 @@ Place Findings::placeOf(std::string_view path) const {
 
 void Findings::refuse(std::string_view path, std::string_view message) {
   problems_.add(placeOf(path), fmt::format("{}: {}", path, message));
+}
+
+void Findings::refuseMissing(std::string_view missing, std::string_view path, std::string_view message) {
+  if (!misspelt(missing)) refuse(path, message);
 }
 
 void Findings::refuseFile(std::string message) { problems_.add(file_, std::move(message)); }

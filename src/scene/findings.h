@@ -27,10 +27,14 @@ class Findings {
   bool hasBelow(std::string_view table) const;
   /// Whether the table stands in the file, with keys or without.
   bool hasTable(std::string_view table) const;
+  /// Whether a name was given in its place that is spelled like it and is no key, which is reported anyway.
+  bool misspelt(std::string_view path) const;
   std::size_t count(std::string_view array) const { return given_.count(array); }
 
   /// "path: message", at the path.
   void refuse(std::string_view path, std::string_view message);
+  /// What `refuse` does, of a path that is missing; nothing where it is there but misspelt.
+  void refuseMissing(std::string_view missing, std::string_view path, std::string_view message);
   /// The same about the whole file.
   void refuseFile(std::string message);
 

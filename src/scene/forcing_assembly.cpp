@@ -126,8 +126,11 @@ class ForcingAssembly {
     const bool from = findings_.has(table + ".from");
     const bool torque = findings_.has(table + ".body") || findings_.has(table + ".space");
     if (!from || !torque) {
-      findings_.refuse(table, fmt::format("{} missing: a step has a time and a torque",
-                                          from ? "body = [x, y, z] or space = [x, y, z] is" : "from is"));
+      const bool misspelt = findings_.misspelt(table + ".from") || findings_.misspelt(table + ".body") ||
+                            findings_.misspelt(table + ".space");
+      if (!misspelt)
+        findings_.refuse(table, fmt::format("{} missing: a step has a time and a torque",
+                                            from ? "body = [x, y, z] or space = [x, y, z] is" : "from is"));
       return false;
     }
     for (const char* name : {".from", ".body", ".space"})

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/keys.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -80,6 +82,10 @@ std::vector<std::string> namesBelow(std::string_view table) {
 std::string_view tableOf(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+}
+
+std::string pathBelow(std::string_view table, std::string_view name) {
+  return table.empty() ? std::string(name) : fmt::format("{}.{}", table, name);
 }
 
 std::string_view nameOf(std::string_view path) { return path.substr(path.rfind('.') + 1); }

@@ -96,6 +96,8 @@ std::vector<std::string> namesBelow(std::string_view table);
 
 /// "show.plane" for "show.plane.opacity", "body.part[]" for "body.part[].mass"; "" for "schema".
 std::string_view tableOf(std::string_view path);
+/// "show.plane.opacity" for the two parts of it; the name alone in the root, which is "".
+std::string pathBelow(std::string_view table, std::string_view name);
 /// "opacity" for "show.plane.opacity".
 std::string_view nameOf(std::string_view path);
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "scene/document.h"
 #include "scene/keys.h"
@@ -15,6 +16,8 @@ struct Leaves {
   Limits limits{};                                     ///< by which it is bounded
   std::map<std::string, Node, std::less<>> values{};   ///< of known keys, each with the place it came from
   std::map<std::string, Place, std::less<>> tables{};  ///< where each table was opened
+  /// By table, names given in it that are no keys; the first of many.
+  std::map<std::string, std::vector<std::string>, std::less<>> unknown{};
 
   /// How many tables an array of them has.
   std::size_t count(std::string_view array) const;

@@ -50,8 +50,7 @@ class StartAssembly {
     for (const Way& way : ways())
       if (!firstGiven(way).empty()) given.push_back(&way);
     if (given.empty())
-      findings_.refuse("motion.omega_body",
-                       "required: the angular velocity at the start, such as [0.01, 3.0, 0.0]");
+      refuseNone();
     else if (given.size() > 1)
       refuseSecond(*given[0], *given[1]);
     else if (complete(*given[0]))
@@ -66,6 +65,14 @@ class StartAssembly {
     return "";
   }
 
+  void refuseNone() {
+    if (findings_.misspelt("motion")) return;
+    for (const Way& way : ways())
+      for (const std::string_view name : way.names)
+        if (findings_.misspelt(pathOf(name))) return;
+    findings_.refuse("motion.omega_body", "required: the angular velocity at the start, such as [0.01, 3.0, 0.0]");
+  }
+
   void refuseSecond(const Way& first, const Way& second) {
     findings_.refuse(firstGiven(second),
                      fmt::format("{} is given too; a start is given in one way: omega_body, omega_space, L_body, "
@@ -78,8 +85,9 @@ class StartAssembly {
       if (findings_.has(pathOf(way.names[i]))) continue;
       const std::vector<std::string_view> needed(way.names.begin(),
                                                  way.names.begin() + static_cast<std::ptrdiff_t>(way.required));
-      findings_.refuse(firstGiven(way), fmt::format("{} is missing: {} give a start together",
-                                                    pathOf(way.names[i]), listed(needed)));
+      findings_.refuseMissing(
+          pathOf(way.names[i]), firstGiven(way),
+          fmt::format("{} is missing: {} give a start together", pathOf(way.names[i]), listed(needed)));
       return false;
     }
     return true;

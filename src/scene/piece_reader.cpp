@@ -55,9 +55,11 @@ bool PieceReader::massFits() {
     return false;
   }
   if (!has("mass") && !has("density")) {
-    findings_.refuse(lengthPath(), fmt::format("{} is missing: a shape and its mass (or density) set the moments "
-                                               "together",
-                                               path("mass")));
+    if (!findings_.misspelt(path("density")))
+      findings_.refuseMissing(path("mass"), lengthPath(),
+                              fmt::format("{} is missing: a shape and its mass (or density) set the moments "
+                                          "together",
+                                          path("mass")));
     return false;
   }
   return piece_.mass || piece_.density;
@@ -76,7 +78,8 @@ std::optional<double> PieceReader::mass(double volume_m3) {
 std::optional<Quaterniond> PieceReader::turnAboutAxis() {
   if (!has("axis") || !has("angle")) {
     const char *present = has("axis") ? "axis" : "angle", *missing = has("axis") ? "angle" : "axis";
-    findings_.refuse(path(present), fmt::format("{} is missing: a turn is an axis and an angle", path(missing)));
+    findings_.refuseMissing(path(missing), path(present),
+                            fmt::format("{} is missing: a turn is an axis and an angle", path(missing)));
     return std::nullopt;
   }
   if (!piece_.axis || !piece_.angle) return std::nullopt;
@@ -112,7 +115,7 @@ std::optional<Piece> PieceReader::placed(const Figure& figure, const Quaterniond
 
 std::optional<Piece> PieceReader::piece() {
   if (!shape_.given()) {
-    findings_.refuse(table_, fmt::format("{} is missing", path("shape")));
+    findings_.refuseMissing(path("shape"), table_, fmt::format("{} is missing", path("shape")));
     return std::nullopt;
   }
   const auto figure = shape_.figure();
@@ -130,7 +133,8 @@ std::optional<Piece> PieceReader::piece() {
 std::optional<Piece> pointMass(const PointDraft& point, const std::string& table, Findings& findings) {
   for (const char* name : {".mass", ".position"})
     if (!findings.has(table + name))
-      findings.refuse(table, fmt::format("{}{} is missing: a point mass has mass and position", table, name));
+      findings.refuseMissing(table + name, table,
+                             fmt::format("{}{} is missing: a point mass has mass and position", table, name));
   if (!point.mass || !point.position) return std::nullopt;
   return Piece{{PointMass{}, *point.mass, Quaterniond::Identity(), *point.position},
                physics::MassProperties::ofPoint(*point.mass, *point.position)};

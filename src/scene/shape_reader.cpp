@@ -82,6 +82,8 @@ bool ShapeReader::refuseMissing(const KeyNames& way) {
   for (const std::string_view name : way)
     if (!has(name)) missing.push_back(name);
   if (missing.empty()) return false;
+  std::erase_if(missing, [this](std::string_view name) { return findings_.misspelt(path(name)); });
+  if (missing.empty()) return true;
   findings_.refuse(path("shape"), fmt::format("\"{}\" takes {}; {} missing", kind().word, described(kind()),
                                               listed(missing) + (missing.size() == 1 ? " is" : " are")));
   return true;
@@ -130,7 +132,8 @@ std::optional<Figure> ShapeReader::mesh() {
 
 std::optional<Figure> ShapeReader::figure() {
   if (!has("shape")) {
-    findings_.refuse(lengthPath(), fmt::format("{} is missing: it says what this is a length of", path("shape")));
+    findings_.refuseMissing(path("shape"), lengthPath(),
+                            fmt::format("{} is missing: it says what this is a length of", path("shape")));
     return std::nullopt;
   }
   if (!shape_.word || !keysFit()) return std::nullopt;

@@ -20,10 +20,16 @@ class Scan {
     return exceeded_;
   }
 
+  std::optional<Place> openArrayAt(int line) {
+    while (at_ < text_.size() && line_ < line) step();
+    return open_.empty() || open_.back().table ? std::nullopt : std::optional(open_.back().place);
+  }
+
  private:
   struct Open {
     bool table;
     int depth;  // of what encloses it
+    Place place;
   };
 
   void step() {
@@ -83,7 +89,7 @@ class Scan {
   }
 
   void open(bool table) {
-    open_.push_back({table, depth_});
+    open_.push_back({table, depth_, placeHere()});
     deeper();
     inKey_ = table;
   }
@@ -119,9 +125,13 @@ class Scan {
 
   void exceed(Limit limit, const char* message) {
     if (exceeded_) return;
+    exceeded_ = LimitExceeded{placeHere(), messageOf(limit, message)};
+  }
+
+  Place placeHere() const {
     const std::size_t end = std::min(at_, text_.size());
     const auto before = characterCount(text_.substr(lineStart_, end - std::min(lineStart_, end)));
-    exceeded_ = LimitExceeded{{&source_, line_, static_cast<int>(before) + 1, 1}, messageOf(limit, message)};
+    return {&source_, line_, static_cast<int>(before) + 1, 1};
   }
 
   std::string messageOf(Limit limit, const char* message) const {
@@ -153,6 +163,10 @@ std::optional<LimitExceeded> exceededLimit(const Source& source, const Limits& l
                          fmt::format("a scene file may have at most {}; {}", limitText(kBytes, limits[kBytes]),
                                      howToRaise(kBytes))};
   return Scan(source, limits).run();
+}
+
+std::optional<Place> openArrayAtLine(const Source& source, const Limits& limits, int line) {
+  return Scan(source, limits).openArrayAt(line);
 }
 
 }  // namespace poinsot::scene

@@ -18,4 +18,7 @@ struct LimitExceeded {
 /// deep or too slow: one pass, constant memory. Text that is not TOML passes or not; the parser says why.
 std::optional<LimitExceeded> exceededLimit(const Source& source, const Limits& limits);
 
+/// Where the array begins that is not closed yet where a line begins, by the same pass; the innermost of several.
+std::optional<Place> openArrayAtLine(const Source& source, const Limits& limits, int line);
+
 }  // namespace poinsot::scene

@@ -146,8 +146,8 @@ TEST_F(BadScene, WithAKeyGivenTwice) {
 TEST_F(BadScene, WithASyntaxError) {
   load("syntax_error.toml");
   ASSERT_EQ(problems_.size(), 1u);
-  EXPECT_EQ(problems_[0].where.line, 3);
-  EXPECT_EQ(problems_[0].where.column, 1);
+  EXPECT_EQ(problems_[0].where.line, 2);
+  EXPECT_EQ(problems_[0].where.column, 21);
   EXPECT_THAT(problems_[0].message, StartsWith("not TOML: "));
 }
 
@@ -220,6 +220,66 @@ TEST(Report, NamesTheOverride) {
   EXPECT_THAT(text, HasSubstr("-D time.fps: error: expected -D key.path=value\n"));
   EXPECT_THAT(text, HasSubstr("-D camera.zom=2: error: camera.zom: unknown key; did you mean camera.zoom?\n"));
   EXPECT_THAT(text, HasSubstr("-D output.size=[1, 2: error: not TOML: "));
+}
+
+std::string atMessage(const std::string& text) {
+  const auto problems = problemsOf(text);
+  return problems.empty() ? "" : core::toString(problems[0].where) + ": " + problems[0].message;
+}
+
+TEST(Report, PointsAtTheArrayThatIsNotClosed) {
+  const std::string unclosed = "not TOML: the array that begins here has no closing ]";
+  EXPECT_EQ(atMessage("[motion]\nomega_body = [1, 0, 0\n\n[time]\nduration = 3\n"), "test.toml:2:14: " + unclosed);
+  EXPECT_EQ(atMessage("[motion]\nomega_body = [1, 0, 0 # ]\n[[view]]\n"), "test.toml:2:14: " + unclosed);
+  EXPECT_EQ(atMessage("[motion]\nomega_body = [1, 0,\n\nphase = 3\n"), "test.toml:2:14: " + unclosed);
+  EXPECT_EQ(atMessage("[body]\ninertia = [\n  [1, 0, 0],\n  [0, 1, 0"), "test.toml:4:3: " + unclosed);
+  // A comma that is missing is told where it is missing.
+  EXPECT_THAT(atMessage("[body]\ninertia = [\n  [1, 0, 0],\n  [0, 1, 0]\n  [0, 0, 1]\n]\n"),
+              AllOf(HasSubstr("test.toml:5:3: not TOML"), HasSubstr("expected comma")));
+  EXPECT_THAT(atMessage("[motion]\nomega_body = [1, 0 0]\n"),
+              AllOf(HasSubstr("test.toml:2:20: not TOML"), HasSubstr("expected comma")));
+}
+
+TEST(Report, SaysOfAMisspeltKeyOnlyHowItIsSpelt) {
+  // Each scene lacks what the misspelt name should have given; that is said by the first message already.
+  const auto only = [](const std::string& text) { return messagesOf(text); };
+  const std::string body = "[body]\nprincipal_moments = [1, 2, 3]\n",
+                    motion = "[motion]\nomega_body = [1, 0, 0]\n";
+  EXPECT_EQ(only("[body]\nprinciple_moments = [1, 2, 3]\n" + motion),
+            "body.principle_moments: unknown key; did you mean body.principal_moments?\n");
+  EXPECT_EQ(only("[bdy]\nprincipal_moments = [1, 2, 3]\n" + motion), "bdy: unknown key; did you mean body?\n");
+  EXPECT_EQ(only(body + "[motoin]\nomega_body = [1, 0, 0]\n"), "motoin: unknown key; did you mean motion?\n");
+  EXPECT_EQ(only(body + "[motion]\nomega_bod = [1, 0, 0]\n"),
+            "motion.omega_bod: unknown key; did you mean motion.omega_body?\n");
+  EXPECT_EQ(only(body + "[motion]\nspin = 1\nspinaxis = 2\n"),
+            "motion.spinaxis: unknown key; did you mean motion.spin_axis?\n");
+  EXPECT_EQ(only("[body]\nshape = \"box\"\nsize = 1\ndensty = 2\n" + motion),
+            "body.densty: unknown key; did you mean body.density?\n");
+  EXPECT_EQ(only("[body]\nshpe = \"box\"\nsize = 1\nmass = 2\n" + motion),
+            "body.shpe: unknown key; did you mean body.shape?\n");
+  EXPECT_EQ(only("[body]\nshape = \"box\"\nsze = 1\nmass = 2\n" + motion),
+            "body.sze: unknown key; did you mean body.size?\n");
+  EXPECT_EQ(only("[[body.part]]\nshape = \"box\"\nsize = 1\nmass = 2\naxis = [1, 0, 0]\nangel = 2\n" + motion),
+            "body.part[0].angel: unknown key; did you mean body.part[0].angle?\n");
+  EXPECT_EQ(only("[[body.point_mass]]\nmas = 1\nposition = [1, 0, 0]\n" + motion),
+            "body.point_mass[0].mas: unknown key; did you mean body.point_mass[0].mass?\n");
+  EXPECT_EQ(only(body + motion + "[[motion.torque.step]]\nfrm = 1\nbody = [1, 0, 0]\n"),
+            "motion.torque.step[0].frm: unknown key; did you mean motion.torque.step[0].from?\n");
+  // Another name of the table says nothing of what is missing.
+  EXPECT_THAT(only("[[body.part]]\nshape = \"box\"\nsize = 1\nofset = [1, 0, 0]\n" + motion),
+              AllOf(HasSubstr("body.part[0].mass is missing"), HasSubstr("did you mean body.part[0].offset?")));
+}
+
+TEST(Report, KnowsWhatOtherProgramsCallAKey) {
+  EXPECT_EQ(messagesOf(kMinimal, {"show.body.color=red"}),
+            "show.body.color: unknown key; did you mean style.colors.body?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"show.polhode.colour=red"}),
+            "show.polhode.colour: unknown key; did you mean style.colors.polhode?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"camera.color=red"}),
+            "camera.color: unknown key; did you mean [style.colors]?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"style.background=white"}),
+            "style.background: unknown key; did you mean style.colors.paper?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"output.width=640"}), "output.width: unknown key; did you mean output.size?\n");
 }
 
 TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
