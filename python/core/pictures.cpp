@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <mutex>
 #include <variant>
 
 #include "app/frames_cache.h"
@@ -19,22 +18,26 @@ namespace {
 
 using Artist = app::OwningThread<app::FramesCache>;
 
-/// Lives as long as the process: OpenGL has no business in the interpreter's end. A forked process, which has no
-/// threads but the one that forked, gets its own.
-Artist& artist() {
-  static std::mutex one;
-  const std::scoped_lock lock(one);
-  static Artist* drawing = nullptr;
-  static pid_t owner = 0;
-  if (owner != getpid()) {
-    gl::pinEnvironment(false);
-    drawing = new Artist([] { return std::make_unique<app::FramesCache>(gl::Backend::kAuto); });
-    owner = getpid();
-  }
-  return *drawing;
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// A process forked from one that draws has OpenGL's locks but none of its threads: it would wait for ever.
+void refuseFork() {
+  static const pid_t owner = getpid();
+  if (owner != getpid())
+    refuse(
+        "this process is a fork of one that has drawn pictures, and cannot draw; start it with the method "
+        "\"spawn\": multiprocessing.get_context(\"spawn\")");
 }
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+/// Lives as long as the process: OpenGL has no business in the interpreter's end.
+Artist& artist() {
+  refuseFork();
+  static Artist& drawing = *[] {
+    gl::pinEnvironment(false);
+    return new Artist([] { return std::make_unique<app::FramesCache>(gl::Backend::kAuto); });
+  }();
+  return drawing;
+}
 
 double timeOf(const scene::Scene& scene, const PictureAsk& ask) {
   const double time_s = ask.time_s.value_or(scene.time.stillTime_s());

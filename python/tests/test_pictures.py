@@ -64,6 +64,18 @@ def test_another_process_draws_too(racket):
         assert pool.map(_sum, [0, 1, 2]) == [_sum(0), _sum(1), _sum(2)]
 
 
+def _refused(t):
+    with pytest.raises(poinsot.UsageError, match="spawn"):
+        _sum(t)
+    return True
+
+
+def test_a_fork_of_one_that_has_drawn_is_refused(racket):
+    racket.render(0)
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        assert pool.map(_refused, [0, 1]) == [True, True]
+
+
 def test_a_notebook_shows_a_picture_of_the_scene():
     scene = poinsot.load("scenes/tennis_racket.toml")
     shown = pixels(io.BytesIO(scene._repr_png_()))

@@ -16,16 +16,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLabelWidth = 42, kValueWidth = 61;  // three numbers and kg m^2/s
-
 template <typename T>
 constexpr bool kIsList = std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>;
 
 /// A zero has no sign here.
-std::string numberText(double value) { return fmt::format("{:.10g}", value == 0 ? 0 : value); }
+std::string numberText(double value, int digits) { return fmt::format("{:.{}g}", value == 0 ? 0 : value, digits); }
 
-/// Whether the fact's numbers are components along axes: the frame stands at the end of its key.
-bool isOfComponents(const Fact& fact) { return fact.key.ends_with("_B") || fact.key.ends_with("_W"); }
+/// Whether the fact's numbers are components along axes: the frame stands at the end of its key. A quaternion's
+/// are of one length, too.
+bool isOfComponents(const Fact& fact) {
+  return fact.key.ends_with("_B") || fact.key.ends_with("_W") || fact.key == "orientation";
+}
 
 /// The same without the components that are the rounding of the others: what a rotation leaves of a zero.
 template <typename T>
@@ -35,37 +36,52 @@ T withoutRounding(T components) {
   return components.unaryExpr([&](double c) { return std::abs(c) <= least ? 0.0 : c; });
 }
 
+std::vector<double> withoutRounding(const std::vector<double>& list) {
+  const auto count = static_cast<Eigen::Index>(list.size());
+  const Eigen::VectorXd shown = withoutRounding<Eigen::VectorXd>(Eigen::VectorXd::Map(list.data(), count));
+  return {shown.begin(), shown.end()};
+}
+
 FactValue shownValue(const Fact& fact) {
   if (!fact.inWords.empty()) return fact.inWords;
   if (!isOfComponents(fact)) return fact.value;
   if (const auto* vector = std::get_if<Eigen::Vector3d>(&fact.value)) return withoutRounding(*vector);
   if (const auto* matrix = std::get_if<Eigen::Matrix3d>(&fact.value)) return withoutRounding(*matrix);
+  if (const auto* list = std::get_if<std::vector<double>>(&fact.value)) return withoutRounding(*list);
   return fact.value;
 }
 
 template <typename List>
-std::string listText(const List& values) {
+std::string listText(const List& values, int digits) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "(" : ", ") + numberText(value);
+  for (const double value : values) text += (text.empty() ? "(" : ", ") + numberText(value, digits);
   return text + ")";
 }
 
-std::string rowText(const Eigen::Matrix3d& m, int row) {
-  return fmt::format("{:>14}{:>14}{:>14}", fmt::format("{:.6g}", m(row, 0)), fmt::format("{:.6g}", m(row, 1)),
-                     fmt::format("{:.6g}", m(row, 2)));
+/// Rows of columns that are as wide as they need be.
+std::vector<std::string> rows(const Eigen::Matrix3d& m, int digits) {
+  std::vector<std::string> lines(3);
+  for (int column = 0; column < 3; ++column) {
+    std::size_t width = 0;
+    for (const double value : m.col(column)) width = std::max(width, numberText(value, digits).size());
+    for (int row = 0; row < 3; ++row)
+      lines[static_cast<std::size_t>(row)] +=
+          fmt::format("{}{:>{}}", column == 0 ? "" : "  ", numberText(m(row, column), digits), width);
+  }
+  return lines;
 }
 
 /// What stands in the second column, a line each.
-std::vector<std::string> valueLines(const FactValue& value) {
+std::vector<std::string> valueLines(const FactValue& value, int digits) {
   return std::visit(
-      [](const auto& v) -> std::vector<std::string> {
+      [digits](const auto& v) -> std::vector<std::string> {
         using T = std::decay_t<decltype(v)>;
         if constexpr (std::is_same_v<T, double>)
-          return {numberText(v)};
+          return {numberText(v, digits)};
         else if constexpr (kIsList<T>)
-          return {listText(v)};
+          return {listText(v, digits)};
         else if constexpr (std::is_same_v<T, Eigen::Matrix3d>)
-          return {rowText(v, 0), rowText(v, 1), rowText(v, 2)};
+          return rows(v, digits);
         else if constexpr (std::is_same_v<T, bool>)
           return {v ? "yes" : "no"};
         else if constexpr (std::is_same_v<T, int>)
@@ -76,18 +92,37 @@ std::vector<std::string> valueLines(const FactValue& value) {
       value);
 }
 
-std::string inDegrees(const Fact& fact) {
+std::string inDegrees(const Fact& fact, int digits) {
   const double* angle = std::get_if<double>(&fact.value);
   if (!angle || fact.unit != "rad" || !std::isfinite(*angle)) return "";
-  return fmt::format(" ({:.8g} deg)", *angle * 180 / std::numbers::pi);
+  return fmt::format(" ({} deg)", numberText(*angle * 180 / std::numbers::pi, digits));
 }
 
-std::string factText(const Fact& fact) {
-  const std::vector<std::string> lines = factLines(fact);
-  std::string text = fmt::format("  {:<{}} ", fact.label, kLabelWidth);
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) text += lines[i] + '\n' + std::string(kLabelWidth + 3, ' ');
-  if (fact.from.empty()) return text + lines.back() + '\n';
-  return text + fmt::format("{:<{}}  {}\n", lines.back(), kValueWidth, fact.from);
+/// What stands in the table of one fact.
+struct Row {
+  std::string_view label, from;
+  std::vector<std::string> lines;
+};
+
+struct Widths {
+  std::size_t label = 0, value = 0;
+
+  void include(const Row& row) {
+    label = std::max(label, row.label.size());
+    for (const std::string& line : row.lines) value = std::max(value, line.size());
+  }
+};
+
+std::string rowText(const Row& row, const Widths& widths) {
+  std::string text;
+  for (std::size_t i = 0; i < row.lines.size(); ++i) {
+    const bool last = i + 1 == row.lines.size();
+    const std::string_view from = last ? row.from : "";
+    text += fmt::format("  {:<{}}  {:<{}}", i == 0 ? row.label : "", widths.label, row.lines[i],
+                        from.empty() ? 0 : widths.value);
+    text += from.empty() ? "\n" : fmt::format("  {}\n", from);
+  }
+  return text;
 }
 
 Json finite(double value) { return std::isfinite(value) ? Json(value == 0 ? 0.0 : value) : Json(); }
@@ -116,19 +151,25 @@ Json valueJson(const FactValue& value) {
 
 }  // namespace
 
-std::vector<std::string> factLines(const Fact& fact) {
-  std::vector<std::string> lines = valueLines(shownValue(fact));
+std::vector<std::string> factLines(const Fact& fact, int digits) {
+  std::vector<std::string> lines = valueLines(shownValue(fact), digits);
   if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
-  lines.back() += inDegrees(fact);
+  lines.back() += inDegrees(fact, digits);
   return lines;
 }
 
-std::string reportTable(const Report& report) {
-  std::string text = core::printable(report.scene) + '\n';
+std::string reportTable(const Report& report, int digits) {
+  std::vector<std::vector<Row>> sections;
+  Widths widths;
   for (const Section& section : report.sections) {
-    if (section.facts.empty()) continue;
-    text += fmt::format("\n{}\n", section.title);
-    for (const Fact& fact : section.facts) text += factText(fact);
+    std::vector<Row>& rows = sections.emplace_back();
+    for (const Fact& fact : section.facts)
+      widths.include(rows.emplace_back(fact.label, fact.from, factLines(fact, digits)));
+  }
+  std::string text = core::printable(report.scene) + '\n';
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (!sections[i].empty()) text += fmt::format("\n{}\n", report.sections[i].title);
+    for (const Row& row : sections[i]) text += rowText(row, widths);
   }
   return text;
 }

@@ -37,12 +37,16 @@ struct Report {
   std::vector<Section> sections;
 };
 
-/// A fact's value with its unit, for people; of a matrix a line for each row. Numbers as in reportTable().
-std::vector<std::string> factLines(const Fact& fact);
+constexpr int kUsualDigits = 6;  ///< what a lecture needs; the JSON has them all
+constexpr int kAllDigits = 17;   ///< that tell any double from any other
 
-/// A table of three columns: quantity, value with its unit, where it comes from. Numbers to ten digits, angles
-/// also in degrees; a component that is the rounding of its vector's is 0.
-std::string reportTable(const Report& report);
+/// A fact's value with its unit, for people; of a matrix a line for each row. Numbers as in reportTable().
+std::vector<std::string> factLines(const Fact& fact, int digits = kUsualDigits);
+
+/// A table of three columns: quantity, value with its unit, where it comes from. Angles stand also in degrees; a
+/// component that is the rounding of its vector's is 0.
+/// @pre digits from 1 to kAllDigits: significant ones, zeros at the end left out
+std::string reportTable(const Report& report, int digits = kUsualDigits);
 
 /// One object: scene, each key with its value in full precision (infinite: null), units by key, from by key.
 std::string reportJson(const Report& report);

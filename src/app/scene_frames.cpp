@@ -43,10 +43,10 @@ image::Frame SceneFrames::frame(std::int64_t k) {
 void SceneFrames::compose(std::int64_t k) {
   if (composed_ == k) return;
   const core::StepScope timing(steps_, core::Step::kCompose);
-  const double time_s = time_s_.value_or(filmTime_s(k, fps_));
+  const stage::Moment moment(time_s_.value_or(filmTime_s(k, fps_)), time_s_.has_value());
   const glm::ivec2 size_px(size_.width, size_.height);
-  picture_ = form_.print ? composer_->compose(time_s, size_px, stage::printSizing(form_.print->dpi))
-                         : composer_->compose(time_s, size_px);
+  picture_ = form_.print ? composer_->compose(moment, size_px, stage::printSizing(form_.print->dpi))
+                         : composer_->compose(moment, size_px);
   composed_ = k;
 }
 

@@ -21,7 +21,7 @@ class SceneFrames : public FrameSource {
  public:
   /// @param scene  of which rate and size are
   /// @param composer  of its pictures: composerOf() a request, or the scene's own stage
-  /// @param time_s  film time of every frame, in place of its own: for a still between two frames.
+  /// @param time_s  film time of every frame, in place of its own: of a still.
   /// @param medium  of a figure: a frame is then only what the figure holds as an image.
   /// @param settings  renderSettings(), of which digests are.
   /// @param steps  where the time is entered.

@@ -32,8 +32,10 @@ void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
   if (!dimension) {
     std::vector<std::string> words;
     for (const scene::Dimension one : scene::dimensions()) words.push_back(dimensionWord(one));
-    return problems.add(entry.keyPlace,
-                        fmt::format("units.{}: there is {}", core::printable(entry.key), fmt::join(words, ", ")));
+    const auto near = core::closest(entry.key.substr(0, 64), words);
+    return problems.add(entry.keyPlace, fmt::format("units.{}: {}", core::printable(entry.key),
+                                                    near ? fmt::format("did you mean {}?", *near)
+                                                         : fmt::format("there is {}", fmt::join(words, ", "))));
   }
   if (!unit || !scene::parseQuantity("1 " + *unit, *dimension).ok())
     return problems.add(entry.value.place, fmt::format("units.{}: expected a unit such as {}, got {}", entry.key,

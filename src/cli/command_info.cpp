@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -17,6 +19,7 @@ namespace {
 
 struct InfoOptions : SceneOptions {
   bool json = false, alt = false;
+  int digits = app::kUsualDigits;
 };
 
 int info(const InfoOptions& options) {
@@ -28,7 +31,8 @@ int info(const InfoOptions& options) {
   if (options.json)
     writeOut(app::reportJson(report));
   else
-    writeOut(app::reportTable(app::inUnits(report, app::defaultsOf(app::userDefaultsFile()).units)));
+    writeOut(
+        app::reportTable(app::inUnits(report, app::defaultsOf(app::userDefaultsFile()).units), options.digits));
   return kDone;
 }
 
@@ -42,6 +46,12 @@ void addInfo(CLI::App& program, Action& chosen) {
   CLI::Option* json = command->add_flag("--json", options->json,
                                         "as a JSON object, SI units, full precision; infinite numbers are null");
   command->add_flag("--alt", options->alt, "as a paragraph in words, for readers who do not see the picture")
+      ->excludes(json);
+  command
+      ->add_option("--digits", options->digits,
+                   fmt::format("how many digits numbers have; {} tell any from any other", app::kAllDigits))
+      ->check(CLI::Range(1, app::kAllDigits))
+      ->capture_default_str()
       ->excludes(json);
   command->footer(
       "Examples:\n"

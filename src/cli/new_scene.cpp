@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <regex>
 #include <vector>
@@ -45,7 +46,9 @@ std::string inUnit(const std::string& quantity, scene::Dimension dimension, cons
   if (choice == units.end()) return bare ? quantity : '"' + quantity + '"';
   const std::string_view si = scene::siUnit(dimension);
   const double value = scene::parseQuantity(bare ? fmt::format("{} {}", quantity, si) : quantity, dimension).value;
-  return fmt::format("\"{:.3g} {}\"", value / scene::unitFactor(choice->second, dimension), choice->second);
+  const double converted = value / scene::unitFactor(choice->second, dimension);
+  const double rounded = std::strtod(fmt::format("{:.3g}", converted).c_str(), nullptr);  // 1200, not 1.2e+03
+  return fmt::format("\"{} {}\"", rounded, choice->second);
 }
 
 /// "@length:24 cm@" stands for a quantity.
@@ -66,6 +69,18 @@ Lines linesOf(std::string_view text) {
     lines.emplace_back(text.substr(begin, end - begin));
   }
   return lines;
+}
+
+/// What a quantity in the user's unit moved goes back to the column of the others.
+void alignComments(std::string& text) {
+  constexpr std::size_t kColumn = 38;
+  Lines lines = linesOf(text);
+  for (std::string& line : lines)
+    if (const std::size_t comment = line.rfind("  # "); comment != line.npos) {
+      const std::string code = line.substr(0, line.find_last_not_of(' ', comment) + 1);
+      line = fmt::format("{:<{}}{}", code, std::max(code.size() + 2, kColumn), line.substr(comment + 2));
+    }
+  text = fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
 /// The table of a line "[show.body]", perhaps with a comment; none for another line.
@@ -136,6 +151,7 @@ std::string withKey(std::string_view text, const app::DefaultKey& key) {
 std::string blankScene(const std::string& name, const app::UserDefaults& defaults) {
   std::string text(poinsot_new_scene, poinsot_new_scene_end);
   setQuantities(text, defaults.units);
+  alignComments(text);
   for (const app::DefaultKey& key : defaults.keys) text = withKey(text, key);
   replaceAll(text, "@NAME@", core::printable(name));
   replaceAll(text, "@TITLE@", titleOf(name));

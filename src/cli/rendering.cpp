@@ -27,6 +27,7 @@
 #include "output/png_sequence.h"
 #include "output/target_check.h"
 #include "scene/make_motion.h"
+#include "stage/stage.h"
 
 namespace poinsot::cli {
 namespace {
@@ -144,6 +145,24 @@ void notePace(const scene::Scene& scene) {
                        pace));
 }
 
+/// A path that was made smaller so that the body can be seen: not to be taken for one to scale.
+void noteFlightScale(const scene::Scene& scene) {
+  if (!scene.motion.flight || scene.show.figures.flight.scale) return;
+  const double scale = stage::Stage(scene).flightScale();
+  if (scale >= 1) return;
+  writeErr(
+      fmt::format("poinsot: beside the body the path of its flight is drawn {:.3g} times smaller, or the body "
+                  "would be too small to see; a shorter film needs less of it, show.flight.scale = 1 none\n",
+                  1 / scale));
+}
+
+/// What was decided where the scene says nothing of it.
+void noteChoices(const scene::Scene& scene, const app::FrameRange& frames) {
+  if (scene.time.loop) writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
+  if (frames.count() > 1) notePace(scene);
+  noteFlightScale(scene);
+}
+
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
 std::string readyText(const PartsOptions& parts, const app::OutputTarget& target, const app::FrameRange& frames,
                       const app::RenderSummary& summary) {
@@ -209,9 +228,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   }
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
   checkTrace(options, target);
-  if (scene.time.loop && !options.quiet && options.progress != "json")
-    writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
-  if (frames.count() > 1 && !options.quiet && options.progress != "json") notePace(scene);
+  if (!options.quiet && options.progress != "json") noteChoices(scene, frames);
   if (options.dryRun) return describe(render, scene);
   std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;

@@ -283,9 +283,15 @@ std::vector<Key> flightKeys(const ShowTable& table) {
           "its "
           "centre of mass, which is drawn. Without it a picture goes with the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.visible; }),
-      key.scale(
-          "Factor on the lengths of the path; other than 1, it is not to the scale of the body.",
-          [](ShownFigures & f) -> auto& { return f.flight.scale; }),
+      {.path = table.path + ".flight.scale",
+       .range = {.least = 1e-6, .most = 100},
+       .words = {"auto"},
+       .fallback = "\"auto\"",
+       .example = "0.2",
+       .help =
+           "Factor on the lengths of the path; other than 1, it is not to the scale of the body. auto is 1 where "
+           "the body can be seen then, else as much less as lets it be seen.",
+       .put = key.put([](ShownFigures & f) -> auto& { return f.flight.scale; })},
       key.flag(
           "position", true, "The arrow R from the origin to the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.position; }),

@@ -50,7 +50,9 @@ struct ShownFigures {
     double opacity = 0;                      ///< of the sphere
     bool future = true;                      ///< the part not yet travelled, faint
   } trace;                                   ///< path of a point of the body
-  struct : Drawn {                           ///< its scale is that of lengths on the path
+  struct {
+    bool visible = true;
+    std::optional<double> scale;  ///< of lengths on the path beside the body's; none: as lets the body be seen
     bool position = true, velocity = true, weight = false;
   } flight;  ///< of a thrown body: the body moves along in the views at rest in space
   struct : Extra {

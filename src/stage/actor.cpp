@@ -92,6 +92,13 @@ void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 directio
   labels.push_back({tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color});
 }
 
+void Canvas::fadeLabel(float opacity) const {
+  if (!still)
+    labels.back().opacity = opacity;
+  else if (opacity < 0.5f)
+    labels.pop_back();
+}
+
 glm::vec2 Canvas::at_px(const Vector3d& at_V) const { return project(list.camera, toPicture(at_V)); }
 
 draw::Color mixed(const draw::Color& color, const draw::Color& over, double share) {

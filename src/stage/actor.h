@@ -30,6 +30,7 @@ struct Canvas {
   double thickness = 1;  ///< factor on arrows
   double type_px = 32;   ///< size of an ordinary label; 0: labels are not wanted
   double least_px = 0;   ///< no label is smaller
+  bool still = false;    ///< labels are there or not, none is faint
 
   /// A flat line; `width` in ordinary lines, `lift` towards the eye.
   void line(const std::vector<Eigen::Vector3d>& points_V, bool closed, const draw::Color& color, double width = 1,
@@ -67,6 +68,8 @@ struct Canvas {
                double size = 1, double gap = 0.35) const {
     labelAt(names[name], at_px, direction, color, size, gap);
   }
+  /// Makes the last label as faint as that; takes it away in a still where it would hardly be seen.
+  void fadeLabel(float opacity) const;
   /// Where the camera sees a point.
   glm::vec2 at_px(const Eigen::Vector3d& at_V) const;
 };

@@ -5,20 +5,21 @@
 
 #include "draw/picture.h"
 #include "stage/lettering.h"
+#include "stage/moment.h"
 
 namespace poinsot::stage {
 
-/// Makes pictures-as-values of a film. compose() is a pure function of the film time.
+/// Makes pictures-as-values of a film. compose() is a pure function of the moment.
 class Composer {
  public:
   virtual ~Composer() = default;
 
-  /// What the picture shows at film time `filmTime_s`, for a picture of `size_px` (width, height), with type and
+  /// What the picture shows at a moment, for a picture of `size_px` (width, height), with type and
   /// lines of a size of their own, such as printSizing().
-  virtual draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const = 0;
+  virtual draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const = 0;
   /// With type and lines to be seen from afar.
-  draw::Picture compose(double filmTime_s, glm::ivec2 size_px) const {
-    return compose(filmTime_s, size_px, screenSizing(size_px));
+  draw::Picture compose(const Moment& moment, glm::ivec2 size_px) const {
+    return compose(moment, size_px, screenSizing(size_px));
   }
 
  protected:

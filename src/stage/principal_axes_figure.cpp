@@ -51,7 +51,7 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
     const auto lean = static_cast<float>(1.2 * canvas.type_px);
     const glm::vec2 away = canvas.at_px(tip_V) - centre + glm::vec2(0, -lean);
     canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kNameSize);
-    if (body_) canvas.labels.back().opacity = seenPast(state, tip_V, canvas.list.camera);
+    if (body_) canvas.fadeLabel(seenPast(state, tip_V, canvas.list.camera));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/scales.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -16,6 +17,7 @@ constexpr double kBodyAlone = 0.8;     // half the body's longest extent where n
 constexpr double kRadiusAlone = 1.05;  // and the most of its radius: of a top, or a cube to its corners
 constexpr double kOmegaAlone = 1.25;   // longest omega where no ellipsoid is shown
 constexpr double kVelocity = 0.7;      // of a point, where it is fastest
+constexpr double kLongestPath = 9;     // of a flight, in radii of what flies
 constexpr double kLAbove = 1.5, kLBelowPlane = 0.42;
 
 // Longest omega (rad/s) and L (kg·m²/s) of the film.
@@ -42,6 +44,13 @@ double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
   return fastest;
 }
 
+// The diagonal of the box that holds the path of the centre of mass, m; 0 where it does not move along.
+double pathExtent(const PictureMotion& motion) {
+  Eigen::AlignedBox3d box;
+  for (const PathPoint& p : motion.outline()) box.extend(motion.atPlayed(p.played_s).centre_V);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
 }  // namespace
 
 Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body) {
@@ -65,7 +74,11 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
     scales.ellipsoid = longest.omega > 0 ? kOmegaAlone / longest.omega : 1;
     scales.reach = scales.body * body.radius();
   }
-  scales.flight = scales.body * show.figures.flight.scale;
+  scales.flight = scales.body;
+  if (const auto& wanted = show.figures.flight.scale)
+    scales.flight *= *wanted;
+  else if (const double path = scales.body * pathExtent(motion); path > kLongestPath * scales.reach)
+    scales.flight *= kLongestPath * scales.reach / path;
   if (const double fastest = fastestShown(scene, motion); fastest > 0) scales.velocity = kVelocity / fastest;
   scales.omega = scales.ellipsoid * show.omega.scale;
   if (longest.L > 0) scales.L = show.L.scale * lengthOfL / longest.L;

@@ -29,7 +29,7 @@ class StabilityMap final : public Composer {
   explicit StabilityMap(const scene::Scene& scene);
 
   using Composer::compose;
-  draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const override;
+  draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override;
 
   const StabilityScale& scale() const { return scale_; }
   /// Of the scene's L, s; infinite on the separatrix.

@@ -129,17 +129,18 @@ Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& m
     plots_.emplace_back(scene_, scene_.plots[i], motion, least.empty() ? std::nullopt : std::optional(least[i]));
 }
 
-draw::Picture Stage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing,
+draw::Picture Stage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing,
                              std::span<const double> mostMetre_px) const {
   POINSOT_EXPECT(mostMetre_px.empty() || mostMetre_px.size() == views_.size());
   draw::Picture picture;
   picture.size_px = size_px;
   picture.background = colors_.paper;
+  const double filmTime_s = moment.filmTime_s;
   auto [writing, cells, frames] = arrange(picture, filmTime_s, sizing);
   for (std::size_t i = 0; i < mostMetre_px.size(); ++i)
     frames[i].mostUnit_px = std::min(frames[i].mostUnit_px, mostMetre_px[i] / views_[i].bodyScale());
   for (std::size_t i = 0; i < views_.size(); ++i)
-    picture.panels.push_back({cells[i].origin_px, views_[i].compose(filmTime_s, frames[i])});
+    picture.panels.push_back({cells[i].origin_px, views_[i].compose(moment, frames[i])});
   addPlots(picture, std::span(cells).subspan(views_.size()), sizing, filmTime_s);
   layout_.addRules(picture, cells, sizing.line_px, colors_);
   addBlocks(picture, writing.blocks, writing.boxes);
@@ -168,6 +169,12 @@ std::vector<double> Stage::metres_px(glm::ivec2 size_px, const Sizing& sizing) c
   std::vector<double> metres_px;
   for (std::size_t i = 0; i < views_.size(); ++i) metres_px.push_back(views_[i].metre_px(made.frames[i]));
   return metres_px;
+}
+
+double Stage::flightScale() const {
+  double least = views_.empty() ? 1 : views_.front().flightScale();
+  for (const ViewStage& view : views_) least = std::min(least, view.flightScale());
+  return least;
 }
 
 PictureWriting Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {

@@ -22,7 +22,7 @@
 namespace poinsot::stage {
 
 /// Turns a scene into pictures-as-values: its views and plots side by side, all at the same instant, with what is
-/// written into the picture. compose() is a pure function of the film time.
+/// written into the picture. compose() is a pure function of the moment.
 class Stage final : public Composer {
  public:
   /// @throws core::Error(kPhysics) where the scene asks for something its motion does not have
@@ -34,16 +34,19 @@ class Stage final : public Composer {
         std::span<const PlotRanges> least = {});
 
   using Composer::compose;
-  draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const override {
-    return compose(filmTime_s, size_px, sizing, {});
+  draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override {
+    return compose(moment, size_px, sizing, {});
   }
   /// Beside pictures of other stages: a metre of the body has no more pixels than these say, one for each view;
   /// none: as many as it can have.
-  draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing,
+  draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing,
                         std::span<const double> mostMetre_px) const;
 
   /// The pixels that a metre of the body can have in each view of such a picture.
   std::vector<double> metres_px(glm::ivec2 size_px, const Sizing& sizing) const;
+
+  /// How many times as large as the body the path of its flight is drawn, in the view where that is least.
+  double flightScale() const;
 
   const scene::Scene& scene() const { return scene_; }
   /// Motion seconds per film second: the scene's, or the one chosen from |omega|.

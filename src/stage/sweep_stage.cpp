@@ -106,7 +106,8 @@ SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels>
     cells_.emplace_back(withoutWriting(std::move(cells[i])), motions[i], ranges);
 }
 
-draw::Picture SweepStage::compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const {
+draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const {
+  const double filmTime_s = moment.filmTime_s;
   draw::Picture picture;
   picture.size_px = size_px;
   picture.background = colors_.paper;
@@ -119,7 +120,7 @@ draw::Picture SweepStage::compose(double filmTime_s, glm::ivec2 size_px, const S
   const Grid grid = gridIn(whole.cells(free_px, writing.reach).front(), size_px, sizing);
   const std::vector<double> metres_px = mostMetre_px(grid);
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    addAt(picture, cells_[i].compose(filmTime_s, grid.cell_px, grid.sizing, metres_px),
+    addAt(picture, cells_[i].compose(moment, grid.cell_px, grid.sizing, metres_px),
           grid.originOf(static_cast<int>(i)));
   addLabels(picture, grid);
   addBlocks(picture, writing.blocks, writing.boxes);

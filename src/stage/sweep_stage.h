@@ -30,7 +30,7 @@ class SweepStage final : public Composer {
              core::StepLedger* steps = nullptr);
 
   using Composer::compose;
-  draw::Picture compose(double filmTime_s, glm::ivec2 size_px, const Sizing& sizing) const override;
+  draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override;
 
  private:
   /// Of a picture of some size: cells of one size, and the type of what is in them.

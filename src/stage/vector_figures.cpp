@@ -76,8 +76,8 @@ void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V)
     const float head_px = headRadius_px(canvas, tip_V);
     canvas.labelAt(kOmega, place + glm::vec2(right ? head_px : -head_px, 0), {right ? 1 : -1, 0},
                    canvas.colors.omega, kNameSize, 0.5 * gap);
-    if (!canvas.names[kOmega].empty())
-      canvas.labels.back().opacity = static_cast<float>(std::min(1.0, std::abs(off - kFarRight) / kFading));
+    if (!canvas.names[kOmega].empty() && !canvas.still)
+      canvas.fadeLabel(static_cast<float>(std::min(1.0, std::abs(off - kFarRight) / kFading)));
     return;
   }
   const glm::vec2 tip = canvas.at_px(tip_V);

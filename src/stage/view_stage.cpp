@@ -111,19 +111,20 @@ ViewStage::ViewStage(scene::Scene scene, std::shared_ptr<const physics::Motion> 
 ViewStage::~ViewStage() = default;
 ViewStage::ViewStage(ViewStage&&) noexcept = default;
 
-draw::DrawList ViewStage::compose(double filmTime_s, const PanelFrame& frame) const {
+draw::DrawList ViewStage::compose(const Moment& moment, const PanelFrame& frame) const {
   const Plan& plan = *plan_;
   const scene::Style& style = plan.scene.style;
   draw::DrawList list;
-  const PictureState state = plan.motion.at(filmTime_s);
-  list.camera = plan.cameraAt(filmTime_s, frame, state);
+  const PictureState state = plan.motion.at(moment.filmTime_s);
+  list.camera = plan.cameraAt(moment.filmTime_s, frame, state);
   list.background = plan.colors.paper;
   const double line_px = frame.line_px * style.lineWidth;
   const double label_px = plan.scene.show.labels ? kLabelSize * frame.type_px * style.textSize : 0;
   std::vector<Label> labels;
-  const Canvas canvas{list,    labels,          plan.colors, plan.scene.labels,
-                      line_px, style.lineWidth, label_px,    frame.least_px * style.textSize};
-  plan.addActors(canvas, filmTime_s, state);
+  const Canvas canvas{list,        labels,          plan.colors, plan.scene.labels,
+                      line_px,     style.lineWidth, label_px,    frame.least_px * style.textSize,
+                      moment.still};
+  plan.addActors(canvas, moment.filmTime_s, state);
   addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px), frame.taken);
   return list;
 }
@@ -133,6 +134,7 @@ double ViewStage::metre_px(const PanelFrame& frame) const {
 }
 
 double ViewStage::bodyScale() const { return plan_->scales.body; }
+double ViewStage::flightScale() const { return plan_->scales.flight / plan_->scales.body; }
 double ViewStage::speed() const { return plan_->motion.speed(); }
 
 }  // namespace poinsot::stage

@@ -9,6 +9,7 @@
 #include "physics/motion.h"
 #include "scene/scene.h"
 #include "stage/framing.h"
+#include "stage/moment.h"
 #include "stage/pixel_box.h"
 
 namespace poinsot::stage {
@@ -26,7 +27,7 @@ struct PanelFrame {
 };
 
 /// Turns one view of a scene into draw lists. Everything that does not depend on time (scales, framing, whole
-/// curves) is worked out once, here; compose() is a pure function of the film time.
+/// curves) is worked out once, here; compose() is a pure function of the moment.
 class ViewStage {
  public:
   /// `scene`: its camera and what it shows are the view's. `motion`: of the scene (picture_motion.h), shared by
@@ -36,13 +37,15 @@ class ViewStage {
   ~ViewStage();
   ViewStage(ViewStage&&) noexcept;
 
-  /// What the view shows at film time `filmTime_s`.
-  draw::DrawList compose(double filmTime_s, const PanelFrame& frame) const;
+  /// What the view shows at a moment.
+  draw::DrawList compose(const Moment& moment, const PanelFrame& frame) const;
 
   /// Pixels that a metre of the body would have at most in this frame; its mostUnit_px does not count.
   double metre_px(const PanelFrame& frame) const;
   /// Picture lengths per metre of the body.
   double bodyScale() const;
+  /// How many times as large as the body the path of its flight is drawn; 1 where it does not fly.
+  double flightScale() const;
 
   /// Motion seconds per film second.
   double speed() const;

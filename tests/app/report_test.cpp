@@ -41,13 +41,30 @@ Report oneFact(const std::string& key, const FactValue& value, const std::string
 }
 
 TEST(Report, ATableOfOneFact) {
-  EXPECT_EQ(
-      reportTable(oneFact("key", 2.5, "s")),
-      "name\n\nTitle\n  label                                      2.5 s                                         "
-      "                 eq 7\n");
-  EXPECT_THAT(reportTable(oneFact("key", std::numbers::pi / 6, "rad")), HasSubstr("0.5235987756 rad (30 deg)"));
+  EXPECT_EQ(reportTable(oneFact("key", 2.5, "s")), "name\n\nTitle\n  label  2.5 s  eq 7\n");
+  EXPECT_THAT(reportTable(oneFact("key", std::numbers::pi / 6, "rad")), HasSubstr("0.523599 rad (30 deg)"));
   EXPECT_THAT(reportTable(oneFact("key", true)), HasSubstr("yes"));
   EXPECT_EQ(reportTable({"name", {{"Empty", {}}}}), "name\n");
+}
+
+TEST(Report, ColumnsAreAsWideAsTheirTexts) {
+  Report report = oneFact("key", Eigen::Matrix3d(Eigen::Vector3d(1, 22, 333).asDiagonal()), "kg m^2");
+  report.sections[0].add("other", "a longer label", 2.5, "", "eq 8");
+  report.sections[0].add("word", "word", std::string("none"), "", "");
+  EXPECT_EQ(reportTable(report),
+            "name\n\nTitle\n"
+            "  label           1   0    0\n"
+            "                  0  22    0\n"
+            "                  0   0  333 kg m^2  eq 7\n"
+            "  a longer label  2.5                eq 8\n"
+            "  word            none\n");
+}
+
+TEST(Report, HasAsManyDigitsAsAsked) {
+  const Report third = oneFact("key", 1.0 / 3, "rad");  // 60/pi degrees are 19.098593171027440
+  EXPECT_THAT(reportTable(third, 1), HasSubstr("0.3 rad (2e+01 deg)"));
+  EXPECT_THAT(reportTable(third), HasSubstr("0.333333 rad (19.0986 deg)"));
+  EXPECT_THAT(reportTable(third, kAllDigits), HasSubstr("0.33333333333333331 rad (19.098593171027"));
 }
 
 TEST(Report, RoundingIsPrintedAsZero) {
@@ -56,6 +73,8 @@ TEST(Report, RoundingIsPrintedAsZero) {
   EXPECT_THAT(reportTable(oneFact("moments", vector)), HasSubstr("(0, 1.2e-17, -4.5)"));  // no components
   EXPECT_THAT(reportTable(oneFact("L_W", Eigen::Vector3d(0, 1e-14, -4.5))),
               HasSubstr("1e-14"));  // more than rounding
+  EXPECT_THAT(reportTable(oneFact("orientation", std::vector<double>{0.6, 0.8, 0, 3e-19})),
+              HasSubstr("(0.6, 0.8, 0, 0)"));
   EXPECT_THAT(reportTable(oneFact("x", -0.0)), Not(HasSubstr("-0")));
   Eigen::Matrix3d tensor = Eigen::Vector3d(1, 2, 3).asDiagonal();
   tensor(0, 1) = 4e-17;

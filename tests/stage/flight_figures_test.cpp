@@ -77,6 +77,24 @@ TEST(FlightFigure, ThePathIsTheParabolaOfTheCentreOfMass) {
   }
 }
 
+// A long fall would leave a speck of the body: 10 m/s^2 for 12 s are 700 m.
+TEST(FlightFigure, ALongPathIsMadeSmallerSoThatTheBodyIsSeen) {
+  const auto shareOfBody = [](const std::string& duration, const std::string& lines = "") {
+    std::string text = kFiveMasses + kBare + lines;
+    text.replace(text.find("duration = 2"), 12, "duration = " + duration);
+    const Scenery s(text);
+    Eigen::AlignedBox3d path;
+    for (const PathPoint& p : s.motion.outline())
+      path.extend(s.scales.flight * s.motion.atPlayed(p.played_s).centre_V);
+    return std::pair(s.scales.flight / s.scales.body, s.scales.reach / path.diagonal().norm());
+  };
+  EXPECT_EQ(shareOfBody("1").first, 1);
+  const auto [scale, share] = shareOfBody("12");
+  EXPECT_LT(scale, 0.1);
+  EXPECT_NEAR(share, 1.0 / 9, 1e-12);
+  EXPECT_EQ(shareOfBody("12", "flight.scale = 1\n").first, 1);
+}
+
 TEST(FlightFigure, ArrowsArePlaceVelocityAndWeight) {
   const Scenery s(kFiveMasses + kBare);
   const FlightFigure figure(s.setting);

@@ -13,8 +13,8 @@ inline scene::Scene sample(const std::string& extra = "") {
 }
 
 /// What a picture of one view shows.
-inline draw::DrawList onlyList(const Stage& stage, double filmTime_s, glm::ivec2 size_px) {
-  return stage.compose(filmTime_s, size_px).panels.at(0).list;
+inline draw::DrawList onlyList(const Stage& stage, const Moment& moment, glm::ivec2 size_px) {
+  return stage.compose(moment, size_px).panels.at(0).list;
 }
 
 }  // namespace poinsot::stage

@@ -206,6 +206,30 @@ TEST(Stage, LabelsDoNotJumpInAnyFilmOfTheGallery) {
   }
 }
 
+// What is faint for a while in a film, on its way to another place or behind the body, is no half-tone of a
+// figure.
+TEST(Stage, LabelsOfAStillAreThereOrNot) {
+  int faint = 0, hidden = 0;
+  for (const char* name : {"tennis_racket", "poinsot_rolling", "football"}) {
+    const Stage stage(scene::loadScene(std::string(POINSOT_SOURCE_DIR "/scenes/") + name + ".toml"));
+    for (double t_s = 0; t_s < 12; t_s += 0.05) {
+      std::map<std::string, float> film, still;
+      for (const auto& text : onlyList(stage, t_s, kSize).texts) film[text.tex] = text.opacity;
+      for (const auto& text : onlyList(stage, {t_s, true}, kSize).texts) still[text.tex] = text.opacity;
+      for (const auto& [tex, opacity] : film) {
+        const bool omega = tex.find("omega") != std::string::npos;  // nothing hides it
+        faint += omega && opacity < 0.9f;
+        hidden += !omega && opacity < 0.5f;
+        ASSERT_EQ(still.count(tex), omega || opacity >= 0.5f)
+            << name << " " << t_s << " " << tex << " " << opacity;
+        ASSERT_TRUE(still.count(tex) == 0 || still[tex] == 1) << name << " " << t_s << " " << tex;
+      }
+    }
+  }
+  EXPECT_GT(faint, 0);
+  EXPECT_GT(hidden, 0);
+}
+
 TEST(Stage, WhatIsNotShownIsNotThere) {
   const DrawList list =
       onlyList(Stage(sample("[show]\nbody = false\nprincipal_axes = false\nL = false\nomega = false\n"
