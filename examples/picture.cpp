@@ -33,8 +33,9 @@ int main(int argc, char** argv) try {
   const auto context = gl::openContext(gl::Backend::kAuto);
   render::Renderer renderer(*context);  // of this thread, as the context is
 
-  const draw::Picture picture = stage.compose(2.5, {640, 360});  // values: no pixel is drawn yet
-  output::writePng(argv[1], renderer.render(picture));           // whole under its name, or not there
+  const draw::Picture picture =
+      stage.compose({2.5, true}, {640, 360});           // a still, as values: no pixel is drawn yet
+  output::writePng(argv[1], renderer.render(picture));  // whole under its name, or not there
   std::printf("%s, drawn with %s\n", argv[1], context->backendName());
 } catch (const core::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -37,7 +37,7 @@ def load(
     limits: limits to raise or lower, as {"side": 16384, "memory": "4 GiB"}.
     asset_roots: more folders in which files that the scene names may lie.
 
-    Raises SceneError with everything that is wrong and where; LimitError.
+    Raises SceneError with everything that is wrong and where, or that the file cannot be read; LimitError.
     """
     return Scene(_core.Scene.of_file(os.fspath(path), *_words(overrides, limits, asset_roots)), limits, asset_roots)
 

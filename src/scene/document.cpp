@@ -97,9 +97,9 @@ std::string messageOf(const toml::parse_error& error) {
 
 /// Whether the line begins a table or gives a key, which no line within an array does.
 bool beginsAnew(std::string_view line) {
-  static const std::regex kHeaderOrKey(R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
+  const std::regex headerOrKey(R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
   constexpr std::size_t kLongest = 200;  // of which the library's recursion has to know nothing
-  return std::regex_match(std::string(line.substr(0, kLongest)), kHeaderOrKey);
+  return std::regex_match(std::string(line.substr(0, kLongest)), headerOrKey);
 }
 
 /// The bracket of an array that has no end: toml++ sees that only at what follows, often lines below.

@@ -86,17 +86,11 @@ void Canvas::label(const std::string& tex, const Vector3d& at_V, const Vector3d&
 }
 
 void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
-                     double size, double gap) const {
-  if (type_px == 0 || tex.empty()) return;
+                     double size, double gap, float opacity) const {
+  if (type_px == 0 || tex.empty() || (still && opacity < 0.5f)) return;
   const auto size_px = static_cast<float>(std::max(size * type_px, least_px));
-  labels.push_back({tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color});
-}
-
-void Canvas::fadeLabel(float opacity) const {
-  if (!still)
-    labels.back().opacity = opacity;
-  else if (opacity < 0.5f)
-    labels.pop_back();
+  labels.push_back(
+      {tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color, still ? 1 : opacity});
 }
 
 glm::vec2 Canvas::at_px(const Vector3d& at_V) const { return project(list.camera, toPicture(at_V)); }

@@ -20,6 +20,9 @@ struct GlassShares {
   double near = 1, far = 1, rim = 1;
 };
 
+/// Between a place and its label, in the label's own size.
+inline constexpr double kLabelGap = 0.35;
+
 /// What actors draw on, for one picture: V's axes, lengths in the picture's unit. The list's camera is set.
 struct Canvas {
   draw::DrawList& list;
@@ -56,20 +59,19 @@ struct Canvas {
   /// Beside a point, on the side that leads away from the picture of `inside_V`.
   void label(const std::string& tex, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
              const draw::Color& color, double size = 1) const;
-  /// Beside a place of the picture, in a direction; `size` in ordinary labels, `gap` in the label's own size.
+  /// Beside a place of the picture, in a direction; `size` in ordinary labels, `gap` in the label's own size. One
+  /// that is faint for a while is in a still whole, or not there where it would hardly be seen.
   void labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
-               double size = 1, double gap = 0.35) const;
+               double size = 1, double gap = kLabelGap, float opacity = 1) const;
   /// The same of a thing whose name the scene may choose.
   void label(scene::LabelName name, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
              const draw::Color& color, double size = 1) const {
     label(names[name], at_V, inside_V, color, size);
   }
   void labelAt(scene::LabelName name, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
-               double size = 1, double gap = 0.35) const {
-    labelAt(names[name], at_px, direction, color, size, gap);
+               double size = 1, double gap = kLabelGap, float opacity = 1) const {
+    labelAt(names[name], at_px, direction, color, size, gap, opacity);
   }
-  /// Makes the last label as faint as that; takes it away in a still where it would hardly be seen.
-  void fadeLabel(float opacity) const;
   /// Where the camera sees a point.
   glm::vec2 at_px(const Eigen::Vector3d& at_V) const;
 };

@@ -50,8 +50,9 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
     // An axis that points at the eye has no direction in the picture: its label leans upwards.
     const auto lean = static_cast<float>(1.2 * canvas.type_px);
     const glm::vec2 away = canvas.at_px(tip_V) - centre + glm::vec2(0, -lean);
-    canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kNameSize);
-    if (body_) canvas.fadeLabel(seenPast(state, tip_V, canvas.list.camera));
+    const float seen = body_ ? seenPast(state, tip_V, canvas.list.camera) : 1;
+    canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kNameSize,
+                   kLabelGap, seen);
   }
 }
 

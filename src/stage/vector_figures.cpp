@@ -42,7 +42,7 @@ void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   if (tip_V.isZero(0)) return;
   canvas.arrow(tip_V, kRadius, canvas.colors.L);
   const glm::vec2 tip = canvas.at_px(tip_V), along = softUnit(tip - canvas.at_px(Vector3d::Zero()), 1);
-  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, kNameSize, 0.35 / kNameSize);
+  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, kNameSize, kLabelGap / kNameSize);
 }
 
 std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {
@@ -67,17 +67,16 @@ void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
 void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
   using enum scene::LabelName;
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
-  const double gap = 0.35 / kNameSize;
+  const double gap = kLabelGap / kNameSize;
   if (inConstruction_) {
     const glm::vec2 beside = canvas.at_px(kAlongShaft * tip_V);
     const double off = (beside.x - centre.x) / canvas.type_px;
     const bool right = off > kFarRight;
     const glm::vec2 place(right ? beside.x : std::min(beside.x, centre.x), beside.y);
     const float head_px = headRadius_px(canvas, tip_V);
+    const double there = canvas.still ? 1 : std::min(1.0, std::abs(off - kFarRight) / kFading);
     canvas.labelAt(kOmega, place + glm::vec2(right ? head_px : -head_px, 0), {right ? 1 : -1, 0},
-                   canvas.colors.omega, kNameSize, 0.5 * gap);
-    if (!canvas.names[kOmega].empty() && !canvas.still)
-      canvas.fadeLabel(static_cast<float>(std::min(1.0, std::abs(off - kFarRight) / kFading)));
+                   canvas.colors.omega, kNameSize, 0.5 * gap, static_cast<float>(there));
     return;
   }
   const glm::vec2 tip = canvas.at_px(tip_V);

@@ -67,8 +67,8 @@ TEST_F(BashCompletion, Commands) {
 
 TEST_F(BashCompletion, OptionsOfTheCommand) {
   EXPECT_THAT(offered({"render", "top.toml", "--f"}), ElementsAre("--force", "--format", "--fps", "--frames"));
-  EXPECT_THAT(offered({"info", "--"}), ElementsAre("--alt", "--asset-root", "--help", "--json", "--limit",
-                                                   "--max-memory", "--max-seconds", "--untrusted"));
+  EXPECT_THAT(offered({"info", "--"}), ElementsAre("--alt", "--asset-root", "--digits", "--help", "--json",
+                                                   "--limit", "--max-memory", "--max-seconds", "--untrusted"));
 }
 
 TEST_F(BashCompletion, ValuesOfAnOption) {

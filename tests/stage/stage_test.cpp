@@ -230,6 +230,18 @@ TEST(Stage, LabelsOfAStillAreThereOrNot) {
   EXPECT_GT(hidden, 0);
 }
 
+TEST(Stage, WithoutLabelsAllElseIsThere) {
+  for (const char* name : {"tennis_racket", "poinsot_rolling", "football", "thrown_baton"}) {
+    const std::string file = std::string(POINSOT_SOURCE_DIR "/scenes/") + name + ".toml";
+    const Stage with(scene::loadScene(file)), without(scene::loadScene(file, {"show.labels=false"}));
+    for (const double t : kTimes) {
+      const DrawList bare = onlyList(without, t, kSize);
+      EXPECT_TRUE(bare.texts.empty()) << name;
+      EXPECT_EQ(bare.frustums.size(), onlyList(with, t, kSize).frustums.size()) << name;
+    }
+  }
+}
+
 TEST(Stage, WhatIsNotShownIsNotThere) {
   const DrawList list =
       onlyList(Stage(sample("[show]\nbody = false\nprincipal_axes = false\nL = false\nomega = false\n"
