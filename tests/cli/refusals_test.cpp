@@ -140,6 +140,7 @@ TEST_F(Refused, Quantities) {
       {key("show.body.shape=mesh"), "\"mesh\" takes"},
       {key("style.file=https://example.org/a.toml"), "it is an address; a scene names files by their paths"},
       {key("style.file=../a.toml"), "in the scene's folder or below it, without \"..\""},
+      {key("show.title=\xff"), "column 1 of \"\\xff\": not UTF-8; save the file with that encoding"},
       {key("timeline=[{caption=\"a\"}]"), "at is required: the film time at which it happens"},
   });
 }
@@ -155,6 +156,12 @@ TEST_F(Refused, WhatAMotionLacks) {
       {{"check", "rest.toml"}, "a body at rest does not precess"},
       {{"sweep", "pushed.toml", "--map", "-o", "a.png"}, "the body is not free: leave out what acts on it"},
   });
+}
+
+TEST_F(Refused, LoopsThatWouldBeTooLong) {
+  put("s.toml", kGoodScene);
+  expectAll({{{"check", "-D", "time.loop=true", "-D", "time.speed=1e-4", "s.toml"},
+              "more than a film may have; a time.speed of "}});
 }
 
 TEST_F(Refused, MeshesOfNoKnownForm) {

@@ -187,6 +187,29 @@ TEST_F(FilmTest, RefusesTimesThatAreNone) {
   EXPECT_THAT(message(0, far), HasSubstr("has frames between the frames"));
 }
 
+// The table of times says what no encoder of ours does: one frame is shown in the place of another; one stands
+// further back than frames are ever reordered.
+TEST_F(FilmTest, RefusesFramesInDisorder) {
+  const Bytes whole = content(segments({10}).front());
+  const std::string text(whole.begin(), whole.end());
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<std::uint8_t>(text.at(at + i));
+    return value;
+  };
+  const auto message = [&](std::size_t at, std::uint32_t value) {
+    std::string forged = text;
+    for (std::size_t i = 0; i < 4; ++i) forged.at(at + i) = static_cast<char>(value >> (24 - 8 * i));
+    return messageOf(kIo, [&] { joinSegments({save("forged.mp4", forged)}, in("film.mp4"), kTrack); });
+  };
+  // After the table's name, its version and its count come the entries, a count and a time each.
+  const std::size_t times = text.find("ctts") + 12, last = times + 8 * (number(times - 4) - 1);
+  constexpr std::uint32_t kFrame = 512;  // ticks
+  EXPECT_THAT(message(last + 4, number(last + 4) + kFrame), HasSubstr("forged.mp4: lacks its frame"));
+  EXPECT_THAT(message(last + 4, number(times + 4) - 7 * kFrame),
+              HasSubstr("forged.mp4: has its frames in no order that can be shown"));
+}
+
 // A segment is cut at every 23rd byte: none of them gives a film.
 TEST_F(FilmTest, RefusesATruncatedSegment) {
   const auto good = segments({5}).front();
