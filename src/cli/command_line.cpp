@@ -118,6 +118,16 @@ std::vector<std::string> optionNames(const CLI::App& command) {
                      didYouMean(word.substr(0, word.find('=')), optionNames(command)), help));
 }
 
+/// CLI11's "--size: 1 required WxH missing" in words.
+std::string withoutValue(const std::string& text) {
+  constexpr std::string_view kOne = ": 1 required ", kMissing = " missing";
+  const std::size_t at = text.find(kOne);
+  if (at == std::string::npos || !text.ends_with(kMissing)) return text;
+  const std::size_t begin = at + kOne.size();
+  return fmt::format("{}: its value is missing, {}", text.substr(0, at),
+                     text.substr(begin, text.size() - kMissing.size() - begin));
+}
+
 void parse(CLI::App& program, std::vector<std::string> words) {
   checkCommandWord(program, words.front());
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
@@ -127,6 +137,8 @@ void parse(CLI::App& program, std::vector<std::string> words) {
     refuseExtra(program);
   } catch (const CLI::Success&) {
     throw;  // help and version
+  } catch (const CLI::ArgumentMismatch& error) {
+    refuse(core::printable(withoutValue(error.what())));
   } catch (const CLI::ParseError& error) {
     refuse(core::printable(error.what()));
   }

@@ -67,6 +67,7 @@ TEST_F(Refused, OptionsThatDoNotBelongTogether) {
       {{"render", "s.toml", "-o", "a.mp4", "--format", "mp4"}, "--format goes with -o -"},
       {{"still", "s.toml", "-o", "a.png", "--dpi", "300"}, "--dpi needs --width"},
       {{"golden", "--beside"}, "--beside: goes with --update"},
+      {{"still", "s.toml", "--size"}, "--size: its value is missing, WxH"},
       {{"help", "render", "still"}, "help takes one command"},
       {{"new", "a", "--from", "nope"}, "POINSOT_SCENES names the folder of the scenes", 4},
   });
