@@ -11,6 +11,7 @@
 
 #include "app/interrupt.h"
 #include "app/render_job.h"
+#include "app/scene_request.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -19,6 +20,7 @@
 #include "core/error.h"
 #include "core/shell_word.h"
 #include "preview/preview_server.h"
+#include "scene/problem.h"
 
 namespace poinsot::cli {
 namespace {
@@ -52,12 +54,24 @@ std::string thisMachine() {
   return ours.empty() ? "THIS_MACHINE" : core::shellWord(fmt::format("{}@{}", user, ours));
 }
 
+/// A file that cannot be read is an error; one with mistakes is what a preview is for.
+void tellMistakes(const PreviewOptions& options) {
+  const auto request = app::readSceneRequest(options.scene, options.overrides, granted(options));
+  try {
+    app::loadRequested(request);
+  } catch (const scene::SceneErrors& errors) {
+    writeErr(fmt::format("{}\npoinsot: the page tells this too, and shows the scene when it is mended\n",
+                         errors.what()));
+  }
+}
+
 int preview(const PreviewOptions& options) {
   if (options.untrusted)  // the sandbox has no network
     throw core::Error(core::ErrorKind::kUsage, "--untrusted: a preview cannot be held to it; check and still can");
   app::watchInterrupts();
   setenv("LP_NUM_THREADS", std::to_string(app::availableCpus()).c_str(), 0);
   gl::pinEnvironment(false);
+  tellMistakes(options);
   preview::PreviewServer server({.fileName = options.scene,
                                  .overrides = options.overrides,
                                  .allowance = granted(options),

@@ -27,6 +27,7 @@
 #include "output/png_sequence.h"
 #include "output/target_check.h"
 #include "scene/make_motion.h"
+#include "stage/palette.h"
 #include "stage/stage.h"
 
 namespace poinsot::cli {
@@ -156,11 +157,22 @@ void noteFlightScale(const scene::Scene& scene) {
                   1 / scale));
 }
 
+void noteFaintType(const scene::Scene& scene) {
+  constexpr double kLegible = 3;  // of large type (WCAG 2)
+  const stage::Palette colors = stage::palette(scene.style);
+  if (const double contrast = stage::contrastRatio(colors.ink, colors.paper); contrast < kLegible)
+    writeErr(fmt::format(
+        "poinsot: titles hardly stand out from the paper (contrast {:.2g} : 1); give style.colors.ink, "
+        "or a style.theme whose paper is like yours\n",
+        contrast));
+}
+
 /// What was decided where the scene says nothing of it.
 void noteChoices(const scene::Scene& scene, const app::FrameRange& frames) {
   if (scene.time.loop) writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (frames.count() > 1) notePace(scene);
   noteFlightScale(scene);
+  noteFaintType(scene);
 }
 
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"

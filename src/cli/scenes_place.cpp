@@ -29,7 +29,9 @@ std::vector<fs::path> scenesIn(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
     if (entry->path().extension() == ".toml") found.push_back(entry->path());
   const std::string shown = core::printable(folder.native());
-  if (failure) throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}; POINSOT_SCENES names the folder of the scenes", shown, failure.message()));
+  if (failure)
+    throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}; POINSOT_SCENES names the folder of the scenes",
+                                                        shown, failure.message()));
   if (found.empty())
     throw core::Error(core::ErrorKind::kUsage, fmt::format("{}: no scene (NAME.toml) is there", shown));
   std::ranges::sort(found);

@@ -166,7 +166,8 @@ class PreviewServer::Site {
           "'unsafe-inline'; script-src 'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'"}});
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
       if (isAllowed(request)) return httplib::Server::HandlerResponse::Unhandled;
-      refuse(response, 403, "this address is not known");
+      refuse(response, 403,
+             "this address is not known; take the one that `poinsot preview` printed, with all its letters");
       return httplib::Server::HandlerResponse::Handled;
     });
   }

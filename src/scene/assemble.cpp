@@ -69,7 +69,7 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   Scene scene = draft.scene;
   std::optional<Rest> rest;
   if (!findings.hasBelow("body") && !findings.hasBelow("motion") && findings.count("body.part") == 0)
-    findings.refuseFile(kNothing);
+    findings.refuseEmpty(kNothing);
   else
     rest = bodyAndMotion(draft, findings, folder, scene);
   assembleDrawnShape(draft, findings, folder, scene.show);

@@ -169,11 +169,28 @@ class Checker {
 
   std::optional<Checked> color(const Node& node) {
     const auto* text = node.as<std::string>();
-    if (!text || text->size() != 7 || (*text)[0] != '#') return refuseType(node);
+    const auto hex = text ? hexColor(*text) : std::nullopt;
+    if (hex) return Checked(*hex);
+    const std::string meant = text ? sixDigits(*text) : "";
+    if (meant.empty()) return refuseType(node);
+    return refuse(node,
+                  fmt::format("expected {}, got {}; did you mean \"{}\"?", typeText(key_), describe(node), meant));
+  }
+
+  static std::optional<std::int64_t> hexColor(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
     std::int64_t hex = 0;
-    const char* end = text->data() + text->size();
-    if (std::from_chars(text->data() + 1, end, hex, 16).ptr != end || hex < 0) return refuseType(node);
-    return Checked(hex);
+    const char* end = text.data() + text.size();
+    const bool good = std::from_chars(text.data() + 1, end, hex, 16).ptr == end && hex >= 0;
+    return good ? std::optional(hex) : std::nullopt;
+  }
+
+  /// "#cc0000" for "#c00" and "cc0000"; empty for what is no colour in hexadecimal digits.
+  static std::string sixDigits(std::string_view text) {
+    if (text.starts_with('#')) text.remove_prefix(1);
+    std::string all = "#";
+    for (const char digit : text.substr(0, 7)) all.append(text.size() == 3 ? 2 : 1, digit);
+    return hexColor(all) ? all : "";
   }
 
   std::optional<Checked> text(const Node& node) {
@@ -237,6 +254,9 @@ class Checker {
 
   std::optional<std::vector<double>> numbers(const Node& node, std::size_t count) {
     const auto* array = node.as<Node::Array>();
+    if (array && array->size() > count && array->size() <= 2 * count && key_.type != ValueType::kQuaternion)
+      return refuse(
+          node, fmt::format("expected {}, got {}; decimals have a point: 0.1", typeText(key_), describe(node)));
     if (!array || array->size() != count) return refuseType(node);
     std::vector<double> values;
     for (const Node& element : *array)

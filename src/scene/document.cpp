@@ -81,15 +81,23 @@ std::string lowered(std::string text) {
 }
 
 /// In the words of someone who writes scenes, with the usual slip named.
-std::string messageOf(const toml::parse_error& error) {
+std::string messageOf(const toml::parse_error& error, std::string_view line) {
+  const bool typographic = line.find("\u201c") != line.npos || line.find("\u201d") != line.npos ||
+                           line.find("\u2018") != line.npos || line.find("\u2019") != line.npos;
   const std::string text = lowered(core::printable(error.description()));
   const auto says = [&](std::string_view part) { return text.find(part) != std::string::npos; };
+  if (says("cannot redefine existing boolean"))
+    return "given before as true or false; leave that line out: the keys below it ask for the thing";
   if (says("cannot redefine")) return "this key or table is given twice: " + text;
-  if (says("could not determine value type")) return "not a TOML value; text stands in quotes: \"...\"";
+  if (says("parsing string") && (says("control characters") || says("end-of-file")))
+    return "not TOML: this text has no closing quote";
+  if (says("could not determine value type"))
+    return typographic ? "not a TOML value; text stands in straight quotes: \"...\" or '...'"
+                       : "not a TOML value; text stands in quotes: \"...\"";
   if (says("could not be interpreted as a value") || says("is not representable"))
     return "a number out of range: " + text;
-  if (says("expected a comment or whitespace, saw"))
-    return "not TOML: " + text + " (a number with a unit stands in quotes: \"3 rpm\")";
+  if (says("expected a comment or whitespace, saw") || says("expected digit, saw"))
+    return "not TOML: " + text + " (a number with a unit, or a fraction, stands in quotes: \"3 rpm\")";
   if (says("escape sequence"))
     return "not TOML: " + text + " (mathematics stands in single quotes, where a backslash is one: '$\\omega$')";
   return "not TOML: " + text;
@@ -138,7 +146,7 @@ Node parseDocument(const Source& source, const Limits& limits) {
   } catch (const toml::parse_error& error) {
     if (const auto bracket = unclosedArray(error, source, limits))
       refuse(*bracket, "not TOML: the array that begins here has no closing ]");
-    refuse(placeOf(error, source), messageOf(error));
+    refuse(placeOf(error, source), messageOf(error, source.line(static_cast<int>(error.source().begin.line))));
   }
 }
 

@@ -96,9 +96,13 @@ Explanations ofPath(std::string_view word) {
   return {};
 }
 
-/// Of keys below tables.
+/// Of tables below others and of keys below tables.
 Explanations ofName(std::string_view word) {
   Explanations found;
+  for (const std::string_view table : tables()) {
+    const std::string_view path = table.ends_with("[]") ? table.substr(0, table.size() - 2) : table;
+    if (nameOf(path) == word && path != word) found.push_back(ofTable(table));
+  }
   for (const Key& key : keys())
     if (nameOf(key.path) == word && key.path != word && !repeatsInView(key)) found.push_back(ofKey(key));
   return found;

@@ -25,7 +25,8 @@ bool Findings::misspelt(std::string_view path) const {
 }
 
 Place Findings::placeOf(std::string_view path) const {
-  if (const auto leaf = given_.values.find(path); leaf != given_.values.end()) return leaf->second.place;
+  for (const std::string& given : {std::string(path), std::string(path) + ".visible"})
+    if (const auto leaf = given_.values.find(given); leaf != given_.values.end()) return leaf->second.place;
   for (std::string_view table = path; !table.empty(); table = tableOf(table))
     if (const auto found = given_.tables.find(table); found != given_.tables.end()) return found->second;
   return file_;
@@ -37,6 +38,10 @@ void Findings::refuse(std::string_view path, std::string_view message) {
 
 void Findings::refuseMissing(std::string_view missing, std::string_view path, std::string_view message) {
   if (!misspelt(missing)) refuse(path, message);
+}
+
+void Findings::refuseEmpty(std::string message) {
+  if (given_.unknown.empty()) refuseFile(std::move(message));
 }
 
 void Findings::refuseFile(std::string message) { problems_.add(file_, std::move(message)); }

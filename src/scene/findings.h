@@ -35,6 +35,8 @@ class Findings {
   void refuse(std::string_view path, std::string_view message);
   /// What `refuse` does, of a path that is missing; nothing where it is there but misspelt.
   void refuseMissing(std::string_view missing, std::string_view path, std::string_view message);
+  /// The same about a file that gives nothing it must; nothing where it has names that are no keys.
+  void refuseEmpty(std::string message);
   /// The same about the whole file.
   void refuseFile(std::string message);
 

@@ -15,6 +15,7 @@ std::vector<Key> labelKeys() {
                     .fallback = label.fallback,
                     .example = label.example,
                     .help = label.help,
+                    .isTex = true,
                     .put = into([i](Draft& d) { return &d.scene.labels[static_cast<LabelName>(i)]; })});
   }
   return keys;

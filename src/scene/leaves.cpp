@@ -46,15 +46,25 @@ class Walk {
     else if (node.as<bool>() && hasVisible(path))
       leaves_.values[path + ".visible"] = node;
     else
-      problems_.add(node.place, fmt::format("{}: expected a table [{}]{}, got {}", path, path,
-                                            hasVisible(path) ? ", true or false" : "", describe(node)));
+      wrongForm(path, node.place,
+                fmt::format("{}: expected a table [{}]{}, got {}", path, path,
+                            hasVisible(path) ? ", true or false" : "", describe(node)));
   }
 
  private:
   void unknown(const std::string& path, const Place& place) {
+    remember(path);
+    problems_.addLater(place, [path] { return unknownKey(path); });
+  }
+
+  void wrongForm(const std::string& path, const Place& place, std::string message) {
+    remember(path);
+    problems_.add(place, std::move(message));
+  }
+
+  void remember(const std::string& path) {
     std::vector<std::string>& names = leaves_.unknown[std::string(tableOf(path))];
     if (names.size() < kMostUnknown) names.emplace_back(nameOf(path));
-    problems_.addLater(place, [path] { return unknownKey(path); });
   }
 
   void opened(const std::string& path, const Place& place, const Node::Table& entries) {
@@ -79,9 +89,9 @@ class Walk {
   void array(const std::string& path, const Node& node) {
     const auto* elements = node.as<Node::Array>();
     if (!elements || !areTables(*elements))
-      return problems_.add(
-          node.place, fmt::format("{}: expected an array of tables, each begun with [[{}]], got {}", path, path,
-                                  describe(node)));
+      return wrongForm(path, node.place,
+                       fmt::format("{}: expected an array of tables, each begun with [[{}]], got {}", path, path,
+                                   describe(node)));
     if (const auto most = leaves_.limits[Limit::kElements]; elements->size() > static_cast<std::size_t>(most))
       return problems_.add(node.place, fmt::format("{}: may have at most {} elements, got {}; {}", path, most,
                                                    elements->size(), howToRaise(Limit::kElements)));

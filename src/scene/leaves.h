@@ -16,7 +16,7 @@ struct Leaves {
   Limits limits{};                                     ///< by which it is bounded
   std::map<std::string, Node, std::less<>> values{};   ///< of known keys, each with the place it came from
   std::map<std::string, Place, std::less<>> tables{};  ///< where each table was opened
-  /// By table, names given in it that are no keys; the first of many.
+  /// By table, names given in it that are no keys, or not in the form of one; the first of many.
   std::map<std::string, std::vector<std::string>, std::less<>> unknown{};
 
   /// How many tables an array of them has.

@@ -19,7 +19,7 @@ T elementOrNone(const std::vector<T>& elements, std::size_t i) {
 
 /// Reports a key without which its table says nothing, unless what it says was refused already.
 void require(const std::string& path, const char* example, Findings& findings) {
-  if (!findings.has(path)) findings.refuse(path, fmt::format("is required, such as {}", example));
+  if (!findings.has(path)) findings.refuseMissing(path, path, fmt::format("is required, such as {}", example));
 }
 
 // ---- plots ----

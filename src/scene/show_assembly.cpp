@@ -7,6 +7,7 @@
 
 #include "scene/body_assembly.h"
 #include "scene/shape_reader.h"
+#include "scene/steady_precession.h"
 
 namespace poinsot::scene {
 namespace {
@@ -74,6 +75,21 @@ void checkThrown(const Scene& scene, const std::string& prefix, Findings& findin
     findings.refuse(total, "needs a body with a mass (a shape, one of the catalogue, parts or point masses)");
 }
 
+/// Cones and the parallelogram are those of a steady precession.
+void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
+                     Findings& findings, const Show& show) {
+  const bool startKnown = rest || !scene.motion.omega_B.isZero(0);
+  if (!startKnown) return;
+  const auto check = [&](const char* thing, bool visible) {
+    const std::string path = prefix + thing;
+    if (!visible || !(prefix.empty() || findings.hasBelow(path))) return;
+    if (const std::string why = withoutPrecession(scene, rest); !why.empty())
+      findings.refuse(path, why + "; leave it out");
+  };
+  check("show.cones", show.figures.cones.visible);
+  check("show.decomposition", show.figures.decomposition.visible);
+}
+
 }  // namespace
 
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show) {
@@ -89,6 +105,7 @@ void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const 
                      Findings& findings, Show& show) {
   const Motion& motion = scene.motion;
   checkThrown(scene, prefix, findings, show);
+  checkPrecession(scene, rest, prefix, findings, show);
   if (!momentumIsConstant(motion.forcing)) withoutConstruction(prefix, findings, show);
   const std::string shown = rest ? needingRotation(prefix, show) : "";
   if (!shown.empty())

@@ -17,7 +17,7 @@ TimelineDraft given(const Draft& draft, std::size_t i) {
 
 void checkWhen(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
   if (!entry.at && !findings.has(path + ".at"))
-    findings.refuse(path, "at is required: the film time at which it happens");
+    findings.refuseMissing(path + ".at", path, "at is required: the film time at which it happens");
   if (entry.at && *entry.at > duration_s)
     findings.refuse(path + ".at", fmt::format("must lie within the film, which ends at {:g} s, got {:g} s",
                                               duration_s, *entry.at));

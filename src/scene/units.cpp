@@ -123,12 +123,22 @@ std::string withCarets(std::string_view unit) {
   return text;
 }
 
+/// "rpm" for "RPM".
+std::string inSmallLetters(std::string_view unit) {
+  std::string text(unit);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
 /// "; did you mean "kg m^2"?" where that would have been a unit of the dimension, else empty.
-std::string powerHint(std::string_view unit, Dimension dimension) {
-  const std::string meant = withCarets(unit);
-  const ParsedUnit parsed = parseUnit(meant);
-  if (!parsed.problem.empty() || parsed.unit.exponents != textOf(dimension).exponents) return "";
-  return fmt::format("; did you mean \"{}\"?", core::printable(meant));
+std::string hint(std::string_view unit, Dimension dimension) {
+  for (const std::string& meant : {withCarets(unit), inSmallLetters(unit)}) {
+    const ParsedUnit parsed = parseUnit(meant);
+    if (parsed.problem.empty() && parsed.unit.exponents == textOf(dimension).exponents)
+      return fmt::format("; did you mean \"{}\"?", core::printable(meant));
+  }
+  return "";
 }
 
 std::string expected(Dimension dimension) {
@@ -159,12 +169,13 @@ Quantity parseQuantity(std::string_view text, Dimension dimension) {
   if (text.starts_with(','))
     return refused(fmt::format("numbers have a decimal point, not a comma, got \"{}\"", shown));
   skipBlanks(text);
+  if (text.empty() && dimension == Dimension::kNone)
+    return refused(fmt::format("a plain number stands without quotes, got \"{}\"", shown));
   if (text.empty())
-    return refused(fmt::format("\"{}\" has no unit; write a bare number for {}", shown,
-                               dimension == Dimension::kNone ? "a plain value" : siUnit(dimension)));
+    return refused(fmt::format("\"{}\" has no unit, such as {}; without quotes it is in {}", shown,
+                               textOf(dimension).usual, siUnit(dimension)));
   const ParsedUnit parsed = parseUnit(text);
-  if (!parsed.problem.empty())
-    return refused(parsed.problem + "; " + expected(dimension) + powerHint(text, dimension));
+  if (!parsed.problem.empty()) return refused(parsed.problem + "; " + expected(dimension) + hint(text, dimension));
   if (parsed.unit.exponents != textOf(dimension).exponents)
     return refused(fmt::format("{}, got \"{}\"", expected(dimension), shown));
   return {number * parsed.unit.factor, ""};

@@ -36,6 +36,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kKnownEl
     {"inertia_tensor", "body.inertia"},
 }};
 
+/// "quantity" for "quantities", "label" for "labels".
+std::string singular(std::string_view name) {
+  if (name.ends_with("ies")) return fmt::format("{}y", name.substr(0, name.size() - 3));
+  return std::string(name.ends_with('s') ? name.substr(0, name.size() - 1) : name);
+}
+
 bool isColor(std::string_view name) {
   return name == "color" || name == "colour" || name == "colors" || name == "colours";
 }
@@ -44,6 +50,15 @@ bool isColor(std::string_view name) {
 std::string colorOf(std::string_view table) {
   const std::string key = fmt::format("style.colors.{}", nameOf(table));
   return findKey(key) ? key : tableText("style.colors");
+}
+
+/// The same name a table deeper: view[1].show.plane for view[1].plane.
+std::optional<std::string> deeper(std::string_view table, std::string_view name) {
+  for (const std::string& inner : namesBelow(table)) {
+    const std::string path = pathBelow(pathBelow(table, inner), name);
+    if (findKey(path) || isTable(path)) return path;
+  }
+  return std::nullopt;
 }
 
 /// The same name in another table, rather one that there is once.
@@ -62,6 +77,7 @@ std::optional<std::string> elsewhere(std::string_view path) {
   if (isColor(name)) return colorOf(tableOf(path));
   for (const auto& [known, key] : kKnownElsewhere)
     if (name == known) return std::string(key);
+  if (const auto found = deeper(tableOf(path), name)) return found;
   return sameName(name);
 }
 
@@ -126,6 +142,8 @@ std::string withoutIndex(std::string_view path, std::string_view array) {
 
 std::optional<std::string> misspelt(std::string_view table, std::string_view name) {
   if (name.size() > kLongestName) return std::nullopt;
+  for (const std::string& known : namesBelow(table))
+    if (singular(known) == singular(name)) return pathBelow(table, known);
   const auto near = core::closest(name, namesBelow(table));
   return near ? std::optional(pathBelow(table, *near)) : std::nullopt;
 }

@@ -9,6 +9,7 @@
 #include "physics/precession_cones.h"
 #include "scene/camera_preset.h"
 #include "scene/show_assembly.h"
+#include "scene/steady_precession.h"
 
 namespace poinsot::scene {
 namespace {
@@ -25,19 +26,6 @@ void usePreset(const std::optional<int>& preset, const std::string& prefix, cons
 }
 
 // ---- frames ----
-
-/// Why there is no frame that precesses with the body; empty where there is one.
-std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& rest) {
-  if (!scene.motion.forcing.none())
-    return "only free motion precesses steadily about L; here something acts on the body";
-  if (rest) return "a body at rest does not precess";
-  const physics::PrincipalAxes& axes = scene.body.axes;
-  if (physics::precessionCones(axes.moments(), axes.toP(scene.motion.omega_B))) return "";
-  const Eigen::Vector3d& I = axes.moments().values();
-  return fmt::format(
-      "only a symmetric body precesses steadily; all three moments differ here: ({:g}, {:g}, {:g}) kg·m²", I[0],
-      I[1], I[2]);
-}
 
 void checkFrame(const View& view, const std::string& path, const Scene& scene, const std::optional<Rest>& rest,
                 Findings& findings) {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kPolhodePoints = 400;
+constexpr int kPolhodePoints = 400, kFramedPoints = 24;
 constexpr double kWholeRadius = 0.007, kTravelledRadius = 0.011;
 
 std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
@@ -30,6 +30,7 @@ std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
 PolhodeFigure::PolhodeFigure(const Setting& setting)
     : motion_(setting.motion),
       scale_(setting.construction->scale()),
+      onEllipsoid_(setting.scene.show.ellipsoid.visible),
       period_s_(std::numeric_limits<double>::infinity()) {
   if (!motion_.isFree()) return;
   const PathPoint& start = motion_.liveliest();
@@ -86,8 +87,13 @@ void PolhodeFigure::addTube(const Canvas& canvas, const PictureState& state, con
   canvas.tube(points_V, closed, radius, color);
 }
 
+// It turns with the body. On the ellipsoid it reaches nowhere that the ellipsoid does not.
 std::vector<Vector3d> PolhodeFigure::outermostPoints(const PictureState& state) const {
-  return {scale_ * state.omega_V};
+  if (onEllipsoid_ || state.atRest()) return {scale_ * state.omega_V};
+  std::vector<Vector3d> points_V;
+  for (const auto& sample : physics::Polhode(motion_.moments(), state.omega_P).samples(kFramedPoints))
+    points_V.push_back(scale_ * (state.R_VP * sample.omega_P));
+  return points_V;
 }
 
 // ---- herpolhode

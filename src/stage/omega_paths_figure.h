@@ -32,6 +32,7 @@ class PolhodeFigure final : public Actor {
 
   const PictureMotion& motion_;
   double scale_;
+  bool onEllipsoid_;          // which is drawn
   std::vector<Sample> free_;  // of free motion: the curve, over one period
   double period_s_;           // of played time; infinite where the curve does not close
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/palette.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace poinsot::stage {
@@ -133,6 +134,12 @@ Palette palette(scene::Theme theme) {
   scene::Style style;
   style.theme = theme;
   return palette(style);
+}
+
+double contrastRatio(const draw::Color& a, const draw::Color& b) {
+  constexpr double kGlare = 0.05;
+  const auto light = [](const draw::Color& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b + kGlare; };
+  return std::max(light(a), light(b)) / std::min(light(a), light(b));
 }
 
 }  // namespace poinsot::stage

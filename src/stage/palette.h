@@ -29,4 +29,7 @@ Palette palette(const scene::Style& style);
 /// The theme's own.
 Palette palette(scene::Theme theme);
 
+/// How well one colour is read on another, from 1 to 21: the ratio of their luminances (WCAG 2).
+double contrastRatio(const draw::Color& a, const draw::Color& b);
+
 }  // namespace poinsot::stage

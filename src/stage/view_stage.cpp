@@ -83,7 +83,14 @@ struct ViewStage::Plan {
 
   draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame, const PictureState& state) const;
   void addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const;
+  double presenceOf(std::string_view thing, double filmTime_s) const;
 };
+
+// The height is that of the plane.
+double ViewStage::Plan::presenceOf(std::string_view thing, double filmTime_s) const {
+  const double there = presence.at(thing, filmTime_s);
+  return thing == "height" ? std::min(there, presence.at("plane", filmTime_s)) : there;
+}
 
 // It stands still in space.
 draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame,
@@ -95,7 +102,7 @@ draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& fram
 
 void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   for (const ShownActor& shown : actors) {
-    const double there = presence.at(shown.name, filmTime_s);
+    const double there = presenceOf(shown.name, filmTime_s);
     if (there == 0) continue;
     const DrawMark mark(canvas.list, canvas.labels);
     shown.actor->add(canvas, filmTime_s, state);

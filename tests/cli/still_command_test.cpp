@@ -179,5 +179,22 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
+// What was chosen in place of the user, and what he can hardly have wanted, is said beside the picture.
+TEST_F(StillCommand, SaysWhatWouldSurprise) {
+  const auto said = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-o", "a.png", "--force", "--size", "64x48"});
+    const auto result = still(words);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return result.err;
+  };
+  const std::string throwIt = "motion.flight.velocity=[300,0,5]";
+  EXPECT_THAT(said({"-D", throwIt}), HasSubstr("beside the body the path of its flight is drawn "));
+  EXPECT_THAT(said({"-D", throwIt, "-D", "show.flight.scale=1"}), Not(HasSubstr("path of its flight")));
+  EXPECT_THAT(said({"-D", "style.colors.paper=#000000"}),
+              HasSubstr("titles hardly stand out from the paper (contrast"));
+  EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "-D", "style.theme=dark"}), Not(HasSubstr("stand out")));
+  EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "--quiet"}), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace poinsot

@@ -24,6 +24,17 @@ std::string rowOf(const Explanation& explanation, const std::string& name) {
   return row == explanation.rows.end() ? "no row " + name : row->text;
 }
 
+TEST(Explanation, OfATableByItsNameAlone) {
+  for (const char* name : {"cones", "trace", "theta", "plane", "torque", "colors", "part"}) {
+    const auto found = explain(name);
+    EXPECT_TRUE(std::ranges::any_of(found,
+                                    [&](const Explanation& one) {
+                                      return one.title.find(std::string(".") + name + "]") != std::string::npos;
+                                    }))
+        << name << ": " << found.front().title;
+  }
+}
+
 TEST(Explain, EveryKeyByItsPath) {
   for (const Key& key : keys()) {
     const auto found = explain(key.path);

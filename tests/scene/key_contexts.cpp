@@ -91,6 +91,8 @@ std::string sceneFor(const Key& key) {
   if (key.path.find("show.flight") != std::string::npos || key.path.find("show.total_L") != std::string::npos)
     return kOmega + kBox + "body.mass = 1\nmotion.flight.velocity = [1, 0, 2]\n" +
            (key.path.starts_with("view") ? "[[view]]\n" : "");
+  if (key.path.find("show.cones") != std::string::npos || key.path.find("show.decomposition") != std::string::npos)
+    return kOmega + "body.principal_moments = [1, 1, 2]\n" + (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (const auto found = contexts().find(key.path); found != contexts().end()) return found->second;
   const std::string_view name = nameOf(key.path);
   const bool ofShape = name == "shape" || holds(shapeKeyNames(), name);

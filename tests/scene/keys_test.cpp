@@ -38,6 +38,14 @@ TEST(EveryKey, HasAnExampleAndADefaultThatPassItsChecks) {
   }
 }
 
+/// A text that names no file is set in type, and looked through before anything is drawn.
+TEST(EveryKey, OfTextIsSetInTypeOrNamesAFile) {
+  for (const Key& key : keys()) {
+    if (key.type != ValueType::kText && key.type != ValueType::kLines) continue;
+    EXPECT_NE(key.isTex, nameOf(key.path) == "file") << key.path;
+  }
+}
+
 TEST(EveryKey, HasHelpOfOneLine) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);

@@ -156,7 +156,7 @@ TEST_F(BadScene, WithAUnitOutsideQuotes) {
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_EQ(problems_[0].where.line, 6);
   EXPECT_EQ(problems_[0].where.column, 14);
-  EXPECT_THAT(problems_[0].message, HasSubstr("a number with a unit stands in quotes: \"3 rpm\""));
+  EXPECT_THAT(problems_[0].message, HasSubstr("a number with a unit, or a fraction, stands in quotes: \"3 rpm\""));
 }
 
 TEST_F(BadScene, OfAnotherSchema) { expectOnly("wrong_schema.toml", {1, 10, 1}, "schema: must be 1, got 2"); }
@@ -280,6 +280,51 @@ TEST(Report, KnowsWhatOtherProgramsCallAKey) {
   EXPECT_EQ(messagesOf(kMinimal, {"style.background=white"}),
             "style.background: unknown key; did you mean style.colors.paper?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"output.width=640"}), "output.width: unknown key; did you mean output.size?\n");
+}
+
+TEST(Report, KnowsTheUsualSlipsOfToml) {
+  const std::string motion = "[motion]\nomega_body = [1, 0, 0]\n";
+  EXPECT_EQ(atMessage("[body]\nshape = \"box\n" + motion),
+            "test.toml:2:13: not TOML: this text has no closing quote");
+  EXPECT_THAT(atMessage("[body]\ncatalogue = \u201cbook\u201d\n" + motion),
+              HasSubstr("stands in straight quotes"));
+  for (const char* value : {"duration = 10s", "fps = 24000/1001", "duration = 1.5 s"})
+    EXPECT_THAT(atMessage(std::string("[time]\n") + value + "\n"), HasSubstr("or a fraction, stands in quotes"))
+        << value;
+  EXPECT_THAT(atMessage("[show]\ncones = true\ncones.opacity = 0.5\n"),
+              HasSubstr("given before as true or false; leave that line out"));
+}
+
+TEST(Report, LooksATableDeeperAndKnowsPlurals) {
+  EXPECT_EQ(messagesOf(kMinimal, {"view=[{plane=false}]"}),
+            "view[0].plane: unknown key; did you mean view[0].show.plane?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"fov=0.3"}), "fov: unknown key; did you mean camera.fov?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"style.L=red"}), "style.L: unknown key; did you mean style.colors.L?\n");
+  EXPECT_EQ(messagesOf(std::string(kMinimal) + "[[plot]]\nquantity = [\"t\"]\n"),
+            "plot[0].quantity: unknown key; did you mean plot[0].quantities?\n");
+}
+
+TEST(Report, SaysOfAWrongFormOnlyThat) {
+  const std::string motion = "[motion]\nomega_body = [1, 0, 0]\n";
+  EXPECT_THAT(messagesOf("[body.part]\nshape = \"box\"\n" + motion),
+              StartsWith("body.part: expected an array of tables, each begun with [[body.part]]"));
+  EXPECT_THAT(messagesOf("body = \"book\"\n" + motion), StartsWith("body: expected a table [body]"));
+  EXPECT_EQ(messagesOf("[Body]\nprincipal_moments = [1, 2, 3]\n[Motion]\nomega_body = [1, 0, 0]\n"),
+            "Body: unknown key; did you mean body?\nMotion: unknown key; did you mean motion?\n");
+}
+
+TEST(Report, SaysWhatValueWasMeant) {
+  EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=\"#c00\""}), HasSubstr("did you mean \"#cc0000\"?"));
+  EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=\"336699\""}), HasSubstr("did you mean \"#336699\"?"));
+  EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=ivory"}), Not(HasSubstr("did you mean")));
+  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, 0,1]"}), HasSubstr("decimals have a point: 0.1"));
+  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, \"3 RPM\"]"}), HasSubstr("did you mean \"rpm\"?"));
+  EXPECT_THAT(messagesOf(kMinimal, {"camera.fov=\"24\""}),
+              HasSubstr("\"24\" has no unit, such as rad, mrad, deg"));
+  EXPECT_EQ(
+      messagesOf(kMinimal, {"show.cones=true"}),
+      "show.cones: only a symmetric body precesses steadily; all three moments differ here: (1, 2, 2.5) kg·m²; "
+      "leave it out\n");
 }
 
 TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {

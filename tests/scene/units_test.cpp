@@ -91,7 +91,8 @@ TEST(Units, OfTheWrongDimensionAreRefusedWithTheRightOnes) {
 TEST(Units, ThatAreNoneAreNamed) {
   EXPECT_EQ(parseQuantity("3 parsecs", Dimension::kLength).problem,
             "\"parsecs\" is not a known unit; expected a length in one of m, km, cm, mm, um, in, ft");
-  EXPECT_EQ(parseQuantity("3", Dimension::kLength).problem, "\"3\" has no unit; write a bare number for m");
+  EXPECT_EQ(parseQuantity("3", Dimension::kLength).problem,
+            "\"3\" has no unit, such as m, km, cm, mm, um, in, ft; without quotes it is in m");
   for (const char* text : {"", " ", "m", "rpm 3", "3 m/", "3 /s", "3 m^", "3 m^99", "3 m^x", "--3 m", "+-3 m",
                            "3 m m m m m m m m m", "1e999 m", "3,5 m", "0x10 m", "3 m\x1b[31m", "3 \xff"})
     EXPECT_FALSE(parseQuantity(text, Dimension::kLength).ok()) << text;

@@ -229,6 +229,13 @@ TEST(ColorDifference, KnowsGreys) {
   EXPECT_DOUBLE_EQ(contrast(Color(0), Color(1)), 21);
 }
 
+TEST(ContrastRatio, IsThatOfTheGuidelines) {
+  const auto colors = palette(scene::Theme::kLight);
+  for (const Color& color : {Color(0), Color(1), colors.ink, colors.L, colors.omega, colors.body})
+    EXPECT_NEAR(contrastRatio(color, colors.paper), contrast(color, colors.paper),
+                2e-3);  // four digits of the source
+}
+
 // The rows of the published matrices sum to 1: greys stay, and red and green of one lightness come near each
 // other.
 TEST(Simulation, KeepsGreysAndLosesRedAgainstGreen) {
