@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/program_run.h"
+#include "support/sanitized.h"
 
 namespace poinsot {
 namespace {
@@ -49,7 +50,7 @@ TEST_F(Defaults, ANewSceneHasTheKeysAndUnits) {
   EXPECT_EQ(run({"new", "a"}).exitCode, 2) << "a table is given twice";
   give(
       "[units]\nlength = \"mm\"\nangular_velocity = \"rpm\"\n"
-      "[scene]\nstyle.theme = \"dark\"\ntime.duration = 8\nlabel.omega = '\\Omega'\ncamera.fov = \"20 deg\"\n"
+      "[scene]\nstyle.theme = \"dark\"\ntime.duration = 8\nlabel.omega = '$\\Omega$'\ncamera.fov = \"20 deg\"\n"
       "output.size = [640, 360]\n");
   const std::string scene = made();
   EXPECT_THAT(scene, AllOf(HasSubstr("size = [\"240 mm\", \"170 mm\", \"30 mm\"]"),
@@ -57,7 +58,7 @@ TEST_F(Defaults, ANewSceneHasTheKeysAndUnits) {
                            HasSubstr("mass = \"1.2 kg\"")));
   EXPECT_THAT(scene, AllOf(HasSubstr("\n[style]\ntheme = \"dark\"\n"), HasSubstr("\n[time]\nduration = 8\n"),
                            HasSubstr("\n[camera]\nfov = \"20 deg\"\n"), HasSubstr("\nsize = [640, 360]\n"),
-                           HasSubstr("\n[label]\nomega = \"\\\\Omega\"\n"), Not(HasSubstr("duration = 12"))));
+                           HasSubstr("\n[label]\nomega = \"$\\\\Omega$\"\n"), Not(HasSubstr("duration = 12"))));
 }
 
 TEST_F(Defaults, NumbersAndCommentsOfANewSceneReadWell) {
@@ -88,8 +89,9 @@ TEST_F(Defaults, InfoSpeaksInTheUnitsAndItsJsonInSi) {
               AllOf(HasSubstr("(0, 0, 3.14159) rad/s"), HasSubstr("(5, 10, 13) kg m^2")));
   give("[units]\nangular_velocity = \"rpm\"\nmoment_of_inertia = \"t cm^2\"\nenergy = \"mJ\"\n");
   // By hand: I3 = 12 kg (3² + 2²) m² / 12 = 13 kg m² = 130 t cm²; T = I3 ω²/2 = 6.5 π² J.
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"info", "s.toml"}, {"info", "--untrusted", "s.toml"}})
+  std::vector<std::vector<std::string>> ways{{"info", "s.toml"}};
+  if (!kSanitized) ways.push_back({"info", "--untrusted", "s.toml"});  // bounds the address space
+  for (const std::vector<std::string>& words : ways)
     EXPECT_THAT(said(words), AllOf(HasSubstr("(0, 0, 30) rpm"), HasSubstr("(50, 100, 130) t cm^2"),
                                    HasSubstr("64152.4 mJ"), HasSubstr(" 12 kg\n")));
   EXPECT_EQ(said({"info", "s.toml", "--json"}), json);

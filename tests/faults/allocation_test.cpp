@@ -18,6 +18,7 @@
 #include "output/video_segment.h"
 #include "stage/stage.h"
 #include "support/failing_memory.h"
+#include "support/sanitized.h"
 
 namespace poinsot::faults {
 namespace {
@@ -184,6 +185,7 @@ class OutOfMemoryWhile : public testing::TestWithParam<Kind> {
 };
 
 TEST_P(OutOfMemoryWhile, ItIsMadeIsTold) {
+  POINSOT_NOT_SANITIZED("the test has a malloc() of its own");
   // Twice, for what is made once: fonts, tables, what libraries keep.
   for (int i = 0; i < 2; ++i) {
     ASSERT_EQ(render(), 0);

@@ -6,6 +6,7 @@
 
 #include "faults/memory_watch.h"
 #include "faults/tiny_film.h"
+#include "support/sanitized.h"
 #include "support/shell_run.h"
 
 namespace poinsot::faults {
@@ -28,6 +29,7 @@ double refusal_s(const std::string& command, const std::string& says) {
 
 // Measured 0.03 to 0.05 s.
 TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
+  POINSOT_NOT_SANITIZED("it takes more memory than is given");
   const std::string program = "exec " POINSOT_PROGRAM;
   const std::string figures =
       "a worker that makes pictures of 8192x8192 takes about [3-9].[0-9] GiB of memory, and ";
@@ -52,6 +54,7 @@ ShellResult renderWithin(int MiB, const ScratchFolder& folder) {
 
 // LLVM aborts where it gets no memory: that is a worker's end, never the program's.
 TEST(Memory, TooLittleOfItIsSaidOrEnough) {
+  POINSOT_NOT_SANITIZED("it takes more memory than is given");
   int made = 0, refused = 0;
   for (int i = 1; i <= 16; ++i) {
     const ScratchFolder folder;
@@ -71,6 +74,7 @@ TEST(Memory, TooLittleOfItIsSaidOrEnough) {
 // 10 000 frames of 64x36 through the whole program, which keeps something of each: its digest, its place in the
 // film's index. Measured 142.7 MiB early and late, and 41 of the parent; half a kilobyte a frame would be found.
 TEST(Memory, DoesNotGrowWithTheFrames) {
+  POINSOT_NOT_SANITIZED("it takes more memory than is given");
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const MemoryWatch watch(folder, {"render", "tiny.toml", "-o", "t.mp4", "--size", "64x36", "-j", "1",

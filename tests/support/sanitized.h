@@ -12,3 +12,7 @@ inline constexpr bool kSanitized = false;
 #endif
 
 }  // namespace poinsot
+
+/// In a test that no sanitizer can watch.
+#define POINSOT_NOT_SANITIZED(why) \
+  if (poinsot::kSanitized) GTEST_SKIP() << "under a sanitizer: " << (why)
