@@ -31,6 +31,9 @@ OutputTarget parseTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (name.empty() || !path.has_filename()) refuse(name, "not a file name");
   const bool film = output::filmContainer(path).has_value();
+  const auto figure = path.extension();
+  if (figure == ".pdf" || figure == ".svg" || figure == ".tex")
+    refuse(name, "a figure is made by `poinsot still`");
   if (path.extension() != ".png" && !film) refuse(name, "this kind of file is not written");
   const bool pattern = output::FramePattern::isPattern(name);
   if (film) {

@@ -44,10 +44,13 @@ std::string galleryText(const std::string& name) {
   std::vector<std::string> names;
   for (const fs::path& scene : scenes) names.push_back(scene.stem().string());
   const auto found = std::ranges::find(names, name);
-  if (found == names.end())
+  if (found == names.end()) {
+    const auto near = core::closest(name.substr(0, 64), names);
     throw Error(ErrorKind::kUsage,
-                fmt::format("--from: the gallery has no scene '{}'; it has {}", core::printable(name),
-                            core::printableLines(fmt::format("{}", fmt::join(names, ", ")))));
+                fmt::format("--from: the gallery has no scene '{}'; {}", core::printable(name),
+                            near ? fmt::format("did you mean '{}'?", core::printable(*near))
+                                 : core::printableLines(fmt::format("it has {}", fmt::join(names, ", ")))));
+  }
   const auto most = scene::Limits().bytes(scene::Limit::kSceneBytes);
   return core::readRegularFile(scenes[static_cast<std::size_t>(found - names.begin())], most, ErrorKind::kIo);
 }

@@ -58,7 +58,7 @@ double parseWidth_mm(const std::string& word) {
     const auto value = app::parseNumber(number);
     if (value && *value > 0 && std::isfinite(*value)) return *value * unit.unit_mm;
   }
-  refuse(fmt::format("--width '{}': a width on paper is a number and mm, cm, in or pt, such as 86mm",
+  refuse(fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
                      core::printable(word)));
 }
 

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr const char* kWays = "principal_moments, inertia, shape, catalogue, or parts and point masses";
 
-std::string vectorText(const Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+std::string vectorText(const Vector3d& v) { return fmt::format("({:g}, {:g}, {:g})", v[0], v[1], v[2]); }
 
 /// "I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; ..."
 std::string triangleMessage(const Vector3d& moments) {

@@ -71,7 +71,9 @@ std::vector<Key> spinKeys() {
        .dimension = kAngle,
        .range = kTilts,
        .example = "\"2 deg\"",
-       .help = "Angle between L and spin_axis; without it, none: a steady spin.",
+       .help =
+           "Angle between L and spin_axis; without it, none: a steady spin. It does not lean a body that gravity "
+           "pulls: motion.orientation does.",
        .put = into([](Draft& d) { return &d.start.tilt; })},
       {.path = "motion.tilt_towards",
        .dimension = kAngle,
@@ -125,7 +127,9 @@ std::vector<Key> attitudeKeys() {
        .help =
            "Quaternion w, x, y, z taking body axes to world axes at motion time 0, normalised on reading. "
            "Without it, L is turned onto the vertical, so that the invariable plane is level; but body and world "
-           "axes agree where the start is given in world axes, and under gravity, torque or drag.",
+           "axes agree where the start is given in world axes, and under gravity, torque or drag. A top that "
+           "leans by "
+           "an angle a from z towards -y has [cos(a/2), sin(a/2), 0, 0].",
        .put = into([](Draft& d) { return &d.scene.motion.orientation_WB; })},
       {.path = "motion.L_points",
        .type = kWord,

@@ -41,8 +41,9 @@ constexpr std::string_view kUnitsOpening = R"(## Numbers and units
 A bare number is in SI units: metres, kilograms, seconds, radians, and their products. Text gives a number another unit:
 `"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`, `"2.5e4 g cm^2"`. Any product of powers of the units below is
 understood (`"3 deg/min"`, `"1 kg*cm^2"`); a `/` divides by the one unit after it (`"2 1/min"`). A plain number may be a
-percentage (`"13 %"`). One `Hz`, or one `rps`, is one turn a second. Names in full are read, too: `"190 grams"`,
-`"1 degree"`, `"8 seconds"`.
+percentage (`"13 %"`). One `Hz`, or one `rps`, is one turn a second. Names in full are read, too, of one
+and of many: `"190 grams"`, `"1 degree"`, also metre (meter), inch, foot, kilogram, pound, second, minute, hour, day,
+year, radian, turn.
 
 | quantity | SI | units |
 | --- | --- | --- |

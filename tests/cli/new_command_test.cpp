@@ -98,7 +98,7 @@ TEST_F(New, NothingIsLost) {
 
 TEST_F(New, MistakesAreNamed) {
   EXPECT_THAT(run({"new", "a", "--from", "footbal"}).err,
-              HasSubstr("has no scene 'footbal'; it has chandler_true, "));
+              HasSubstr("has no scene 'footbal'; did you mean 'football'?"));
   EXPECT_EQ(run({"new", "a", "--from", "footbal"}).exitCode, 2);
   EXPECT_EQ(run({"new", ""}).exitCode, 2);
   EXPECT_EQ(run({"new", "nowhere/a"}).exitCode, 4);

@@ -145,7 +145,7 @@ struct BadStill {
 };
 
 TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
-  const std::string width = "a width on paper is a number and mm, cm, in or pt, such as 86mm";
+  const std::string width = "a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm";
   const BadStill cases[] = {
       {{"-o", "a.gif"}, "output 'a.gif': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex"},
       {{"-o", "a_{frame}.png"}, "a still is one NAME.png, NAME.pdf"},
@@ -175,7 +175,7 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
   }
   const auto film = run(folder_, {"render", "a.toml", "-o", "a.pdf"});
   EXPECT_EQ(film.exitCode, 2);
-  EXPECT_THAT(film.err, HasSubstr("this kind of file is not written"));
+  EXPECT_THAT(film.err, HasSubstr("a figure is made by `poinsot still`"));
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
