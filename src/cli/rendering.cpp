@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -157,6 +158,12 @@ void noteFlightScale(const scene::Scene& scene) {
                   1 / scale));
 }
 
+void noteNoTorque(const scene::Scene& scene) {
+  const auto asks = [](const scene::View& view) { return view.show.figures.torque.visible; };
+  if (scene.motion.forcing.none() && std::ranges::any_of(scene.views, asks))
+    writeErr("poinsot: show.torque asks for a torque, and nothing acts on the body\n");
+}
+
 void noteFaintType(const scene::Scene& scene) {
   constexpr double kLegible = 3;  // of large type (WCAG 2)
   const stage::Palette colors = stage::palette(scene.style);
@@ -172,6 +179,7 @@ void noteChoices(const scene::Scene& scene, const app::FrameRange& frames) {
   if (scene.time.loop) writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
   if (frames.count() > 1) notePace(scene);
   noteFlightScale(scene);
+  noteNoTorque(scene);
   noteFaintType(scene);
 }
 

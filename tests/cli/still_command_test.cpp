@@ -194,6 +194,10 @@ TEST_F(StillCommand, SaysWhatWouldSurprise) {
               HasSubstr("titles hardly stand out from the paper (contrast"));
   EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "-D", "style.theme=dark"}), Not(HasSubstr("stand out")));
   EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "--quiet"}), testing::IsEmpty());
+  EXPECT_THAT(said({"-D", "show.torque=true"}),
+              HasSubstr("show.torque asks for a torque, and nothing acts on the body"));
+  EXPECT_THAT(said({"-D", "show.torque=true", "-D", "motion.torque.body=[0,0,0.1]"}),
+              Not(HasSubstr("nothing acts")));
 }
 
 }  // namespace
