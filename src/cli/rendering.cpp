@@ -4,21 +4,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <system_error>
 
 #include "app/film_choice.h"
 #include "app/interrupt.h"
 #include "app/job_identity.h"
-#include "app/loop_text.h"
 #include "app/memory.h"
 #include "app/progress.h"
 #include "app/scene_composer.h"
 #include "app/subtitles.h"
 #include "app/sweep_cells.h"
 #include "app/temporary_folder.h"
+#include "cli/choice_notes.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/worker_count.h"
@@ -27,9 +25,6 @@
 #include "output/figure.h"
 #include "output/png_sequence.h"
 #include "output/target_check.h"
-#include "scene/make_motion.h"
-#include "stage/palette.h"
-#include "stage/stage.h"
 
 namespace poinsot::cli {
 namespace {
@@ -139,50 +134,6 @@ bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
 
-/// A film that nobody gave a speed shows the motion at one that the eye follows: not to be taken for the real one.
-void notePace(const scene::Scene& scene) {
-  const double pace = scene::chosenSpeed(scene);
-  if (scene.time.speed || std::abs(pace - 1) < 0.05) return;
-  writeErr(fmt::format("poinsot: a second of film is {:.3g} s of the motion; time.speed = 1 is as fast as it is\n",
-                       pace));
-}
-
-/// A path that was made smaller so that the body can be seen: not to be taken for one to scale.
-void noteFlightScale(const scene::Scene& scene) {
-  if (!scene.motion.flight || scene.show.figures.flight.scale) return;
-  const double scale = stage::Stage(scene).flightScale();
-  if (scale >= 1) return;
-  writeErr(
-      fmt::format("poinsot: beside the body the path of its flight is drawn {:.3g} times smaller, or the body "
-                  "would be too small to see; a shorter film needs less of it, show.flight.scale = 1 none\n",
-                  1 / scale));
-}
-
-void noteNoTorque(const scene::Scene& scene) {
-  const auto asks = [](const scene::View& view) { return view.show.figures.torque.visible; };
-  if (scene.motion.forcing.none() && std::ranges::any_of(scene.views, asks))
-    writeErr("poinsot: show.torque asks for a torque, and nothing acts on the body\n");
-}
-
-void noteFaintType(const scene::Scene& scene) {
-  constexpr double kLegible = 3;  // of large type (WCAG 2)
-  const stage::Palette colors = stage::palette(scene.style);
-  if (const double contrast = stage::contrastRatio(colors.ink, colors.paper); contrast < kLegible)
-    writeErr(fmt::format(
-        "poinsot: titles hardly stand out from the paper (contrast {:.2g} : 1); give style.colors.ink, "
-        "or a style.theme whose paper is like yours\n",
-        contrast));
-}
-
-/// What was decided where the scene says nothing of it.
-void noteChoices(const scene::Scene& scene, const app::FrameRange& frames) {
-  if (scene.time.loop) writeErr("poinsot: " + app::loopText(*scene.time.loop, scene.time) + "\n");
-  if (frames.count() > 1) notePace(scene);
-  noteFlightScale(scene);
-  noteNoTorque(scene);
-  noteFaintType(scene);
-}
-
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
 std::string readyText(const PartsOptions& parts, const app::OutputTarget& target, const app::FrameRange& frames,
                       const app::RenderSummary& summary) {
@@ -248,7 +199,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   }
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
   checkTrace(options, target);
-  if (!options.quiet && options.progress != "json") noteChoices(scene, frames);
+  if (!options.quiet && options.progress != "json") writeErr(choiceNotes(scene, frames.count() > 1));
   if (options.dryRun) return describe(render, scene);
   std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/choice_notes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/loop_text.h"
+#include "scene/make_motion.h"
+#include "stage/palette.h"
+#include "stage/stage.h"
+
+namespace poinsot::cli {
+namespace {
+
+std::string line(const std::string& text) { return "poinsot: " + text + "\n"; }
+
+/// A film that nobody gave a speed shows the motion at one that the eye follows: not to be taken for the real one.
+std::string paceNote(const scene::Scene& scene) {
+  const double pace = scene::chosenSpeed(scene);
+  if (scene.time.speed || std::abs(pace - 1) < 0.05) return "";
+  return line(fmt::format("a second of film is {:.3g} s of the motion; time.speed = 1 is as fast as it is", pace));
+}
+
+/// A path that was made smaller so that the body can be seen: not to be taken for one to scale.
+std::string flightNote(const scene::Scene& scene) {
+  if (!scene.motion.flight || scene.show.figures.flight.scale) return "";
+  const double scale = stage::Stage(scene).flightScale();
+  if (scale >= 1) return "";
+  return line(
+      fmt::format("beside the body the path of its flight is drawn {:.3g} times smaller, or the body would be too "
+                  "small to see; a shorter film needs less of it, show.flight.scale = 1 none",
+                  1 / scale));
+}
+
+std::string torqueNote(const scene::Scene& scene) {
+  const auto asks = [](const scene::View& view) { return view.show.figures.torque.visible; };
+  if (!scene.motion.forcing.none() || std::ranges::none_of(scene.views, asks)) return "";
+  return line("show.torque asks for a torque, and nothing acts on the body");
+}
+
+std::string faintTypeNote(const scene::Scene& scene) {
+  constexpr double kLegible = 3;  // of large type (WCAG 2)
+  const stage::Palette colors = stage::palette(scene.style);
+  const double contrast = stage::contrastRatio(colors.ink, colors.paper);
+  if (contrast >= kLegible) return "";
+  return line(
+      fmt::format("titles hardly stand out from the paper (contrast {:.2g} : 1); give style.colors.ink, or a "
+                  "style.theme whose paper is like yours",
+                  contrast));
+}
+
+}  // namespace
+
+std::string choiceNotes(const scene::Scene& scene, bool film) {
+  std::string notes;
+  if (scene.time.loop) notes += line(app::loopText(*scene.time.loop, scene.time));
+  if (film) notes += paceNote(scene);
+  return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);
+}
+
+}  // namespace poinsot::cli

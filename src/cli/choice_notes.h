@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace poinsot::cli {
+
+/// What was decided where the scene says nothing of it, and what its author can hardly have wanted: a line each.
+/// @param film  more than one frame is made
+std::string choiceNotes(const scene::Scene& scene, bool film);
+
+}  // namespace poinsot::cli
