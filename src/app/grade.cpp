@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "app/grade_convention.h"
 #include "core/expect.h"
 
 namespace poinsot::app {
@@ -72,6 +74,7 @@ class Comparison {
   std::vector<double> attitude_, omega_B_, omega_W_, directionOfL_, lengthOfL_, kineticEnergy_;
   double largestOmega_ = 0, largestL_ = 0, largestT_ = 0;
   double worstLength_ = 0;  // of a quaternion, off 1
+  ConventionSearch conventions_;
 };
 
 void Comparison::sortRows() {
@@ -131,6 +134,11 @@ void Comparison::compare(std::size_t row) {
   largestOmega_ = std::max(largestOmega_, ours.omega_B.norm());
   largestL_ = std::max(largestL_, ours.L_W.norm());
   largestT_ = std::max(largestT_, ours.kineticEnergy);
+  if (their.q_WB) conventions_.addAttitude(ours.q_WB, *their.q_WB);
+  if (their.omega_B)
+    conventions_.addOmega(ours.omega_B, ours.omega_W, *their.omega_B);
+  else if (their.omega_W)
+    conventions_.addOmega(ours.omega_W, ours.omega_B, *their.omega_W);
   if (their.q_WB) attitude_.push_back(worst(angleBetween(ours.q_WB, *their.q_WB)));
   if (their.omega_B) omega_B_.push_back(worst((*their.omega_B - ours.omega_B).norm()));
   if (their.omega_W) omega_W_.push_back(worst((*their.omega_W - ours.omega_W).norm()));
@@ -171,6 +179,7 @@ Grade Comparison::grade() {
   if (worstLength_ > kUnitLength)
     result.notes.push_back(
         fmt::format("quaternions are off unit length by up to {:.2g}; graded as normalised", worstLength_));
+  for (std::string& hint : conventions_.hints()) result.notes.push_back(std::move(hint));
   return result;
 }
 

@@ -35,7 +35,7 @@ struct Grade {
   std::size_t rows = 0;
   double first_s = 0, last_s = 0;  ///< motion times, in the order judged
   std::vector<GradedQuantity> quantities;
-  std::vector<std::string> notes;  ///< what was forgiven
+  std::vector<std::string> notes;  ///< what was forgiven, and how else theirs may be meant
 
   /// @pre the key exists
   const GradedQuantity& quantity(std::string_view key) const;

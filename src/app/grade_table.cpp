@@ -57,6 +57,15 @@ void splitFields(std::string_view line, std::vector<Field>& fields) {
   }
 }
 
+/// "time", "Time [s]", "t_s", "t (s)".
+bool meansTime(std::string_view name) {
+  const auto startsWith = [&](std::string_view word) {
+    return std::ranges::equal(name.substr(0, word.size()), word, {}, [](char c) { return c | 0x20; });
+  };
+  return startsWith("time") ||
+         (startsWith("t") && name.size() > 1 && std::string_view("_ ([/").find(name[1]) != std::string_view::npos);
+}
+
 std::size_t columnNamed(std::string_view name) {
   const auto* found = std::ranges::find(kTrajectoryColumns, name, &TrajectoryColumn::name);
   return found == kTrajectoryColumns.end() ? kForeign
@@ -117,8 +126,18 @@ class Reader {
 
   bool has(std::size_t column) const { return std::ranges::find(known_, column) != known_.end(); }
 
+  /// What to say of a first line without t.
+  std::string withoutTime() const {
+    if (parseNumber(fields_[0].text))
+      return "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
+    const auto field = std::ranges::find_if(fields_, [](const Field& f) { return meansTime(f.text); });
+    const std::string meant =
+        field == fields_.end() ? "" : fmt::format("; is it '{}'?", core::printable(std::string(field->text)));
+    return "no column t" + (meant.empty() ? "; the first line names the columns, separated by commas" : meant);
+  }
+
   void checkColumns() const {
-    if (!has(kTimeAt)) fail("no column t; the first line names the columns, separated by commas", number_);
+    if (!has(kTimeAt)) fail(withoutTime(), number_);
     for (const Vector& vector : kVectors) checkVector(vector);
     if (!has(kQAt) && !has(kOmegaBAt) && !has(kOmegaWAt))
       fail("no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z", number_);

@@ -53,7 +53,13 @@ TEST(GradeTable, MistakesHaveTheirPlace) {
   const std::string header = "t,omega_B_x,omega_B_y,omega_B_z\n";
   EXPECT_EQ(complaint(""), "a.csv: is empty; its first line names the columns");
   EXPECT_EQ(complaint(header), "a.csv: has a header and no rows");
-  EXPECT_EQ(complaint("0,1,2,3\n"), "a.csv:1: no column t; the first line names the columns, separated by commas");
+  EXPECT_EQ(complaint("x,y\n"), "a.csv:1: no column t; the first line names the columns, separated by commas");
+  EXPECT_EQ(complaint("0,1,2,3\n"),
+            "a.csv:1: the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...");
+  for (const std::string time : {"time", "Time [s]", "t_s", "T (s)"})
+    EXPECT_EQ(complaint("q_w," + time + "\n"), "a.csv:1: no column t; is it '" + time + "'?");
+  EXPECT_EQ(complaint("torque,title\n"),
+            "a.csv:1: no column t; the first line names the columns, separated by commas");
   EXPECT_EQ(complaint("t,q_w,q_x,q_z\n"), "a.csv:1: column q_y is missing beside its fellows");
   EXPECT_EQ(complaint("t,t,q_w\n"), "a.csv:1:3: column t is there twice");
   EXPECT_EQ(complaint("t,L_W_x,L_W_y,L_W_z\n0,1,2,3\n"),

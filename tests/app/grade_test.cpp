@@ -2,10 +2,12 @@
 #include "app/grade.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/grade_engines.h"
@@ -50,6 +52,59 @@ TEST(Grade, ACopyIsRight) {
     EXPECT_EQ(quantity.errors->drift.kind, DriftKind::kRounding);
   }
   EXPECT_THAT(grade.notes, IsEmpty());
+}
+
+/// The exact motion, written down by somebody with other conventions.
+std::string writtenAs(const std::string& columns,
+                      const std::function<std::vector<double>(const physics::RigidBodyState&)>& values) {
+  std::string csv = "t," + columns + "\n";
+  for (int i = 0; i < 50; ++i) {
+    const physics::RigidBodyState state = truth().at(0.3 * i);
+    csv += fmt::format("{},{}\n", 0.3 * i, fmt::join(values(state), ","));
+  }
+  return csv;
+}
+
+constexpr const char* kQuaternion = "q_w,q_x,q_y,q_z";
+
+std::vector<double> scalarFirst(const Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+TEST(Grade, SaysInWhichOtherOrderTheQuaternionsFit) {
+  const auto notes = [](const std::function<std::vector<double>(const physics::RigidBodyState&)>& values) {
+    return gradeOf(writtenAs(kQuaternion, values)).notes;
+  };
+  EXPECT_THAT(notes([](const auto& s) { return scalarFirst(s.q_WB); }), IsEmpty());
+  EXPECT_THAT(notes([](const auto& s) {
+                return std::vector{s.q_WB.x(), s.q_WB.y(), s.q_WB.z(), s.q_WB.w()};
+              }),
+              ElementsAre(HasSubstr("fit if q_w, q_x, q_y, q_z hold x, y, z, w: name")));
+  EXPECT_THAT(notes([](const auto& s) { return scalarFirst(s.q_WB.conjugate()); }),
+              ElementsAre(HasSubstr("fit if q is conjugated")));
+  EXPECT_THAT(notes([](const auto& s) {
+                return std::vector{-s.q_WB.x(), -s.q_WB.y(), -s.q_WB.z(), s.q_WB.w()};
+              }),
+              ElementsAre(HasSubstr("hold x, y, z, w of the conjugate")));
+}
+
+TEST(Grade, SaysByWhichTurnOfTheAxesTheQuaternionsFit) {
+  const Quaterniond turn(Eigen::AngleAxisd(EIGEN_PI / 2, Vector3d::UnitY()));
+  EXPECT_THAT(gradeOf(writtenAs(kQuaternion, [&](const auto& s) { return scalarFirst(s.q_WB * turn); })).notes,
+              ElementsAre(HasSubstr("the body's axes are turned by 90 deg about (0, -1, 0)")));
+  EXPECT_THAT(gradeOf(writtenAs(kQuaternion, [&](const auto& s) { return scalarFirst(turn * s.q_WB); })).notes,
+              ElementsAre(HasSubstr("the axes of space are turned by 90 deg about (0, -1, 0)")));
+}
+
+TEST(Grade, SaysThatOmegaIsOfTheOtherFrame) {
+  EXPECT_THAT(gradeOf(writtenAs("omega_B_x,omega_B_y,omega_B_z",
+                                [](const auto& s) {
+                                  return std::vector{s.omega_W[0], s.omega_W[1], s.omega_W[2]};
+                                }))
+                  .notes,
+              ElementsAre(HasSubstr("omega fits the columns of the other frame")));
+}
+
+TEST(Grade, OfAWrongMotionBlamesNoConvention) {
+  EXPECT_THAT(gradeOf(engineCsv(explicitEuler, kMoments, kStart, 1e-2, 10000, 10)).notes, IsEmpty());
 }
 
 TEST(Grade, ExplicitEulerGainsEnergyFromTheStart) {
