@@ -147,5 +147,5 @@ class Pages:
         for entry in entries:
             staged = self.target(str(entry.relative_to(self.root)))
             rows.append(f'- [{entry.name}]({os.path.relpath(staged, target)})')
-        self.write(place, '\n'.join(['---\norphan: true\n---\n', f'# {target}\n'] + rows + ['']))
+        self.write(place, '\n'.join(['---\norphan: true\nnosearch: true\n---\n', f'# {target}\n'] + rows + ['']))
         return place

@@ -14,6 +14,17 @@ function toggle(film) {
   else film.play();
 }
 
+// A film is some seconds of a longer one: it fades out and in where it begins anew, in place of a jump.
+const FADE_S = 0.4;
+
+function fade(film) {
+  const toEnd_s = film.duration - film.currentTime;
+  film.repeats ||= toEnd_s < FADE_S;
+  film.style.opacity = Math.min(1, toEnd_s / FADE_S, film.repeats ? film.currentTime / FADE_S : 1);
+  if (film.paused) film.style.opacity = 1;
+  else requestAnimationFrame(() => fade(film));
+}
+
 for (const film of document.querySelectorAll("video.film")) {
   film.controls = false;
   film.tabIndex = 0;
@@ -24,5 +35,6 @@ for (const film of document.querySelectorAll("video.film")) {
     event.preventDefault();
     toggle(film);
   });
+  film.addEventListener("play", () => fade(film));
   seen.observe(film);
 }
