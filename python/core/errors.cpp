@@ -4,6 +4,9 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "scene/problem.h"
@@ -45,13 +48,24 @@ py::list problemsOf(const scene::SceneErrors& errors) {
   return all;
 }
 
+/// Of overrides without the command line's -D.
+scene::SceneErrors inPython(const scene::SceneErrors& errors) {
+  constexpr std::string_view kOption = "-D ";
+  std::vector<scene::Problem> problems = errors.problems();
+  for (scene::Problem& problem : problems)
+    if (problem.where.line == 0 && problem.where.file.starts_with(kOption))
+      problem.where.file.erase(0, kOption.size());
+  return scene::SceneErrors(std::move(problems), errors.omitted());
+}
+
 }  // namespace
 
 void translateErrors() {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
-    } catch (const scene::SceneErrors& errors) {
+    } catch (const scene::SceneErrors& thrownErrors) {
+      const scene::SceneErrors errors = inPython(thrownErrors);
       raise(errorClass("SceneError")(errors.what(), problemsOf(errors)));
     } catch (const core::Error& error) {
       raise(errorClass(className(error.kind()))(error.what()));

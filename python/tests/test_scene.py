@@ -59,6 +59,8 @@ def test_overrides_are_above_the_file_and_replace_is_above_them(racket):
     with pytest.raises(poinsot.SceneError) as caught:
         racket.replace({"motion.omega_body": [1, 2]})
     assert caught.value.problems[0].line == 0
+    assert caught.value.problems[0].file == "motion.omega_body=[1, 2]"
+    assert str(caught.value).startswith("motion.omega_body=[1, 2]: error: motion.omega_body: ")
 
 
 def test_limits_hold_and_can_be_raised():
