@@ -53,8 +53,14 @@ std::string faintTypeNote(const scene::Scene& scene) {
 
 }  // namespace
 
-std::string choiceNotes(const scene::Scene& scene, bool film) {
+std::string doubtNotes(const scene::Scene& scene) {
   std::string notes;
+  for (const scene::Doubt& doubt : scene.doubts) notes += toString(doubt) + "\n";
+  return notes;
+}
+
+std::string choiceNotes(const scene::Scene& scene, bool film) {
+  std::string notes = doubtNotes(scene);
   if (scene.time.loop) notes += line(app::loopText(*scene.time.loop, scene.time));
   if (film) notes += paceNote(scene);
   return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);

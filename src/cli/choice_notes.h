@@ -7,7 +7,11 @@
 
 namespace poinsot::cli {
 
-/// What was decided where the scene says nothing of it, and what its author can hardly have wanted: a line each.
+/// What the file says and may be a slip: "file:line:column: note: ...", a line each.
+std::string doubtNotes(const scene::Scene& scene);
+
+/// These, and what was decided where the scene says nothing of it, and what its author can hardly have wanted; a
+/// line each.
 /// @param film  more than one frame is made
 std::string choiceNotes(const scene::Scene& scene, bool film);
 

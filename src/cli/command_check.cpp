@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/scene_request.h"
+#include "cli/choice_notes.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -22,15 +23,18 @@ struct CheckOptions : SceneOptions {
   std::vector<std::string> scenes;
 };
 
-/// Everything short of drawing: the stage finds what the motion lacks.
-void checkScene(const std::string& fileName, const CheckOptions& options, const scene::Allowance& allowance) {
-  const stage::Stage stage(app::loadRequested(app::readSceneRequest(fileName, options.overrides, allowance)));
+/// Everything short of drawing: the stage finds what the motion lacks. Gives what may be a slip.
+std::string checkScene(const std::string& fileName, const CheckOptions& options,
+                       const scene::Allowance& allowance) {
+  const scene::Scene scene = app::loadRequested(app::readSceneRequest(fileName, options.overrides, allowance));
+  const stage::Stage stage(scene);
+  return doubtNotes(scene);
 }
 
 /// Says "ok" or all problems.
 bool report(const std::string& fileName, const CheckOptions& options, const scene::Allowance& allowance) {
   try {
-    checkScene(fileName, options, allowance);
+    writeErr(checkScene(fileName, options, allowance));
   } catch (const scene::SceneErrors& errors) {
     writeErr(fmt::format("{}\n", errors.what()));
     return false;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "scene/unknown_key.h"
 
@@ -45,5 +46,17 @@ void Findings::refuseEmpty(std::string message) {
 }
 
 void Findings::refuseFile(std::string message) { problems_.add(file_, std::move(message)); }
+
+void Findings::doubt(std::string_view path, std::string_view message) {
+  doubts_.push_back({locationOf(placeOf(path)), fmt::format("{}: {}", path, message)});
+}
+
+std::vector<Doubt> Findings::doubts() const {
+  std::vector<Doubt> sorted = doubts_;
+  std::ranges::stable_sort(sorted, {}, [](const Doubt& doubt) {
+    return std::tie(doubt.where.file, doubt.where.line, doubt.where.column);
+  });
+  return sorted;
+}
 
 }  // namespace poinsot::scene

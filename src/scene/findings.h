@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/leaves.h"
 
@@ -39,6 +40,10 @@ class Findings {
   void refuseEmpty(std::string message);
   /// The same about the whole file.
   void refuseFile(std::string message);
+  /// "path: message" about a value that is allowed and may still be a slip.
+  void doubt(std::string_view path, std::string_view message);
+  /// All of them, in the order of the file.
+  std::vector<Doubt> doubts() const;
 
  private:
   Place placeOf(std::string_view path) const;
@@ -47,6 +52,7 @@ class Findings {
   const std::set<std::string, std::less<>>& refused_;
   Place file_;
   Problems& problems_;
+  std::vector<Doubt> doubts_;
 };
 
 }  // namespace poinsot::scene

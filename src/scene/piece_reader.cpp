@@ -56,7 +56,7 @@ bool PieceReader::massFits() {
   }
   if (!has("mass") && !has("density")) {
     if (!findings_.misspelt(path("density")))
-      findings_.refuseMissing(path("mass"), lengthPath(),
+      findings_.refuseMissing(path("mass"), has("shape") ? path("shape") : lengthPath(),
                               fmt::format("{} is missing: a shape and its mass (or density) set the moments "
                                           "together",
                                           path("mass")));

@@ -29,6 +29,10 @@ std::string toString(const Problem& problem) {
   return text;
 }
 
+std::string toString(const Doubt& doubt) {
+  return fmt::format("{}: note: {}", core::toString(doubt.where), doubt.message);
+}
+
 SceneErrors::SceneErrors(std::vector<Problem> problems, int omitted)
     : core::Error(core::ErrorKind::kScene, report(problems, omitted)),
       problems_(std::move(problems)),

@@ -20,6 +20,15 @@ struct Problem {
 /// "file:line:column: error: message", the line and a row of carets under the place; no newline at the end.
 std::string toString(const Problem& problem);
 
+/// A value that is allowed and may still be a slip.
+struct Doubt {
+  core::SourceLocation where;
+  std::string message;  ///< begins with the key's path; safe to print
+};
+
+/// "file:line:column: note: message"; no newline at the end.
+std::string toString(const Doubt& doubt);
+
 /// Everything wrong with a scene, in the order of the file. what() is the whole report.
 class SceneErrors : public core::Error {
  public:

@@ -23,6 +23,7 @@
 #include "scene/named_figures.h"
 #include "scene/note.h"
 #include "scene/plot.h"
+#include "scene/problem.h"
 #include "scene/shown_figures.h"
 #include "scene/style_colors.h"
 #include "scene/timeline.h"
@@ -178,6 +179,7 @@ struct InputFile {
 struct Scene {
   std::string name;               ///< the file's name without folder and extension
   std::vector<InputFile> inputs;  ///< that were read, in the order they were
+  std::vector<Doubt> doubts;      ///< in the order of the file
   Body body;
   Motion motion;
   Time time;

@@ -14,7 +14,9 @@
 #include "scene/document.h"
 #include "scene/film_loop.h"
 #include "scene/style_file.h"
+#include "scene/sweep.h"
 #include "scene/text_lines.h"
+#include "scene/whole_angles.h"
 
 namespace poinsot::scene {
 namespace {
@@ -57,6 +59,8 @@ void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& l
   source.setWithoutLines();
   const Place place{&source, 0, 0, 1};
   if (equals == std::string::npos || key.empty()) return problems.add(place, "expected -D key.path=value");
+  if (hasRange(text))
+    return problems.add(place, key + ": one value is wanted here; ranges are for `poinsot sweep`");
   try {
     addLeaf(key, place, overrideValue(source, value, leaves.limits), leaves, problems);
   } catch (const SceneErrors& errors) {
@@ -175,6 +179,8 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   problems.throwIfAny();
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();
+  doubtWholeAngles(leaves, findings);
+  scene.doubts = findings.doubts();
   scene.motion.mostSteps = static_cast<double>(limits[Limit::kSteps]);
   return scene;
 }

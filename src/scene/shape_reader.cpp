@@ -105,12 +105,22 @@ bool ShapeReader::keysFit() {
          std::all_of(kind().optional.begin(), kind().optional.end(), passed) && sizeFits();
 }
 
+/// Where to report that its lengths do not go together: at the last of them, which is the wall, the tube or the
+/// inner radius that must be smaller than the rest.
+std::string ShapeReader::lastPath() const {
+  std::string last = path("shape");
+  for (const KeyNames* names : {&nearestWay(), &kind().optional})
+    for (const std::string_view name : *names)
+      if (has(name)) last = path(name);
+  return last;
+}
+
 std::optional<Figure> ShapeReader::solid() {
   physics::Solid solid = kind().make(shape_);
   try {
     physics::massProperties(solid, 1);
   } catch (const core::Error& error) {
-    findings_.refuse(lengthPath(), error.message());
+    findings_.refuse(lastPath(), error.message());
     return std::nullopt;
   }
   return Figure(std::move(solid));

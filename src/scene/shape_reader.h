@@ -44,6 +44,7 @@ class ShapeReader {
   std::string path(std::string_view name) const { return table_ + "." + std::string(name); }
   bool has(std::string_view name) const { return findings_.has(path(name)); }
   const KeyNames& nearestWay() const;
+  std::string lastPath() const;
   bool keysFit();
   bool refuseForeign(const KeyNames& way);
   bool refuseMissing(const KeyNames& way);

@@ -100,7 +100,9 @@ class Reader {
     const auto dots = text.find("..");
     const auto colon = text.find(':', dots);
     const auto from = numberIn(text.substr(0, dots));
-    if (!from || colon == std::string_view::npos) refuse(std::string(kForms));
+    if (text.find("...", dots) == dots) refuse("between the ends stand two dots, not three");
+    if (from && colon == std::string_view::npos) refuse(fmt::format("how many values? {}", kForms));
+    if (!from) refuse(std::string(kForms));
     const auto to = numberIn(text.substr(dots + 2, colon - dots - 2));
     if (!to) refuse(std::string(kForms));
     const auto [count, logarithmic] = countIn(text.substr(colon + 1));
@@ -201,6 +203,13 @@ bool isRange(std::string_view text) {
   return text.find("..") != std::string_view::npos || text.find('|') != std::string_view::npos;
 }
 
+/// Other ways to write a range: 1:3:5, 1 to 3, 1…3.
+bool meansRange(std::string_view text) {
+  constexpr std::string_view kWays[] = {":", " to ", "\u2026", "\u2013"};
+  return std::ranges::any_of(kWays,
+                             [&](std::string_view way) { return text.find(way) != std::string_view::npos; });
+}
+
 /// The element of a list at a place of its text; none outside of lists.
 std::optional<int> elementAt(std::string_view value, std::size_t place) {
   const auto before = value.substr(0, place);
@@ -224,12 +233,21 @@ Found foundAt(const std::string& override, std::size_t equals, std::size_t place
 
 std::string SweepAxis::override(std::size_t value) const { return before + values.at(value).text + after; }
 
+bool hasRange(std::string_view override) {
+  const auto equals = override.find('=');
+  return equals != std::string_view::npos && takesNumbers(trimmed(override.substr(0, equals))) &&
+         isRange(override.substr(equals));
+}
+
 std::optional<SweepAxis> sweepAxis(const std::string& override) {
   const auto equals = override.find('=');
   if (equals == std::string::npos || !takesNumbers(trimmed(std::string_view(override).substr(0, equals))))
     return std::nullopt;
+  if (!hasRange(override)) {
+    if (!meansRange(std::string_view(override).substr(equals))) return std::nullopt;
+    throw core::Error(core::ErrorKind::kUsage, fmt::format("-D {}: {}", core::printable(override), kForms));
+  }
   const auto place = std::min(override.find("..", equals), override.find('|', equals));
-  if (place == std::string::npos) return std::nullopt;
   const Found found = foundAt(override, equals, place);
   if (isRange(found.after))
     throw core::Error(

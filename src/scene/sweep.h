@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Ranges among the words after -D: "motion.omega_body=[0.01..0.05:3, 4, 0]" stands for three scenes.
@@ -28,6 +29,9 @@ struct SweepAxis {
   /// The word after -D of one scene.
   std::string override(std::size_t value) const;
 };
+
+/// Whether a word after -D has a range, right or wrong.
+bool hasRange(std::string_view override);
 
 /// The range in a word after -D; none where there is none. Of numbers only: a title may have dots.
 ///

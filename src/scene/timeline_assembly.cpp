@@ -23,6 +23,15 @@ void checkWhen(const TimelineDraft& entry, const std::string& path, double durat
                                               duration_s, *entry.at));
 }
 
+/// What is longer than the film is: it is asked for, and cut off.
+void doubtHold(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
+  if (!entry.hold || !entry.at || *entry.at > duration_s) return;
+  const double end_s = *entry.at + entry.over.value_or(TimelineEntry().over_s) + *entry.hold;
+  if (end_s > duration_s)
+    findings.doubt(path + ".hold", fmt::format("would last till {:g} s, the film ends at {:g} s (time.duration)",
+                                               end_s, duration_s));
+}
+
 void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& findings) {
   for (const int thing : entry.shown)
     if (std::ranges::find(entry.hidden, thing) != entry.hidden.end())
@@ -87,6 +96,7 @@ Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findi
     const TimelineDraft entry = given(draft, i);
     checkWhen(entry, pathOf(i), duration_s, findings);
     checkWhat(entry, pathOf(i), findings);
+    doubtHold(entry, pathOf(i), duration_s, findings);
     if (draft.loop) checkLoop(entry, pathOf(i), findings);
     if (entry.at) entries.push_back(entry);
   }

@@ -85,6 +85,16 @@ TEST(BadScenes, AllProblemsOfAllFilesInOneRun) {
   EXPECT_EQ(result.out, "good.toml: ok\n");
 }
 
+TEST(GoodScenes, AreToldWhatMayBeASlip) {
+  const ScratchFolder folder;
+  folder.put("good.toml", sceneWith(kBody, kMotion, "[camera]\nazimuth = 2\n"));
+  const auto result = run(folder, {"check", "good.toml"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.out, "good.toml: ok\n");
+  EXPECT_EQ(result.err,
+            "good.toml:7:11: note: camera.azimuth: 2 is in radians, 115 deg; for degrees write \"2 deg\"\n");
+}
+
 TEST(BadScenes, OverridesAreCheckedAlike) {
   const ScratchFolder folder;
   folder.put("good.toml", kGoodScene);

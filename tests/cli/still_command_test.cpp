@@ -196,6 +196,7 @@ TEST_F(StillCommand, SaysWhatWouldSurprise) {
   EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "--quiet"}), testing::IsEmpty());
   EXPECT_THAT(said({"-D", "show.torque=true"}),
               HasSubstr("show.torque asks for a torque, and nothing acts on the body"));
+  EXPECT_THAT(said({"-D", "camera.azimuth=1"}), HasSubstr("camera.azimuth: 1 is in radians, 57.3 deg"));
   EXPECT_THAT(said({"-D", "show.torque=true", "-D", "motion.torque.body=[0,0,0.1]"}),
               Not(HasSubstr("nothing acts")));
 }

@@ -190,8 +190,16 @@ TEST(Shapes, SayWhichKeysTheyTake) {
             "body.size: shape \"plate\" has 2 extents, got 3\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='box'\nsize=[1, 2]"),
             "body.size: shape \"box\" has 3 extents, got 2\n");
-  EXPECT_THAT(problems("[body]\nmass=1\nshape='torus'\nradius=1\ntube_radius=2"),
-              HasSubstr("body.radius: tube radius of the torus must be less than its radius 1, got 2"));
+}
+
+TEST(Shapes, WhoseLengthsDoNotGoTogetherAreToldAtTheSmallerOne) {
+  EXPECT_EQ(problems("[body]\nmass=1\nshape='hollow_box'\nsize=[1, 2, 3]\nwall=0.5"),
+            "body.wall: two walls of the hollow box must be less than its least edge 1, got a wall of 0.5\n");
+  EXPECT_EQ(problems("[body]\nmass=1\nshape='torus'\nradius=1\ntube_radius=2"),
+            "body.tube_radius: tube radius of the torus must be less than its radius 1, got 2\n");
+  EXPECT_EQ(
+      problems("[body]\nmass=1\nshape='sphere'\nradius=1\ninner_radius=1"),
+      "body.inner_radius: inner radius of the sphere must be at least 0 and less than its radius 1, got 1\n");
 }
 
 TEST(Masses, ComeFromAMassOrADensity) {
@@ -200,7 +208,7 @@ TEST(Masses, ComeFromAMassOrADensity) {
   EXPECT_EQ(problems("[body]\nshape='cube'\nedge=1\ndensity=2\nmass=3"),
             "body.density: body.mass is given too; give one of the two\n");
   EXPECT_EQ(problems("[[body.part]]\nshape='cube'\nedge=1"),
-            "body.part[0].edge: body.part[0].mass is missing: a shape and its mass (or density) set the moments "
+            "body.part[0].shape: body.part[0].mass is missing: a shape and its mass (or density) set the moments "
             "together\n");
 }
 

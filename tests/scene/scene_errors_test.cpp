@@ -179,8 +179,8 @@ TEST_F(BadScene, WithMomentsAndAShape) {
 }
 
 TEST_F(BadScene, WithHalfAShape) {
-  expectOnly("half_a_shape.toml", {3, 8, 9},
-             "body.size: body.mass is missing: a shape and its mass (or density) set the moments together");
+  expectOnly("half_a_shape.toml", {2, 9, 5},
+             "body.shape: body.mass is missing: a shape and its mass (or density) set the moments together");
 }
 
 TEST_F(BadScene, WithoutAStart) {
@@ -208,6 +208,12 @@ TEST(Report, ShowsTheLineAndPointsAtTheValue) {
       "solid body cannot have these values\n"
       "   2 | principal_moments = [0.1, 0.2, 0.9]\n"
       "     |                     ^^^^^^^^^^^^^^^");
+}
+
+TEST(Report, OfARangeWhereOneValueIsWanted) {
+  for (const char* value : {"1..3:3", "1|2"})
+    EXPECT_EQ(messagesOf(kMinimal, {std::string("time.speed=") + value}),
+              "time.speed: one value is wanted here; ranges are for `poinsot sweep`\n");
 }
 
 TEST(Report, NamesTheOverride) {

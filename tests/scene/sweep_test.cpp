@@ -97,6 +97,10 @@ TEST(SweepAxis, MistakesAreSaid) {
   for (const char* word : {"time.speed=1..2", "time.speed=1..:3", "time.speed=..2:3", "time.speed=a..b:3",
                            "time.speed=1..2:x", "time.speed=1..2:3:lin", "time.speed=nan..2:3"})
     EXPECT_THAT(refusal(word), HasSubstr("a range is FROM..TO:COUNT, such as 10..50 rpm:5")) << word;
+  for (const char* word : {"time.speed=1:2:3", "time.speed=1 to 3", "time.speed=1\u20263", "time.speed=[1:3:5]"})
+    EXPECT_THAT(refusal(word), HasSubstr("a range is FROM..TO:COUNT, such as 10..50 rpm:5")) << word;
+  EXPECT_THAT(refusal("time.speed=1..2"), HasSubstr("how many values?"));
+  EXPECT_THAT(refusal("time.speed=1...2:3"), HasSubstr("two dots, not three"));
   for (const char* count : {"1", "0", "-3", "101", "99999999999999999999"})
     EXPECT_THAT(refusal(std::string("time.speed=1..2:") + count), HasSubstr("a range has from 2 to 100 values"));
   EXPECT_THAT(refusal("time.speed=1..2:100"), "none");
