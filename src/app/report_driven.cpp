@@ -5,20 +5,13 @@
 
 #include "app/report_sections.h"
 #include "physics/driven_motion.h"
-#include "physics/heavy_top.h"
 #include "physics/polhode.h"
 #include "physics/run_condition.h"
+#include "scene/heavy_top_start.h"
 #include "scene/make_motion.h"
 
 namespace poinsot::app {
 namespace {
-
-/// Gravity, and nothing besides.
-bool gravityAlone(const physics::Forcing& forcing) {
-  physics::Forcing rest = forcing;
-  rest.gravity_B.setZero();
-  return !forcing.none() && rest.none();
-}
 
 void addSteadyPrecession(Section& section, const physics::HeavyTop& top, double tilt_rad, double spin) {
   if (spin == 0) return;
@@ -71,19 +64,14 @@ void addCondition(Section& section, const physics::RunCondition& condition) {
 
 Section heavyTopSection(const scene::Scene& scene) {
   Section section{"Heavy top (k: from the pivot to the centre of mass)", {}};
-  const auto& axes = scene.body.axes;
-  if (!gravityAlone(scene.motion.forcing)) return section;
-  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
-  if (!top) return section;
-  const Eigen::Vector3d up_P = axes.toP(scene::startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ());
-  const Eigen::Vector3d omega_P = axes.toP(scene.motion.omega_B);
-  const double tilt_rad = std::atan2(up_P.cross(top->k_P).norm(), up_P.dot(top->k_P));
-  section.add("weight_moment", "M g l", top->weight, "N m", "");
-  section.add("top_tilt", "angle between k and the vertical", tilt_rad, "rad", "");
-  section.add("top_spin", "spin omega_3", omega_P.dot(top->k_P), "rad/s", "eq 26");
-  section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", top->sleepingSpin(), "rad/s", "");
-  addSteadyPrecession(section, *top, tilt_rad, omega_P.dot(top->k_P));
-  addNutation(section, top->nutation(omega_P, up_P));
+  const auto start = scene::heavyTopStart(scene);
+  if (!start) return section;
+  section.add("weight_moment", "M g l", start->top.weight, "N m", "");
+  section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
+  section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
+  section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");
+  addSteadyPrecession(section, start->top, start->tilt_rad(), start->spin());
+  addNutation(section, start->nutation());
   return section;
 }
 

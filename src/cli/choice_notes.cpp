@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/loop_text.h"
+#include "scene/heavy_top_start.h"
 #include "scene/make_motion.h"
 #include "stage/palette.h"
 #include "stage/stage.h"
@@ -16,11 +17,23 @@ namespace {
 
 std::string line(const std::string& text) { return "poinsot: " + text + "\n"; }
 
-/// A film that nobody gave a speed shows the motion at one that the eye follows: not to be taken for the real one.
+/// How long what the motion does over and over takes on the screen; empty where that is never, or nothing.
+std::string nutationText(const scene::Scene& scene, double pace) {
+  const auto top = scene::heavyTopStart(scene);
+  const double period_s = top ? top->nutation().period_s / pace : 0;
+  if (!(period_s > 0) || !std::isfinite(period_s)) return "";
+  return fmt::format(" a nutation takes {:.3g} s of film;", period_s);
+}
+
+/// A film that nobody gave a speed shows the motion at one that the eye follows: not to be taken for the real one,
+/// and perhaps too slow to get anywhere.
 std::string paceNote(const scene::Scene& scene) {
   const double pace = scene::chosenSpeed(scene);
   if (scene.time.speed || std::abs(pace - 1) < 0.05) return "";
-  return line(fmt::format("a second of film is {:.3g} s of the motion; time.speed = 1 is as fast as it is", pace));
+  return line(
+      fmt::format("a second of film is {:.3g} s of the motion, the whole film {:.3g} s;{} time.speed = 1 is as "
+                  "fast as it is",
+                  pace, pace * scene.time.duration_s, nutationText(scene, pace)));
 }
 
 /// A path that was made smaller so that the body can be seen: not to be taken for one to scale.

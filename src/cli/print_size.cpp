@@ -24,6 +24,8 @@ constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
+constexpr double kLeastWidth_mm = 15;  // type of the size it is printed in takes that
+
 /// The sides, unbounded.
 struct Sides {
   double width, height;
@@ -56,7 +58,10 @@ double parseWidth_mm(const std::string& word) {
     std::string_view number = std::string_view(word).substr(0, word.size() - unit.name.size());
     while (number.ends_with(' ')) number.remove_suffix(1);
     const auto value = app::parseNumber(number);
-    if (value && *value > 0 && std::isfinite(*value)) return *value * unit.unit_mm;
+    if (!value || !(*value > 0) || !std::isfinite(*value)) break;
+    if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
+    refuse(fmt::format("--width '{}': less than {} mm, and type keeps its size in points", core::printable(word),
+                       kLeastWidth_mm));
   }
   refuse(fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
                      core::printable(word)));

@@ -58,7 +58,9 @@ std::vector<Key> cameraKeys() {
        .range = kAzimuth,
        .fallback = "\"22 deg\"",
        .example = "\"-120 deg\"",
-       .help = "Where the camera stands about the world's vertical, from its x axis.",
+       .help = "Where the camera stands about the world's vertical, from its x axis. Of a thrown body it stands "
+               "beside "
+               "the path unless this is given.",
        .put = into([](Draft& d) { return &d.scene.camera.azimuth_rad; })},
       {.path = "camera.elevation",
        .dimension = kAngle,

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "physics/precession_cones.h"
+#include "physics/transcendental.h"
 #include "scene/camera_preset.h"
 #include "scene/show_assembly.h"
 #include "scene/steady_precession.h"
@@ -23,6 +25,20 @@ void usePreset(const std::optional<int>& preset, const std::string& prefix, cons
   if (!findings.has(prefix + "camera.azimuth")) camera.azimuth_rad = chosen.azimuth_deg * kDegree;
   if (!findings.has(prefix + "camera.elevation")) camera.elevation_rad = chosen.elevation_deg * kDegree;
   if (chosen.projection && !findings.has(prefix + "camera.projection")) camera.projection = *chosen.projection;
+}
+
+/// Of a horizontal vector, from x; the same on every CPU, as atan2 is not.
+double heading_rad(double x, double y) {
+  const double fromBehind = std::sqrt(x * x + y * y) + x;
+  return fromBehind > 0 ? 2 * physics::arcTangent(y / fromBehind) : std::numbers::pi;
+}
+
+/// Beside the path of a thrown body, which goes to the right: seen from a fixed place, some throws come end-on.
+void standBesideFlight(const Draft& draft, const Findings& findings, Scene& scene) {
+  if (!scene.motion.flight || draft.preset || findings.has("camera.azimuth")) return;
+  constexpr double kFromHeading = -70 * std::numbers::pi / 180;
+  const Eigen::Vector3d& v = scene.motion.flight->velocity_W;
+  if (v[0] != 0 || v[1] != 0) scene.camera.azimuth_rad = heading_rad(v[0], v[1]) + kFromHeading;
 }
 
 // ---- frames ----
@@ -118,6 +134,7 @@ void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings
   refuseFrames(findings);
   if (draft.noViews) refuseNoViews(findings);
   usePreset(draft.preset, "", findings, scene.camera);
+  standBesideFlight(draft, findings, scene);
   const std::size_t count = findings.count("view");
   // What the scene shows itself is only where the views start, where there are any, and nothing without views.
   const bool start = count > 0 || draft.noViews;

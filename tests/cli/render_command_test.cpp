@@ -180,6 +180,28 @@ TEST_F(RenderCommand, AFilmThatRepeatsSaysWhatItChanged) {
               HasSubstr("--loop: error: time.loop: what acts on the body"));
 }
 
+TEST_F(RenderCommand, APaceThatWasChosenIsTold) {
+  const auto said = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"render", "top.toml", "--dry-run"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(folder_, words).err;
+  };
+  folder_.put("top.toml",
+              "[body]\nprincipal_moments = [1, 1, 2]\n[motion]\nomega_body = [0, 0, 100]\n"
+              "orientation = [0.966, 0.259, 0, 0]\ngravity.mgr_body = [0, 0, 5]\n");
+  // 2.1 rad to a second of film. A fast top nods with the rate I3 omega_3/I1 (Landau & Lifshitz, section 35,
+  // problem 3): 2 pi/200 s, 1.496 s of film.
+  EXPECT_EQ(
+      said({}),
+      "poinsot: a second of film is 0.021 s of the motion, the whole film 0.21 s; a nutation takes 1.5 s of film; "
+      "time.speed = 1 is as fast as it is\n");
+  EXPECT_EQ(said({"-D", "time.speed=0.02"}), "");
+  EXPECT_EQ(
+      said({"-D", "motion.gravity.mgr_body=[1, 0, 5]"}),
+      "poinsot: a second of film is 0.021 s of the motion, the whole film 0.21 s; time.speed = 1 is as fast as "
+      "it is\n");
+}
+
 TEST_F(RenderCommand, ForeignFileInASequenceStopsAllOfIt) {
   good({"render", "a.toml", "--frames", "0-1", "-o", "s_{frame}.png"});
   const auto earlier = bytes("s_0.png");

@@ -161,7 +161,8 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
       {{"--width", "400mm"},
        "400 mm at 600 dpi are 9449x5315 pixels: sides are from 16 to 8192 pixels; --dpi 520 "
        "would do"},
-      {{"--width", "3mm", "--dpi", "90"}, "3 mm at 90 dpi are 11x6 pixels"},
+      {{"--width", "15mm", "--dpi", "20"}, "15 mm at 20 dpi are 12x7 pixels"},
+      {{"--width", "5mm"}, "--width '5mm': less than 15 mm, and type keeps its size in points"},
       {{"--width", "1e300mm"}, "sides are from 16 to 8192 pixels"},
       {{"--dpi", "300"}, "--dpi needs --width"},
       {{"--width", "86mm", "--dpi", "0"}, "not in range"},

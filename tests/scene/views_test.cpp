@@ -87,6 +87,21 @@ TEST(Views, APresetSetsWhatIsNotGiven) {
 }
 
 // L is turned down where any view shows the plane: there is one motion.
+TEST(Views, StandBesideTheWayOfAThrownBody) {
+  const auto azimuth_deg = [](const std::string& velocity, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> overrides = more;
+    overrides.push_back("motion.flight.velocity=" + velocity);
+    return parseScene(kMinimal, "test.toml", overrides).camera.azimuth_rad * 180 / std::numbers::pi;
+  };
+  EXPECT_NEAR(azimuth_deg("[2, 0, 3]"), -70, 1e-12);
+  EXPECT_NEAR(azimuth_deg("[0, 2, 3]"), 20, 1e-12);
+  EXPECT_NEAR(azimuth_deg("[-2, 0, 3]"), 110, 1e-12);
+  EXPECT_NEAR(azimuth_deg("[-1, -1, 3]"), -205, 1e-12);
+  EXPECT_NEAR(azimuth_deg("[0, 0, 3]"), 22, 1e-12);  // straight up: as any body
+  EXPECT_NEAR(azimuth_deg("[2, 0, 3]", {"camera.azimuth=5 deg"}), 5, 1e-12);
+  EXPECT_NEAR(azimuth_deg("[2, 0, 3]", {"camera.preset=side"}), 0, 1e-12);
+}
+
 TEST(Views, ShowWhatTheMotionHas) {
   const Scene scene = sceneWith("[[view]]\nshow.plane = false\n[[view]]\n[motion.drag]\nrate = 0.1\n");
   for (const View& view : scene.views) EXPECT_FALSE(view.show.plane.visible || view.show.ellipsoid.visible);

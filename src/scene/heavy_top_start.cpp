@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/heavy_top_start.h"
+
+#include <cmath>
+
+#include "scene/make_motion.h"
+
+namespace poinsot::scene {
+namespace {
+
+/// Gravity, and nothing besides.
+bool gravityAlone(const physics::Forcing& forcing) {
+  physics::Forcing rest = forcing;
+  rest.gravity_B.setZero();
+  return !forcing.none() && rest.none();
+}
+
+}  // namespace
+
+double HeavyTopStart::tilt_rad() const { return std::atan2(up_P.cross(top.k_P).norm(), up_P.dot(top.k_P)); }
+
+double HeavyTopStart::spin() const { return omega_P.dot(top.k_P); }
+
+std::optional<HeavyTopStart> heavyTopStart(const Scene& scene) {
+  const physics::PrincipalAxes& axes = scene.body.axes;
+  if (!gravityAlone(scene.motion.forcing)) return std::nullopt;
+  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
+  if (!top) return std::nullopt;
+  return HeavyTopStart{*top, axes.toP(scene.motion.omega_B),
+                       axes.toP(startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ())};
+}
+
+}  // namespace poinsot::scene

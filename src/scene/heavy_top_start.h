@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "physics/heavy_top.h"
+#include "scene/scene.h"
+
+namespace poinsot::scene {
+
+/// A symmetric top on its point under gravity alone, and how it is let go.
+struct HeavyTopStart {
+  physics::HeavyTop top;
+  Eigen::Vector3d omega_P;  ///< rad/s
+  Eigen::Vector3d up_P;     ///< unit
+
+  double tilt_rad() const;  ///< of k from the vertical
+  double spin() const;      ///< about k, rad/s
+  physics::Nutation nutation() const { return top.nutation(omega_P, up_P); }
+};
+
+/// Empty for every other motion.
+std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
+
+}  // namespace poinsot::scene
