@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "stage/label_obstacle.h"
 #include "text/math_setter.h"
@@ -14,8 +15,10 @@ namespace {
 
 constexpr int kRounds = 24;             // of pushing overlapping labels apart; four labels settle in five
 constexpr float kSpaceToShaft = 0.08f;  // of the type size
-constexpr float kBorder = 0.012f;       // kept free, as a share of the picture's shorter side
-constexpr float kHalo = 0.085f;         // of the type size
+constexpr glm::vec2 kApart{0.6f,
+                           0.3f};  // of the type size: names that stand closer side by side read as a product
+constexpr float kBorder = 0.012f;  // kept free, as a share of the picture's shorter side
+constexpr float kHalo = 0.085f;    // of the type size
 
 struct Placed {
   glm::vec2 centre_px;
@@ -39,9 +42,9 @@ Placed place(const Label& label) {
 }
 
 // Pushes two overlapping boxes apart along the axis where they overlap least; by `share` of the way.
-void separate(Placed& a, Placed& b, float space_px, float share) {
+void separate(Placed& a, Placed& b, glm::vec2 space_px, float share) {
   const glm::vec2 between = b.centre_px - a.centre_px;
-  const glm::vec2 overlap = a.half_px + b.half_px + glm::vec2(space_px) - glm::abs(between);
+  const glm::vec2 overlap = a.half_px + b.half_px + space_px - glm::abs(between);
   if (overlap.x <= 0 || overlap.y <= 0) return;
   const int axis = overlap.x < overlap.y ? 0 : 1;
   const float push = 0.5f * share * overlap[axis] * (between[axis] < 0 ? -1.0f : 1.0f);
@@ -49,22 +52,33 @@ void separate(Placed& a, Placed& b, float space_px, float share) {
   b.centre_px[axis] += push;
 }
 
-// Once, from the wished place: a push that is repeated grows to a jump where a shaft passes.
+// Once, from the wished place: a push that is repeated grows to a jump where a shaft passes. Several
+// shafts side by side push no farther than two of them: a label would lose sight of its own.
 void moveOff(const std::vector<LabelObstacle>& obstacles, float space_px, Placed& p) {
-  glm::vec2 push(0);
-  for (const LabelObstacle& obstacle : obstacles) push += pushOff(obstacle, p.centre_px, p.half_px, space_px);
-  p.centre_px += push;
+  glm::vec2 sum(0);
+  float longest_px = 0;
+  for (const LabelObstacle& obstacle : obstacles) {
+    const glm::vec2 push = pushOff(obstacle, p.centre_px, p.half_px, space_px);
+    sum += push;
+    longest_px = std::max(longest_px, glm::length(push));
+  }
+  const float length_px = glm::length(sum), most_px = 2 * longest_px;
+  p.centre_px += length_px > most_px ? most_px / length_px * sum : sum;
 }
 
-// Out of a box, across the side that is nearest of those that face the picture's middle.
+// Out of a box, across the side that is nearest of those that face the picture's middle; of a box that lies over
+// the middle, across the nearest of all.
 void giveWay(Placed& p, const PixelBox& box, glm::vec2 size_px, float space_px) {
   const glm::vec2 low(box.left, box.top), high(box.right, box.bottom), middle = 0.5f * (low + high);
   const glm::vec2 reach = 0.5f * (high - low) + p.half_px + glm::vec2(space_px);
-  const glm::vec2 towards = glm::sign(0.5f * size_px - middle), away = p.centre_px - middle;
+  const glm::vec2 away = p.centre_px - middle, inwards = 0.5f * size_px - middle;
   if (std::abs(away.x) >= reach.x || std::abs(away.y) >= reach.y) return;
+  const bool central = glm::all(glm::lessThan(glm::abs(inwards), 0.5f * (high - low)));
+  glm::vec2 towards = glm::sign(central ? away : inwards);
+  if (central && towards.y == 0) towards.y = 1;
   const glm::vec2 push = reach - towards * away;
   const int axis = towards.y == 0 || (towards.x != 0 && push.x < push.y) ? 0 : 1;
-  p.centre_px[axis] += (towards[axis] == 0 ? 1.0f : towards[axis]) * push[axis];
+  p.centre_px[axis] += towards[axis] * push[axis];
 }
 
 void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
@@ -87,7 +101,8 @@ void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const dra
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < placed.size(); ++i)
       for (std::size_t j = i + 1; j < placed.size(); ++j)
-        separate(placed[i], placed[j], 0.3f * labels[i].size_px, std::min(labels[i].presence, labels[j].presence));
+        separate(placed[i], placed[j], kApart * labels[i].size_px,
+                 std::min(labels[i].presence, labels[j].presence));
     for (std::size_t i = 0; i < placed.size(); ++i) {
       for (const PixelBox& box : taken) giveWay(placed[i], box, size_px, 0.3f * labels[i].size_px);
       keepInside(placed[i], size_px, top_px);

@@ -42,6 +42,19 @@ TEST(LabelLayout, LabelsGiveWayToWhatStandsStill) {
       }
 }
 
+// Type over the middle of the picture: a label goes round it by the shortest way and stays beside its arrow, which
+// here ends just left of the type.
+TEST(LabelLayout, LabelsKeepToTheirSideOfWhatLiesOverTheMiddle) {
+  const std::vector<PixelBox> taken = {{300, 205, 500, 245}};
+  draw::DrawList list = picture();
+  addLabels(list,
+            {{.tex = "$y$", .anchor_px = {310, 215}, .direction = {-1, 0}, .gap_px = 5, .size_px = 24},
+             {.tex = "$x$", .anchor_px = {450, 240}, .direction = {1, 0}, .gap_px = 5, .size_px = 24}},
+            {}, 0, taken);
+  EXPECT_LT(inkOf(list.texts.at(0)).right, 300);
+  EXPECT_GT(inkOf(list.texts.at(1)).top, 245);
+}
+
 /// A view from straight above, 100 px to a unit, the origin in the middle.
 draw::DrawList withShaft(glm::vec3 from_W, glm::vec3 to_W) {
   draw::DrawList list;
@@ -58,6 +71,19 @@ TEST(LabelLayout, ALabelLeavesAShaftThatItWouldLieOn) {
   draw::DrawList list = withShaft({0.1f, -2, 0}, {0.1f, 2, 0});
   addLabels(list, {{.tex = "$\\mathbf{L}$", .anchor_px = {410, 200}, .direction = {-1, 0}, .gap_px = -4}}, {});
   EXPECT_LT(inkOf(list.texts.at(0)).right, 407);
+}
+
+// Six shafts in nearly one place, as L, omega and the axes in steady spin: the label leaves them, and is not
+// pushed away six times as far.
+TEST(LabelLayout, SeveralShaftsPushALabelNoFartherThanTwo) {
+  const auto leftOf = [](int shafts) {
+    draw::DrawList list = withShaft({0.1f, -2, 0}, {0.1f, 2, 0});
+    for (int i = 1; i < shafts; ++i) list.curves.push_back(list.curves.front());
+    addLabels(list, {{.tex = "$\\mathbf{L}$", .anchor_px = {410, 200}, .direction = {-1, 0}, .gap_px = -4}}, {});
+    return inkOf(list.texts.at(0)).left;
+  };
+  EXPECT_LT(leftOf(2), leftOf(1));
+  EXPECT_EQ(leftOf(6), leftOf(2));
 }
 
 // The same beside the end of the shaft: it stays where it is.
@@ -83,6 +109,16 @@ TEST(LabelLayout, LabelsGlideAsAShaftPasses) {
   EXPECT_LT(worst, 2);  // measured 1.6
   RecordProperty("largest_step_px", std::to_string(worst));
   std::printf("largest step %g px\n", worst);
+}
+
+// Two names close side by side would read as a product.
+TEST(LabelLayout, NamesSideBySideStandWiderApartThanInAFormula) {
+  draw::DrawList list = picture();
+  addLabels(list,
+            {{.tex = "$L$", .anchor_px = {400, 225}, .direction = {-1, 0}, .size_px = 40},
+             {.tex = "$M$", .anchor_px = {400, 225}, .direction = {1, 0}, .size_px = 40}},
+            {});
+  EXPECT_NEAR(inkOf(list.texts.at(1)).left - inkOf(list.texts.at(0)).right, 0.6 * 40, 0.1);
 }
 
 TEST(LabelLayout, LabelsStayApartAndInside) {
