@@ -68,7 +68,7 @@ auto withPicture(const LoadedScene& loaded, const PictureAsk& ask, const Use& us
     scene::Scene scene = loaded.scene();
     scene.output.width = size.width;
     scene.output.height = size.height;
-    return scene;
+    return app::drawableOf(std::move(scene));
   };
   return artist().with([&](app::FramesCache& cache) {
     app::SceneFrames& frames =

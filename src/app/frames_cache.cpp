@@ -2,6 +2,7 @@
 #include "app/frames_cache.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/frame_clock.h"
 #include "app/memory.h"
@@ -15,20 +16,26 @@ constexpr std::size_t kMost = 4;
 
 }  // namespace
 
-FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<scene::Scene()>& load,
+Drawable drawableOf(scene::Scene scene) {
+  auto composer = std::make_unique<const stage::Stage>(scene);
+  return {std::move(scene), std::move(composer)};
+}
+
+FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<Drawable()>& load,
                                     const PictureForm& form, const scene::Limits& limits) {
   if (const auto found = std::ranges::find(entries_, key, &Entry::key); found != entries_.end()) {
     entries_.splice(entries_.begin(), entries_, found);
     return entries_.front();
   }
-  const scene::Scene scene = load();
+  Drawable loaded = load();
+  const scene::Scene& scene = loaded.scene;
   const image::PixelSize size{scene.output.width, scene.output.height};
   expectWithinMemory(workerMemory_bytes(size, {}, form.bits) + meshMemory_bytes(scene), pictureText(size), limits);
   while (entries_.size() >= kMost) entries_.pop_back();
   if (!context_) context_ = gl::openContext(backend_);
-  entries_.push_front({key, frameCount(scene.time.duration_s, scene.time.fps),
-                       std::make_unique<SceneFrames>(scene, std::make_unique<stage::Stage>(scene), *context_,
-                                                     std::nullopt, form)});
+  entries_.push_front(
+      {key, frameCount(scene.time.duration_s, scene.time.fps),
+       std::make_unique<SceneFrames>(scene, std::move(loaded.composer), *context_, std::nullopt, form)});
   return entries_.front();
 }
 

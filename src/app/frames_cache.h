@@ -15,6 +15,15 @@
 
 namespace poinsot::app {
 
+/// What a scene file asks for, and what draws it.
+struct Drawable {
+  scene::Scene scene;
+  std::unique_ptr<const stage::Composer> composer;
+};
+
+/// The scene as its film is drawn.
+Drawable drawableOf(scene::Scene scene);
+
 /// Scenes that are ready to draw: the latest few, on one OpenGL context, which is opened for the first. For one
 /// thread, from its making to its end.
 class FramesCache {
@@ -30,7 +39,7 @@ class FramesCache {
   /// The frames of the scene that `key` stands for, which is loaded where they are not at hand. Good until the
   /// next call.
   /// @throws core::Error of `load`, of the back end; (kLimit) for a picture that takes more memory than allowed.
-  Entry& of(const std::string& key, const std::function<scene::Scene()>& load, const PictureForm& form,
+  Entry& of(const std::string& key, const std::function<Drawable()>& load, const PictureForm& form,
             const scene::Limits& limits);
 
   void clear() { entries_.clear(); }

@@ -12,6 +12,7 @@
 #include "app/memory.h"
 #include "app/parallel.h"
 #include "app/still_batch.h"
+#include "app/sweep_cells.h"
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/target_check.h"
@@ -59,6 +60,7 @@ struct Drawing {
 
 Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
   SceneRequest request = readSceneRequest(one.test.scene, one.test.overrides, golden.allowance);
+  askForSweep(request);
   const scene::Scene scene = loadRequested(request);
   request.size = sizeOf(one.test, scene, golden.allowance.limits);
   const std::string digest = core::toHex(sceneDigest(request, scene));
@@ -70,7 +72,8 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
                        golden.backend,
                        golden.reproducible};
   const image::PixelSize size = *render.scene.size;
-  render.worker_bytes = workerMemory_bytes(size, std::nullopt) + meshMemory_bytes(scene);
+  const int cells = render.scene.sweep ? SweepGrid(render.scene).cells : 1;
+  render.worker_bytes = workerMemory_bytes(size, std::nullopt) + cells * meshMemory_bytes(scene);
   expectWithinMemory(std::max(render.worker_bytes, compareMemory_bytes(size)), pictureText(size),
                      golden.allowance.limits);
   return {place, std::move(render), digest};

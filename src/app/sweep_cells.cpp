@@ -74,6 +74,14 @@ void shareSpeed(std::vector<scene::Scene>& cells) {
 
 }  // namespace
 
+bool hasRanges(const std::vector<std::string>& overrides) {
+  return std::ranges::any_of(overrides, scene::hasRange);
+}
+
+void askForSweep(SceneRequest& request) {
+  if (hasRanges(request.overrides)) request.sweep.emplace();
+}
+
 SweepGrid::SweepGrid(const SceneRequest& request) {
   POINSOT_EXPECT(request.sweep.has_value());
   for (std::size_t i = 0; i < request.overrides.size(); ++i) {

@@ -26,6 +26,12 @@ struct SweepGrid {
   std::vector<std::size_t> overrides_;  // of the axes, in the request
 };
 
+/// Whether the words after -D have a range.
+bool hasRanges(const std::vector<std::string>& overrides);
+
+/// Where its words have ranges, a request becomes one for a grid: of commands that draw what they are told to.
+void askForSweep(SceneRequest& request);
+
 /// What is asked for in one cell. What bounds all of a scene (its meshes, its text, the steps of its motion)
 /// bounds all cells together.
 SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell);

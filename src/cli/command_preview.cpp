@@ -12,6 +12,7 @@
 #include "app/interrupt.h"
 #include "app/render_job.h"
 #include "app/scene_request.h"
+#include "app/sweep_cells.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -56,7 +57,8 @@ std::string thisMachine() {
 
 /// A file that cannot be read is an error; one with mistakes is what a preview is for.
 void tellMistakes(const PreviewOptions& options) {
-  const auto request = app::readSceneRequest(options.scene, options.overrides, granted(options));
+  auto request = app::readSceneRequest(options.scene, options.overrides, granted(options));
+  app::askForSweep(request);
   try {
     app::loadRequested(request);
   } catch (const scene::SceneErrors& errors) {

@@ -8,7 +8,9 @@
 #include <memory>
 
 #include "app/memory.h"
+#include "app/scene_composer.h"
 #include "app/submission.h"
+#include "app/sweep_cells.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -28,14 +30,15 @@ struct SubmitOptions : FilmOptions {
   int shards = 0, retries = 3;
   double frame_s = 0, task_min = 0;
   bool keep = false;
+  app::SweepRequest grid;
 };
 
 /// A file's name that is not taken for an option.
 std::string fileWord(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
 
-/// The same request for `render`.
+/// The same request for `render`, or `sweep`.
 Words renderWords(const SubmitOptions& options, const app::OutputTarget& target) {
-  Words words{"render", fileWord(options.scene), "-o", fileWord(target.path.string())};
+  Words words{options.sweep ? "sweep" : "render", fileWord(options.scene), "-o", fileWord(target.path.string())};
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
@@ -45,6 +48,8 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   add("--fps", options.fps);
   add("--frames", options.frames);
   if (options.loop) words.push_back("--loop");
+  if (options.grid.columns > 0) add("--columns", std::to_string(options.grid.columns));
+  for (const std::string& label : options.grid.labels) add("--label", label);
   std::ranges::copy(allowanceWords(options), std::back_inserter(words));
   if (options.untrusted) words.push_back("--untrusted");
   if (options.transparent) words.push_back("--transparent");
@@ -92,12 +97,25 @@ std::string scriptOf(const std::string& engine, const app::Submission& submissio
   return engine == "make" ? app::makeScript(submission) : app::slurmScript(submission);
 }
 
-int submit(const SubmitOptions& options) {
+void checkGrid(const SubmitOptions& options) {
+  if (options.sweep && options.loop)
+    throw core::Error(core::ErrorKind::kUsage, "--loop changes one motion, and a sweep has several");
+  if (!options.sweep && (options.grid.columns > 0 || !options.grid.labels.empty()))
+    throw core::Error(core::ErrorKind::kUsage, "--columns and --label are for a grid: -D with a range");
+}
+
+int submit(SubmitOptions options) {
+  if (app::hasRanges(options.overrides)) options.sweep = options.grid;
+  checkGrid(options);
   const auto [request, scene, target, frames] = requestedFilm(options);
   checkKind(target);
   checkMakeable(options, target, scene, frames, pictureForm(options));
-  const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
-  const double estimate_bytes = app::workerMemory_bytes(target, scene, pictureForm(options));
+  if (request.sweep)  // what the motion lacks is found here, not in a queue
+    app::checkSweep(request, scene);
+  else
+    const stage::Stage stage(scene);
+  const int cells = request.sweep ? app::SweepGrid(request).cells : 1;
+  const double estimate_bytes = app::workerMemory_bytes(target, scene, pictureForm(options), cells);
   app::expectWithinMemory(estimate_bytes, app::pictureText({scene.output.width, scene.output.height}),
                           request.allowance.limits);
   const auto segments = app::segmentsOf(frames, options.parts.segmentFrames);
@@ -152,10 +170,11 @@ void addSubmit(CLI::App& program, Action& chosen) {
   addSceneOptions(*command, *options);
   addLookOptions(*command, *options);
   addFilmOptions(*command, *options);
+  addGridOptions(*command, options->grid);
   addDivisionOptions(*command, *options);
   command->footer(
       "Nothing is started: the script is text to read, change and run. The film has the bytes that render\n"
-      "--reproducible gives on one machine.\n"
+      "--reproducible gives on one machine; -D with a range is that of a sweep.\n"
       "Examples:\n"
       "  poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash football.sh\n"
       "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "

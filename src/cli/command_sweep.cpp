@@ -90,19 +90,7 @@ void addSweep(CLI::App& program, Action& chosen) {
       "--map", options->asked.map,
       "in place of the grid: the sphere of directions of L in the body, coloured by the time from flip "
       "to flip, with the separatrix");
-  command
-      ->add_option("--columns", options->asked.columns,
-                   "of the grid of one range (default: as the picture has room)")
-      ->type_name("N")
-      ->check(CLI::Range(1, scene::kMostCells));
-  command
-      ->add_option("--label", options->asked.labels,
-                   "what a range's key is called in the picture, in TeX: the first for the first range")
-      ->type_name("TEX")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(notEmpty());
+  addGridOptions(*command, options->asked);
   command->footer(
       "A range is FROM..TO:COUNT, both ends included, with a unit where the key has one; :log after it makes the "
       "ratios equal; 1|2|5 are these. One range fills rows; of two, the first runs from left to right, the second "

@@ -8,6 +8,7 @@
 #include "cli/picture_bits.h"
 #include "core/error.h"
 #include "output/film_format.h"
+#include "scene/sweep.h"
 
 namespace poinsot::cli {
 namespace {
@@ -40,6 +41,20 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
   command.add_option("--segment", options.parts.segmentFrames, "frames of a segment (default: 30)")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000));
+}
+
+void addGridOptions(CLI::App& command, app::SweepRequest& grid) {
+  command.add_option("--columns", grid.columns, "of the grid of one range (default: as the picture has room)")
+      ->type_name("N")
+      ->check(CLI::Range(1, scene::kMostCells));
+  command
+      .add_option("--label", grid.labels,
+                  "what a range's key is called in the picture, in TeX: the first for the first range")
+      ->type_name("TEX")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
 }
 
 void addPartsOptions(CLI::App& command, PartsOptions& parts) {

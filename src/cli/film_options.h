@@ -22,6 +22,9 @@ void addFilmOptions(CLI::App& command, FilmOptions& options);
 /// Declares how it is made in parts: --resume, --keep, --manifest, --shard.
 void addPartsOptions(CLI::App& command, PartsOptions& parts);
 
+/// Declares the columns and names of a sweep's grid.
+void addGridOptions(CLI::App& command, app::SweepRequest& grid);
+
 /// @throws core::Error(kUsage) for what the target cannot be made in.
 void checkParts(const PartsOptions& parts, const app::OutputTarget& target);
 

@@ -29,7 +29,7 @@ namespace {
 /// Its standard error goes to `errors`; it reads nothing and prints nothing else.
 pid_t startProgram(const std::vector<std::string>& words, int errors) {
   const std::string program = core::programPath();
-  std::vector<std::string> all{"poinsot", "render"};
+  std::vector<std::string> all{"poinsot"};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> pointers;
   for (std::string& word : all) pointers.push_back(word.data());

@@ -21,7 +21,7 @@ struct FilmState {
   std::string text;                  ///< once it ended: the program's last words
 };
 
-/// Renders a film by `poinsot render` in a process of its own, so that the preview goes on whatever becomes of it.
+/// Makes a film by `poinsot` in a process of its own, so that the preview goes on whatever becomes of it.
 /// One at a time. Destroying it asks the process to stop, which keeps what is complete for --resume.
 class FilmErrand {
  public:
@@ -30,7 +30,7 @@ class FilmErrand {
   FilmErrand(const FilmErrand&) = delete;
   FilmErrand& operator=(const FilmErrand&) = delete;
 
-  /// @param words  after "poinsot render". False where one is being made.
+  /// @param words  after "poinsot". False where one is being made.
   /// @throws core::Error(kGraphics) if no process can be started.
   bool start(const std::vector<std::string>& words);
   /// Like Ctrl-C in its terminal.

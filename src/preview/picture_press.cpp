@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "app/frames_cache.h"
+#include "app/scene_composer.h"
 #include "core/error.h"
 #include "image/png_file.h"
 
@@ -29,13 +31,17 @@ void showOnly(std::size_t which, const std::optional<Turn>& turn, scene::Scene& 
   scene.plots.clear();
 }
 
-scene::Scene sceneFor(const SceneVersion& version, const PictureAsk& ask) {
+app::Drawable drawableFor(const SceneVersion& version, const PictureAsk& ask) {
   app::SceneRequest request = version.request;
   request.overrides.insert(request.overrides.end(), ask.overrides.begin(), ask.overrides.end());
   request.size = ask.size;
   scene::Scene scene = app::loadRequested(request);
+  if (request.sweep) {
+    auto composer = app::composerOf(request, scene);
+    return {std::move(scene), std::move(composer)};
+  }
   if (ask.view) showOnly(*ask.view, ask.turn, scene);
-  return scene;
+  return app::drawableOf(std::move(scene));
 }
 
 /// Of all that decides the scene of an ask but its version.
@@ -59,7 +65,7 @@ class PicturePress::Drawer {
     if (version.number != version_) cache_.clear();
     version_ = version.number;
     auto& scene = cache_.of(
-        keyOf(ask), [&] { return sceneFor(version, ask); }, {}, version.request.allowance.limits);
+        keyOf(ask), [&] { return drawableFor(version, ask); }, {}, version.request.allowance.limits);
     const std::int64_t k = std::clamp<std::int64_t>(ask.frame, 0, scene.count - 1);
     const auto& picture = scene.frames->frame(k).picture;
     const auto bytes = std::visit([](const auto& image) { return image::encodePng(image); }, picture);

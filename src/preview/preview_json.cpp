@@ -62,7 +62,8 @@ json viewsOf(const scene::Scene& scene) {
   return views;
 }
 
-json filmOf(const scene::Scene& scene, const app::UnitChoice& units) {
+/// `sweep`: of its first cell; all of them are turned together.
+json filmOf(const scene::Scene& scene, bool sweep, const app::UnitChoice& units) {
   json quantities = json::array();
   for (const scene::StateQuantity& quantity : scene::stateQuantities())
     quantities.push_back(quantityJson(quantity));
@@ -71,8 +72,9 @@ json filmOf(const scene::Scene& scene, const app::UnitChoice& units) {
           {"duration_s", scene.time.duration_s},
           {"size", {scene.output.width, scene.output.height}},
           {"camera", cameraJson(scene.camera)},
-          {"panels", scene.views.size() + scene.plots.size()},
-          {"views", viewsOf(scene)},
+          {"sweep", sweep},
+          {"panels", sweep ? 1 : scene.views.size() + scene.plots.size()},
+          {"views", sweep ? json::array() : viewsOf(scene)},
           {"physics", physicsOf(scene, units)},
           {"quantities", std::move(quantities)}};
 }
@@ -93,7 +95,7 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 
 std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units) {
   json all{{"version", version.number}, {"error", version.error}, {"file", version.request.fileName}};
-  if (version.scene) all["film"] = filmOf(*version.scene, units);
+  if (version.scene) all["film"] = filmOf(*version.scene, version.request.sweep.has_value(), units);
   // Views have tables of their own, where they do not come from camera.frames.
   all["viewTables"] = version.request.text.find("[[view]]") != std::string::npos;
   return text(all);

@@ -10,9 +10,12 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <string_view>
+#include <system_error>
 
+#include "app/sweep_cells.h"
 #include "app/trajectory_number.h"
 #include "core/base64.h"
 #include "core/error.h"
@@ -227,8 +230,17 @@ class PreviewServer::Site {
     }
   }
 
+  /// As `sweep` calls its pictures. The folder is made here: a film's that has a name is not.
+  std::string sweepFilm() const {
+    std::error_code ignored;  // if it cannot be made, the making of the film says so
+    std::filesystem::create_directory("out", ignored);
+    return "out/" + std::filesystem::path(request_.fileName).stem().string() + "_sweep.mp4";
+  }
+
   void film(Response& response) {
-    std::vector<std::string> words{"--progress=json"};
+    const bool sweep = app::hasRanges(request_.overrides);
+    std::vector<std::string> words{sweep ? "sweep" : "render", "--progress=json"};
+    if (sweep) words.insert(words.end(), {"-o", sweepFilm()});
     for (const std::string& override : request_.overrides) words.insert(words.end(), {"-D", override});
     words.insert(words.end(), request_.filmWords.begin(), request_.filmWords.end());
     words.insert(words.end(), {"--", request_.fileName});

@@ -15,7 +15,7 @@ struct PreviewRequest {
   std::string fileName;
   std::vector<std::string> overrides;  ///< after -D
   scene::Allowance allowance;
-  std::vector<std::string> filmWords = {};  ///< besides file and overrides, for `poinsot render`
+  std::vector<std::string> filmWords = {};  ///< besides file and overrides, for what makes the film
   app::UnitChoice units = {};               ///< that the physics is told in
   gl::Backend backend = gl::Backend::kAuto;
   int port = 0;  ///< 0: any that is free

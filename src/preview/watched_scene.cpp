@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/scene_composer.h"
+#include "app/sweep_cells.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "stage/stage.h"
@@ -78,8 +80,12 @@ SceneVersion WatchedScene::load() const {
   SceneVersion loaded;
   try {
     loaded.request = app::readSceneRequest(fileName_, overrides_, allowance_);
+    app::askForSweep(loaded.request);
     auto scene = std::make_shared<const scene::Scene>(app::loadRequested(loaded.request));
-    const stage::Stage stage(*scene);  // what the motion lacks is found here
+    if (loaded.request.sweep)  // what the motion lacks is found here
+      app::checkSweep(loaded.request, *scene);
+    else
+      const stage::Stage stage(*scene);
     loaded.scene = std::move(scene);
   } catch (const core::Error& error) {
     loaded.error = core::printableLines(error.what());

@@ -60,7 +60,7 @@ void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& l
   const Place place{&source, 0, 0, 1};
   if (equals == std::string::npos || key.empty()) return problems.add(place, "expected -D key.path=value");
   if (hasRange(text))
-    return problems.add(place, key + ": one value is wanted here; ranges are for `poinsot sweep`");
+    return problems.add(place, key + ": one value is wanted here; ranges are for sweep, preview and submit");
   try {
     addLeaf(key, place, overrideValue(source, value, leaves.limits), leaves, problems);
   } catch (const SceneErrors& errors) {

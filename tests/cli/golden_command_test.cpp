@@ -177,6 +177,18 @@ TEST_F(GoldenCommand, TakesTimesPatternsAndPicturesOfOthers) {
   EXPECT_EQ(golden({"--only", "theirs"}).exitCode, 1);
 }
 
+TEST_F(GoldenCommand, ComparesTheSheetOfASweep) {
+  folder_.put("golden.toml",
+              "size = [160, 90]\n[[test]]\nname = 'sheet'\nscene = 's.toml'\ntimes = [0.5]\n"
+              "set = ['motion.omega_body=[0.1..0.5:4, 10, 0]']\n");
+  approve();
+  EXPECT_EQ(golden().out, "1 identical\n");
+  const RunResult drawn = run(folder_, {"sweep", "s.toml", "-D", "motion.omega_body=[0.1..0.5:4, 10, 0]", "--time",
+                                        "0.5", "--size", "160x90", "-o", "sheet.png"});
+  EXPECT_EQ(drawn.exitCode, 0) << drawn.err;
+  EXPECT_EQ(image::readPng(folder_ / "golden/sheet.png").pixels, image::readPng(folder_ / "sheet.png").pixels);
+}
+
 TEST_F(GoldenCommand, TellsWhatNoTestMakesAndWhatIsNotThere) {
   approve();
   saveFlat("golden/gone.png", 1);

@@ -153,6 +153,17 @@ TEST(SubmitHandsOn, HowManyBitsThePicturesHave) {
   EXPECT_THAT(deep.out, HasSubstr(" --transparent --bits 16 "));
 }
 
+TEST(SubmitHandsOn, ASweepToTheCommandThatMakesIt) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const RunResult grid =
+      run(folder, {"submit", "a.toml", "-o", "g.mp4", "-D", "motion.omega_body=[0.1..0.5:3, 10, 0]", "--columns",
+                   "3", "--label", "$\\omega_1$"});
+  EXPECT_EQ(grid.exitCode, 0) << grid.err;
+  EXPECT_THAT(grid.out, HasSubstr(" sweep a.toml -o g.mp4 -D 'motion.omega_body=[0.1..0.5:3, 10, 0]' --columns 3 "
+                                  "--label '$\\omega_1$' "));
+}
+
 TEST(SubmitRefuses, WhatCannotBeMadeThere) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
@@ -174,6 +185,13 @@ TEST(SubmitRefuses, WhatCannotBeMadeThere) {
       {{"a.toml", "-o", "a.mp4", "--frame-seconds", "-1"}, 2, "--frame-seconds"},
       {{"a.toml", "-o", "theirs.mp4"}, 4, "theirs.mp4"},
       {{"a.toml", "-o", "missing/a.mp4"}, 4, "missing"},
+      {{"a.toml", "-o", "a.mp4", "--columns", "2"}, 2, "--columns and --label are for a grid: -D with a range"},
+      {{"a.toml", "-o", "a.mp4", "-D", "motion.omega_body=[1..2:2, 0, 0]", "--loop"},
+       2,
+       "--loop changes one motion, and a sweep has several"},
+      {{"a.toml", "-o", "a.mp4", "-D", "time.duration=1..2:3"},
+       2,
+       "a sweep of time.duration: its cells would differ"},
   };
   for (const Case& each : cases) {
     std::vector<std::string> words{"submit"};

@@ -28,11 +28,11 @@ constexpr const char* kScene =
 
 class Preview : public testing::Test {
  protected:
-  Preview() {
+  explicit Preview(std::vector<std::string> overrides = {}) {
     gl::pinEnvironment(false);
     folder_.put("a.toml", kScene);
-    server_ = std::make_unique<PreviewServer>(
-        PreviewRequest{.fileName = (folder_ / "a.toml").string(), .overrides = {}, .allowance = {}});
+    server_ = std::make_unique<PreviewServer>(PreviewRequest{
+        .fileName = (folder_ / "a.toml").string(), .overrides = std::move(overrides), .allowance = {}});
     running_ = std::thread([this] { server_->run(); });
     const std::string address = server_->address();
     root_ = address.substr(address.find('/', 8));
@@ -54,10 +54,11 @@ class Preview : public testing::Test {
     EXPECT_EQ(answer->status, 200) << answer->body;
     return answer->body;
   }
-  /// Of `poinsot still`, without the texts that a file has.
-  void expectSamePicture(const std::string& png, const std::string& words) const {
+  /// Of `poinsot still`, or another command, without the texts that a file has.
+  void expectSamePicture(const std::string& png, const std::string& words,
+                         const std::string& command = "still") const {
     folder_.put("preview.png", png);
-    const auto made = runShell(folder_.path(), POINSOT_PROGRAM " still a.toml -o still.png " + words +
+    const auto made = runShell(folder_.path(), POINSOT_PROGRAM " " + command + " a.toml -o still.png " + words +
                                                    " && " POINSOT_PROGRAM " diff --exact still.png preview.png");
     EXPECT_EQ(made.exitCode, 0) << made.out;
   }
@@ -109,6 +110,34 @@ TEST_F(Preview, ShowsOneViewOfSeveral) {
   expectSamePicture(turned,
                     "--time 1 -D 'view[0].camera.azimuth=\"-20 deg\"' -D 'view[0].camera.elevation=\"30 deg\"' "
                     "-D 'view[0].camera.zoom=1.5'");
+}
+
+class PreviewOfASweep : public Preview {
+ protected:
+  PreviewOfASweep() : Preview({kRange}) {}
+  static constexpr const char* kRange = "motion.omega_body=[0.1..0.5:4, 3, 0.1]";
+};
+
+TEST_F(PreviewOfASweep, ShowsAllCellsAndTurnsThemTogether) {
+  const std::string range = std::string("-D '") + kRange + "' ";
+  expectSamePicture(picture(30), range + "--time 1", "sweep");
+  expectSamePicture(picture(30, "&D=camera.azimuth%3D%22-40%20deg%22"),
+                    range + "--time 1 -D 'camera.azimuth=\"-40 deg\"'", "sweep");
+  const json film = scene(-1)["film"];
+  EXPECT_EQ(film["sweep"], true);
+  EXPECT_EQ(film["panels"], 1) << "there is no view to choose";
+  EXPECT_EQ(film["frames"], 60);
+  EXPECT_DOUBLE_EQ(json::parse(get("series?name=omega_1")->body)["series"][0]["values"][0], 0.1);
+}
+
+TEST_F(PreviewOfASweep, TellsWhatIsWrongWithACell) {
+  const int first = scene(-1)["version"];
+  std::string looped = kScene;
+  looped.replace(looped.find("duration"), 0, "loop = true\n");
+  save("a.toml", looped);
+  const json broken = scene(first);
+  EXPECT_THAT(broken["error"], HasSubstr("sweep"));
+  EXPECT_EQ(broken["film"]["frames"], 60) << "of the last good one";
 }
 
 TEST_F(Preview, FollowsTheFile) {

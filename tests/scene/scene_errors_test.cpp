@@ -213,7 +213,7 @@ TEST(Report, ShowsTheLineAndPointsAtTheValue) {
 TEST(Report, OfARangeWhereOneValueIsWanted) {
   for (const char* value : {"1..3:3", "1|2"})
     EXPECT_EQ(messagesOf(kMinimal, {std::string("time.speed=") + value}),
-              "time.speed: one value is wanted here; ranges are for `poinsot sweep`\n");
+              "time.speed: one value is wanted here; ranges are for sweep, preview and submit\n");
 }
 
 TEST(Report, NamesTheOverride) {
