@@ -45,6 +45,12 @@ std::vector<Key> readoutKeys() {
        .help = "What stands before the equals sign; without it, the quantity's symbol.",
        .isTex = true,
        .put = intoReadout([](Readout& r) { return &r.label; })},
+      {.path = "readout[].unit",
+       .type = kText,
+       .range = {.least = 0, .most = kLongestUnit},
+       .example = "\"ms\"",
+       .help = "In which the value is written; without it, in one that suits the numbers.",
+       .put = intoReadout([](Readout& r) { return &r.unit; })},
   };
 }
 

@@ -44,6 +44,12 @@ std::vector<Key> curveKeys() {
 
 std::vector<Key> axisKeys() {
   return {
+      {.path = "plot[].unit",
+       .type = kText,
+       .range = {.least = 0, .most = kLongestUnit},
+       .example = "\"rpm\"",
+       .help = "In which the values are written; without it, in one that suits the numbers.",
+       .put = intoPlot([](PlotDraft& p) { return &p.plot.unit; })},
       {.path = "plot[].range",
        .type = kPair,
        .range = kAxisEnds,

@@ -19,6 +19,7 @@ using Put = decltype(Key::put);
 constexpr Range kMoments{.least = kLeastMoment, .most = kMostMoment};
 constexpr Range kMasses{.least = kLeastMoment, .most = kMostMoment};
 constexpr Range kSpins{.least = kLeastSpin, .most = kMostSpin, .ofSize = true};  // each part may be zero
+constexpr double kLongestUnit = 40;                                              // characters: beyond any
 constexpr Range kInstants{.least = -kMostInstant_s, .most = kMostInstant_s};     // times the spin it is an angle
 constexpr Range kExtent{.least = 1e-12, .most = 1e12};  // what is drawn is cast to float in the end
 constexpr Range kPositions{.least = 1e-12, .most = 1e12, .ofSize = true};

@@ -22,6 +22,7 @@ struct Readout {
   int quantity = 0;  ///< index into stateQuantities()
   Spot at = Spot::kTopRight;
   std::string label;  ///< the TeX subset of text/; empty: the quantity's symbol
+  std::string unit;   ///< "rpm"; empty: one that suits the numbers
 };
 
 }  // namespace poinsot::scene

@@ -23,6 +23,7 @@ struct Plot {
   std::vector<int> quantities;     ///< of one unit; one for a phase portrait: its y
   std::optional<int> x;            ///< of a phase portrait; none: time
   std::string title;               ///< the TeX subset of text/
+  std::string unit;                ///< "rpm", of the quantities; empty: one that suits the numbers
   std::optional<PlotRange> range;  ///< of the vertical axis; none: what the film needs
   PlotTime time = PlotTime::kMotion;
   bool future = true;  ///< the part not yet travelled is drawn too, faint

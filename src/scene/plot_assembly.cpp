@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/text.h"
 #include "scene/body_assembly.h"
 #include "scene/state_quantity.h"
 
@@ -48,6 +49,18 @@ void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {
                               a.name, unitText(a.unit), b.name, unitText(b.unit)));
 }
 
+/// Whether it is a unit, and of what is shown.
+void checkUnit(const std::string& unit, int quantity, const std::string& path, Findings& findings) {
+  if (!findings.has(path) || findings.failed(path)) return;
+  const StateQuantity& q = stateQuantity(quantity);
+  const Dimension dimension = dimensionOf(q.unit);
+  if (dimension == Dimension::kNone)
+    return findings.refuse(path, fmt::format("\"{}\" is a bare number and has no unit; leave it out", q.name));
+  if (!parseQuantity("1 " + unit, dimension).ok())
+    findings.refuse(path, fmt::format("expected a unit of {}, such as {}, got \"{}\"", quantityName(dimension),
+                                      usualUnits(dimension), core::printable(unit)));
+}
+
 void checkPortrait(const Plot& plot, const std::string& path, Findings& findings) {
   if (!plot.x) return;
   if (plot.quantities.size() > 1)
@@ -76,6 +89,7 @@ void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scen
     for (const int quantity : plot.quantities) checkExists(quantity, path + ".quantities", scene, findings);
     if (plot.x) checkExists(*plot.x, path + ".x", scene, findings);
     checkUnits(plot, path, findings);
+    if (!plot.quantities.empty()) checkUnit(plot.unit, plot.quantities.front(), path + ".unit", findings);
     checkPortrait(plot, path, findings);
     if (given.range) plot.range = PlotRange{(*given.range)[0], (*given.range)[1]};
     checkRange(plot, path, findings);
@@ -86,10 +100,11 @@ void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scen
 
 void assembleNotes(const Draft& draft, Findings& findings, Scene& scene) {
   for (std::size_t i = 0; i < findings.count("readout"); ++i) {
-    const std::string path = fmt::format("readout[{}].quantity", i);
-    require(path, "\"t\"", findings);
-    scene.readouts.push_back(elementOrNone(draft.readouts, i));
-    checkExists(scene.readouts.back().quantity, path, scene, findings);
+    const std::string path = fmt::format("readout[{}]", i), quantity = path + ".quantity";
+    require(quantity, "\"t\"", findings);
+    const Readout& readout = scene.readouts.emplace_back(elementOrNone(draft.readouts, i));
+    checkExists(readout.quantity, quantity, scene, findings);
+    if (findings.has(quantity)) checkUnit(readout.unit, readout.quantity, path + ".unit", findings);
   }
   for (std::size_t i = 0; i < findings.count("note"); ++i) {
     require(fmt::format("note[{}].text", i), "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'",

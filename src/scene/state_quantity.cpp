@@ -148,6 +148,18 @@ double psi(const RigidBodyState& s, const Basis& b) {
   return first == 0 && second == 0 ? kMissing : std::atan2(first, second);
 }
 
+// omega = phi' pole + psi' k + theta' along the line of nodes; of a free symmetric body omega_p and -Omega_p k.
+double phiRate(const RigidBodyState& s, const Basis& b) {
+  const Vector3d pole_W = b.pole_W(s), k_W = toW(s, b, b.k_P());
+  const double across = pole_W.cross(k_W).squaredNorm();
+  return across == 0 ? kMissing : (pole_W.dot(s.omega_W) - pole_W.dot(k_W) * k_W.dot(s.omega_W)) / across;
+}
+double psiRate(const RigidBodyState& s, const Basis& b) {
+  const Vector3d pole_W = b.pole_W(s), k_W = toW(s, b, b.k_P());
+  const double across = pole_W.cross(k_W).squaredNorm();
+  return across == 0 ? kMissing : (k_W.dot(s.omega_W) - pole_W.dot(k_W) * pole_W.dot(s.omega_W)) / across;
+}
+
 double planeHeight(const RigidBodyState& s, const Basis&) {
   return s.L_W.isZero(0) ? kMissing : s.omega_W.dot(s.L_W.normalized());
 }
@@ -200,6 +212,10 @@ constexpr StateQuantity kQuantities[] = {
     {"phi", "\\varphi", "precession: angle of the line of nodes about L, under gravity about the vertical", kAngle,
      F::kBody, kTurns, phi},
     {"psi", "\\psi", "spin: angle of the body about k from the line of nodes", kAngle, F::kBody, kTurns, psi},
+    {"phi_rate", "\\dot{\\varphi}", "rate of the precession phi; of a free symmetric body L/I1 (eq 34)",
+     kRadianPerSecond, F::kOmega, kSmooth, phiRate, omegaSize},
+    {"psi_rate", "\\dot{\\psi}", "rate of the spin psi; of a free symmetric body -Omega_p (eq 29, 32)",
+     kRadianPerSecond, F::kOmega, kSmooth, psiRate, omegaSize},
     {"h", "h", "height of the centre above the point of contact, 2T/|L|", kRadianPerSecond, F::kL, kSmooth,
      planeHeight, omegaSize},
     {"rho", "\\rho", "distance of the point of contact from L: radius of the herpolhode", kRadianPerSecond,
@@ -248,6 +264,28 @@ QuantityBasis::QuantityBasis(const physics::PrincipalAxes& axes, const physics::
 Vector3d QuantityBasis::pole_W(const RigidBodyState& state) const {
   if (!forcing_.gravity_B.isZero(0) || state.L_W.isZero(0)) return Vector3d::UnitZ();
   return state.L_W.normalized();
+}
+
+Dimension dimensionOf(QuantityUnit unit) {
+  switch (unit) {
+    case kSecond:
+      return Dimension::kTime;
+    case kMetre:
+      return Dimension::kLength;
+    case kMetrePerSecond:
+      return Dimension::kVelocity;
+    case kRadianPerSecond:
+      return Dimension::kAngularVelocity;
+    case kAction:
+      return Dimension::kAngularMomentum;
+    case kJoule:
+      return Dimension::kEnergy;
+    case kAngle:
+      return Dimension::kAngle;
+    case kBare:
+      break;
+  }
+  return Dimension::kNone;
 }
 
 std::string_view unitText(QuantityUnit unit) {

@@ -11,6 +11,7 @@
 #include "physics/forcing.h"
 #include "physics/principal_axes.h"
 #include "physics/rigid_body_state.h"
+#include "scene/units.h"
 
 /// The named scalars of a motion: what plots and read-outs show.
 namespace poinsot::scene {
@@ -75,6 +76,9 @@ struct StateQuantity {
   double (*size)(const physics::RigidBodyState&, const QuantityBasis&) = nullptr;
   QuantityNeeds needs = QuantityNeeds::kNothing;
 };
+
+/// Of a unit that one may ask for: kNone for a bare number.
+Dimension dimensionOf(QuantityUnit unit);
 
 /// For messages and the reference: "in rad/s", "an angle".
 std::string_view unitText(QuantityUnit unit);

@@ -33,10 +33,11 @@ double largest(const Span& span) { return std::max(std::abs(span.low), std::abs(
 
 }  // namespace
 
-PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex) {
+PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex,
+                   const std::string& asked) {
   const Span span = shownSpan(range);
   PlotAxis axis;
-  axis.unit = writtenUnit(unit, largest(span));
+  axis.unit = writtenUnit(unit, largest(span), asked);
   axis.ticks = coveringTicks(axis.unit.written(span.low), axis.unit.written(span.high), kMostTicks);
   axis.low = axis.ticks.at(axis.ticks.first);
   axis.high = axis.ticks.at(axis.ticks.last);
@@ -44,9 +45,9 @@ PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const s
   return axis;
 }
 
-PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex, double low,
-                   double high) {
-  PlotAxis axis = valueAxis(unit, range, tex);
+PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex,
+                   const std::string& asked, double low, double high) {
+  PlotAxis axis = valueAxis(unit, range, tex, asked);
   axis.low = low;
   axis.high = high;
   axis.ticks = innerTicks(low, high, kMostTicks);

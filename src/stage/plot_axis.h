@@ -22,12 +22,13 @@ struct PlotAxis {
 };
 
 /// An axis from tick to tick that holds a film's values. One that does not vary but by rounding gets an axis from
-/// zero. `tex`: of the quantities, in a formula.
-PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex);
+/// zero. `tex`: of the quantities, in a formula; `asked`: the unit to write them in, empty for one that suits.
+PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex,
+                   const std::string& asked);
 
 /// An axis with ends of its own, in the unit that the values' axis would have.
-PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex, double low,
-                   double high);
+PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex,
+                   const std::string& asked, double low, double high);
 
 /// From one time to another, in either order, s. Ends where the film does.
 PlotAxis timeAxis(double from_s, double to_s, const std::string& tex);

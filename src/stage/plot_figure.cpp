@@ -102,14 +102,14 @@ struct PlotFigure::Plan {
     const scene::QuantityUnit unit = track.quantity(0).unit;
     const std::string names = joinedNames(plot.quantities);
     frame.title = plot.title;
-    frame.y = plot.range ? givenAxis(unit, ranges.y, names, plot.range->low, plot.range->high)
-                         : valueAxis(unit, ranges.y, names);
+    frame.y = plot.range ? givenAxis(unit, ranges.y, names, plot.unit, plot.range->low, plot.range->high)
+                         : valueAxis(unit, ranges.y, names, plot.unit);
     if (!isPortrait()) {
       frame.x = timeAxis(shownTime_s(0), shownTime_s(track.duration_s()), "t");
       return;
     }
     const scene::StateQuantity& x = track.quantity(1);
-    frame.x = valueAxis(x.unit, *ranges.x, std::string(x.tex));
+    frame.x = valueAxis(x.unit, *ranges.x, std::string(x.tex), x.unit == unit ? plot.unit : "");
     frame.equalScales = x.unit == unit && frame.x.unit.perSi == frame.y.unit.perSi && ofLikeLength();
   }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace poinsot::stage {
 namespace {
@@ -28,9 +29,9 @@ constexpr TimeUnit kYear{365.25 * 86400, 0, "\\mathrm{yr}"};
 
 WrittenUnit scaled(std::string_view tex, double perSi, double largest) {
   const double size = std::abs(largest) * perSi;
-  if (!(size > 0) || (size >= 1e-2 && size < 1e4)) return {perSi, 0, tex};
+  if (!(size > 0) || (size >= 1e-2 && size < 1e4)) return {perSi, 0, std::string(tex)};
   const int power = 3 * static_cast<int>(std::floor(std::log10(size) / 3));
-  return {perSi * std::pow(10.0, -power), power, tex};
+  return {perSi * std::pow(10.0, -power), power, std::string(tex)};
 }
 
 WrittenUnit timeUnit(double largest) {
@@ -40,7 +41,7 @@ WrittenUnit timeUnit(double largest) {
 }
 
 std::string factorAndUnit(const WrittenUnit& unit) {
-  if (unit.powerOfTen == 0) return std::string(unit.tex);
+  if (unit.powerOfTen == 0) return unit.tex;
   const std::string factor = fmt::format("10^{{{}}}", unit.powerOfTen);
   return unit.tex.empty() ? factor : fmt::format("{}\\,{}", factor, unit.tex);
 }
@@ -72,6 +73,26 @@ WrittenUnit writtenUnit(QuantityUnit unit, double largest) {
       break;
   }
   return scaled("", 1, largest);
+}
+
+WrittenUnit writtenUnit(QuantityUnit unit, double largest, const std::string& asked) {
+  if (asked.empty()) return writtenUnit(unit, largest);
+  return {1 / scene::unitFactor(asked, scene::dimensionOf(unit)), 0, unitInFormula(asked)};
+}
+
+std::string unitInFormula(const std::string& unit) {
+  if (unit.empty()) return "";
+  if (unit == "deg" || unit == "°") return "\\degree";
+  std::string tex;
+  for (const char c : unit)
+    if (c == ' ' || c == '*')
+      tex += "\\,";
+    else
+      tex += c == '%' ? std::string("\\%") : std::string(1, c);
+  for (const auto& [from, to] : {std::pair{"µ", "}\\text{µ}\\mathrm{"}, {"·", "\\,"}, {"²", "^2"}, {"³", "^3"}})
+    for (auto at = tex.find(from); at != std::string::npos; at = tex.find(from, at + std::string_view(to).size()))
+      tex.replace(at, std::string_view(from).size(), to);
+  return "\\mathrm{" + tex + "}";
 }
 
 std::string axisLabel(std::string_view tex, const WrittenUnit& unit) {

@@ -12,9 +12,9 @@ namespace poinsot::stage {
 
 /// The unit that numbers are written in.
 struct WrittenUnit {
-  double perSi = 1;      ///< written number = perSi times the one in SI
-  int powerOfTen = 0;    ///< written before the unit, and in perSi
-  std::string_view tex;  ///< roman, in a formula; empty for a bare number
+  double perSi = 1;    ///< written number = perSi times the one in SI
+  int powerOfTen = 0;  ///< written before the unit, and in perSi
+  std::string tex;     ///< roman, in a formula; empty for a bare number
 
   double written(double si) const { return si * perSi; }
 };
@@ -22,6 +22,12 @@ struct WrittenUnit {
 /// A unit in which numbers up to `largest` (SI, as all that is small in it counts) need few digits: degrees; of
 /// time s to years; else a power of a thousand before the SI unit, where 0.01 to 10 000 do not do.
 WrittenUnit writtenUnit(scene::QuantityUnit unit, double largest);
+
+/// The same in the unit that was asked for, where one was. @pre `asked` is empty or a unit of these.
+WrittenUnit writtenUnit(scene::QuantityUnit unit, double largest, const std::string& asked);
+
+/// "kg m^2" as \mathrm{kg\,m^2}: upright, with the space that a product has. "deg" is the degree sign.
+std::string unitInFormula(const std::string& unit);
 
 /// "$\omega_1\,/\,(\mathrm{rad/s})$": the quotient of quantity and unit (ISO 80000-1, 7.1), for an axis.
 /// `tex` stands in a formula.

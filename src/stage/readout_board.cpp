@@ -36,9 +36,9 @@ std::string ReadoutFormat::tex(double si, scene::DecimalSign sign) const {
   return numberTex(fixedDigits(unit.written(si), decimals), sign);
 }
 
-ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range) {
+ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range, const std::string& asked) {
   const double size = sizeOf(range);
-  ReadoutFormat format{writtenUnit(unit, size), 0};
+  ReadoutFormat format{writtenUnit(unit, size, asked), 0};
   const double largest = format.unit.written(size);
   const int wanted = varies(range) ? decimalsThatResolve(format.unit.written(range.high - range.low))
                                    : decimalsOf(kMostDigits, largest);
@@ -54,7 +54,8 @@ ReadoutBoard::ReadoutBoard(const scene::Scene& scene, std::shared_ptr<const phys
   for (std::size_t i = 0; i < scene.readouts.size(); ++i) {
     const scene::StateQuantity& quantity = track_->quantity(i);
     const QuantityRange range = track_->range(i);
-    const ReadoutFormat& format = formats_.emplace_back(readoutFormat(quantity.unit, range));
+    const ReadoutFormat& format =
+        formats_.emplace_back(readoutFormat(quantity.unit, range, scene.readouts[i].unit));
     texts_.push_back({.at = scene.readouts[i].at,
                       .name = nameOf(scene.readouts[i]),
                       .value = {},

@@ -33,8 +33,8 @@ struct ReadoutFormat {
 };
 
 /// With as many decimals as tell a film's values apart, but for four digits at most; four of a value that stands
-/// still.
-ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range);
+/// still. In the unit `asked`, or where that is empty in one that suits.
+ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range, const std::string& asked = "");
 
 /// A scene's read-outs over its film.
 class ReadoutBoard {

@@ -58,20 +58,9 @@ std::string numberInFormula(const std::string& typed, scene::DecimalSign sign) {
   return fmt::format("{}\\times 10^{{{}}}", digits, std::stoi(typed.substr(e + 1)));
 }
 
-/// "kg m^2" as \,\mathrm{kg\,m^2}: upright, with the space that a product has.
-std::string unitInFormula(const std::string& unit) {
-  if (unit.empty()) return "";
-  if (unit == "deg" || unit == "°") return "\\degree";
-  std::string tex;
-  for (const char c : unit)
-    if (c == ' ' || c == '*')
-      tex += "\\,";
-    else
-      tex += c == '%' ? std::string("\\%") : std::string(1, c);
-  for (const auto& [from, to] : {std::pair{"µ", "}\\text{µ}\\mathrm{"}, {"·", "\\,"}, {"²", "^2"}, {"³", "^3"}})
-    for (auto at = tex.find(from); at != std::string::npos; at = tex.find(from, at + std::string_view(to).size()))
-      tex.replace(at, std::string_view(from).size(), to);
-  return "\\,\\mathrm{" + tex + "}";
+std::string gapAndUnit(const std::string& unit) {
+  const std::string tex = unitInFormula(unit);
+  return tex.empty() || tex == "\\degree" ? tex : "\\," + tex;
 }
 
 void expectTex(const std::string& name) {
@@ -109,7 +98,7 @@ std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
     SweepLabels& labels = all.emplace_back();
     labels.name = nameOf(axes[i], i, names, scene);
     for (const scene::SweepValue& value : axes[i].values) {
-      const std::string tex = numberInFormula(value.number, scene.style.decimalSign) + unitInFormula(axes[i].unit);
+      const std::string tex = numberInFormula(value.number, scene.style.decimalSign) + gapAndUnit(axes[i].unit);
       labels.values.push_back("$" + tex + "$");
       // One formula where the name is one, so that it is spaced as a formula is.
       const bool formula = labels.name.starts_with('$') && labels.name.ends_with('$');

@@ -55,6 +55,20 @@ TEST(Plots, HaveTheirKeysAndDefaults) {
   EXPECT_EQ(scene.plots[2].time, PlotTime::kFilm);
 }
 
+TEST(Plots, AndReadoutsMayHaveAUnit) {
+  const Scene scene = sceneWith(
+      "[[plot]]\nquantities = [\"omega_3\"]\nunit = \"rpm\"\n[[readout]]\nquantity = "
+      "\"theta\"\nunit = \"rad\"\n");
+  EXPECT_EQ(scene.plots.at(0).unit, "rpm");
+  EXPECT_EQ(scene.readouts.at(0).unit, "rad");
+  EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_3\"]\nunit = \"deg\"\n"),
+              HasSubstr("plot[0].unit: expected a unit of an angular velocity, such as rad/s, deg/s, rpm, rev/s, "
+                        "rev/d, Hz, got \"deg\"\n"));
+  EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"T\"\nunit = \"\"\n"), HasSubstr("readout[0].unit: "));
+  EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"q_w\"\nunit = \"m\"\n"),
+              HasSubstr("readout[0].unit: \"q_w\" is a bare number and has no unit; leave it out"));
+}
+
 TEST(Plots, StandInTheGridOfTheViews) {
   const auto places = [](const std::string& extra) {
     const Scene scene = sceneWith(extra);

@@ -75,11 +75,41 @@ TEST(Quantities, AreTheComponentsAndLengthsOfAStateMadeByHand) {
       {"theta_vertical", std::numbers::pi / 2},
       // About the vertical: the line of nodes z × x is y, and the first axis (y) lies on it.
       {"phi", std::numbers::pi / 2},
-      {"psi", 0}};
+      {"psi", 0},
+      // The vertical and k are at right angles: omega_z and the component along k.
+      {"phi_rate", 2},
+      {"psi_rate", 3}};
   const auto needsNothing = [](const auto& q) { return q.needs == scene::QuantityNeeds::kNothing; };
   EXPECT_EQ(static_cast<long>(expected.size()), std::ranges::count_if(stateQuantities(), needsNothing));
   for (const auto& [name, value] : expected)
     EXPECT_NEAR(valueOf(name, s, basis), value, 1e-14) << name;  // measured: at most 1.8e-15
+}
+
+// Eq (29), (32), (34) of a free symmetric body: omega = L/I1 - Omega_p k; and of any body the derivatives of the
+// angles, by differences of fourth order.
+TEST(Quantities, RatesOfEulersAnglesAreThoseOfTheLecture) {
+  const physics::FreeMotion symmetric(physics::PrincipalMoments(Vector3d(2, 2, 3)), Vector3d(0.5, 0, 1),
+                                      Quaterniond::Identity());
+  const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 2, 3)), {}, Vector3d(0.5, 0, 1)};
+  EXPECT_NEAR(valueOf("phi_rate", symmetric.at(3.7), basis), std::sqrt(1 + 9.) / 2, 1e-14);  // |(1, 0, 3)|/2
+  EXPECT_NEAR(valueOf("psi_rate", symmetric.at(3.7), basis), -(3. / 2 - 1) * 1, 1e-14);
+}
+
+TEST(Quantities, RatesAreTheDerivativesOfTheirAngles) {
+  const Vector3d omega0(0.4, 0.3, 1.2);
+  const physics::PrincipalMoments moments(Vector3d(1, 2, 2.5));
+  const physics::FreeMotion motion(moments, omega0, Quaterniond::Identity());
+  const scene::QuantityBasis basis{moments, {}, omega0};
+  constexpr double h = 1e-3;
+  for (const char* angle : {"phi", "psi"})
+    for (const double t : {0.1, 1.7, 4.2}) {
+      const auto turnedFrom = [&](double a, double b) {
+        return std::remainder(valueOf(angle, motion.at(b), basis) - valueOf(angle, motion.at(a), basis),
+                              2 * std::numbers::pi);
+      };
+      const double slope = (8 * turnedFrom(t - h, t + h) - turnedFrom(t - 2 * h, t + 2 * h)) / (12 * h);
+      EXPECT_NEAR(valueOf(std::string(angle) + "_rate", motion.at(t), basis), slope, 2e-12) << angle << " " << t;
+    }
 }
 
 // The five masses of the lecture's eq (2) to (12) in flight, their sums by hand (PHYSICS, eq 1 to 10): 6 kg.
