@@ -140,6 +140,7 @@ struct PlotFigure::Plan {
   }
 
   std::vector<PlotValue> values(double filmTime_s) const;
+  double type_px(const Sizing& sizing) const;
   PlotPen pen(const Sizing& sizing, glm::vec2 panel_px) const;
   double rightRoom(const PlotPen& pen) const;
   void addPath(draw::Picture& picture, const std::vector<PlotPoint>& points, const PixelBox& area,
@@ -164,9 +165,12 @@ double PlotFigure::Plan::rightRoom(const PlotPen& pen) const {
   return isPortrait() ? 0 : valuesWidth(values(0), valueFormat(frame.y, pen.decimalSign), pen);
 }
 
+double PlotFigure::Plan::type_px(const Sizing& sizing) const {
+  return style.textSize * std::max(kType * sizing.type_px, sizing.least_px);
+}
+
 PlotPen PlotFigure::Plan::pen(const Sizing& sizing, glm::vec2 panel_px) const {
-  const double type_px = style.textSize * std::max(kType * sizing.type_px, sizing.least_px);
-  PlotPen pen{colors, type_px, sizing.line_px * style.lineWidth, style.decimalSign};
+  PlotPen pen{colors, type_px(sizing), sizing.line_px * style.lineWidth, style.decimalSign};
   const PixelBox panel{0, 0, static_cast<double>(panel_px.x), static_cast<double>(panel_px.y)};
   const auto small = [&] {
     PlotFrame any = frame;
@@ -254,6 +258,10 @@ PlotFigure::~PlotFigure() = default;
 PlotFigure::PlotFigure(PlotFigure&&) noexcept = default;
 
 const PlotRanges& PlotFigure::ranges() const { return plan_->ranges; }
+
+double PlotFigure::typeShare(const Cell& cell, const Sizing& sizing) const {
+  return plan_->pen(sizing, cell.size_px).em_px / plan_->type_px(sizing);
+}
 
 PlotSides PlotFigure::sides(const Cell& cell, const Sizing& sizing) const {
   if (plan_->isPortrait()) return {};

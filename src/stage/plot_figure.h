@@ -41,6 +41,9 @@ class PlotFigure {
   /// Of its curves, with those that it was made for.
   const PlotRanges& ranges() const;
 
+  /// What of its type's size fits into a cell: 1, or less in a small one.
+  double typeShare(const Cell& cell, const Sizing& sizing) const;
+
   /// What it needs beside its axis of time; of a phase portrait nothing, which has no such axis.
   PlotSides sides(const Cell& cell, const Sizing& sizing) const;
 

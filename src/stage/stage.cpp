@@ -183,9 +183,12 @@ PictureWriting Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizin
   return pictureWriting(scene_, things, size_px, sizing, colors_);
 }
 
-// Plots that stand right under one another have one axis of time.
-void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& sizing,
+// Type of one size, which fits into the smallest; plots that stand right under one another have one axis of time.
+void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& own,
                      double filmTime_s) const {
+  double share = 1;
+  for (std::size_t i = 0; i < plots_.size(); ++i) share = std::min(share, plots_[i].typeShare(cells[i], own));
+  const Sizing sizing{share * own.type_px, own.line_px, own.least_px};
   const auto inLine = [](const Cell& a, const Cell& b) {
     return a.origin_px.x == b.origin_px.x && a.size_px.x == b.size_px.x;
   };

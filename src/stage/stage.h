@@ -67,8 +67,7 @@ class Stage final : public Composer {
   bool writesOverView() const { return views_.size() == 1 && plots_.empty(); }
   std::vector<PanelFrame> framesOf(draw::Picture& picture, const std::vector<Cell>& cells, const Sizing& sizing,
                                    const PictureWriting& writing) const;
-  void addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& sizing,
-                double filmTime_s) const;
+  void addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& own, double filmTime_s) const;
   void makeRoomFor(const PictureWriting& writing, PanelFrame& frame) const;
 
   /// Under the panels, for captions; 0 without any.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ink.h"
 #include "scene_samples.h"
@@ -47,6 +48,22 @@ void expectApartAndInside(const Picture& picture) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE(near(ink, all[j].second)) << all[i].first << " and " << all[j].first;
   }
+}
+
+// A wide plot beside narrow ones: the numbers at all their axes are of one size, that of the narrowest.
+TEST(Panels, PlotsHaveTypeOfOneSize) {
+  const auto sizes = [](const std::string& plots) {
+    std::set<float> all;
+    for (const draw::Text& text : Stage(sample(kTime + plots)).compose(0, {640, 360}).texts)
+      if (text.tex == "$0$" || text.tex == "$5$") all.insert(text.size_px);
+    return all;
+  };
+  const std::string wide = "[[view]]\n[[plot]]\nquantities = [\"T\"]\nat = [0, 1]\nspan = [4, 1]\n";
+  const std::string narrow = "[[plot]]\nquantities = [\"omega_1\", \"omega_2\", \"omega_3\"]\nat = [1, 0]\n";
+  const auto alone = sizes(wide), beside = sizes(wide + narrow);
+  ASSERT_EQ(alone.size(), 1u);
+  ASSERT_EQ(beside.size(), 1u);
+  EXPECT_LT(*beside.begin(), *alone.begin());
 }
 
 TEST(Panels, TypeIsInsideThePictureAndApart) {
