@@ -54,11 +54,11 @@ void expectApartAndInside(const Picture& picture) {
 TEST(Panels, PlotsHaveTypeOfOneSize) {
   const auto sizes = [](const std::string& plots) {
     std::set<float> all;
-    for (const draw::Text& text : Stage(sample(kTime + plots)).compose(0, {640, 360}).texts)
+    for (const draw::Text& text : Stage(sample(kTime + plots)).compose(0, {1280, 720}).texts)
       if (text.tex == "$0$" || text.tex == "$5$") all.insert(text.size_px);
     return all;
   };
-  const std::string wide = "[[view]]\n[[plot]]\nquantities = [\"T\"]\nat = [0, 1]\nspan = [4, 1]\n";
+  const std::string wide = "[[view]]\n[[plot]]\nquantities = [\"T\"]\nat = [0, 1]\nspan = [5, 1]\n";
   const std::string narrow = "[[plot]]\nquantities = [\"omega_1\", \"omega_2\", \"omega_3\"]\nat = [1, 0]\n";
   const auto alone = sizes(wide), beside = sizes(wide + narrow);
   ASSERT_EQ(alone.size(), 1u);

@@ -96,8 +96,8 @@ TEST(Readouts, AreInTheUnitThatWasAskedFor) {
   };
   EXPECT_EQ(inUnit(QuantityUnit::kRadianPerSecond, {1, 1, 1}, "rpm", 1), "$9.549$$\\,\\mathrm{rpm}$");
   EXPECT_EQ(inUnit(QuantityUnit::kRadianPerSecond, {2e5, 2e5, 2e5}, "rad/s", 2e5), "$200000$$\\,\\mathrm{rad/s}$");
-  EXPECT_EQ(inUnit(QuantityUnit::kAngle, {0.5, 0.5, 1}, "rad", 0.5), "$0.500$$\\,\\mathrm{rad}$");
-  EXPECT_EQ(inUnit(QuantityUnit::kAngle, {0.5, 0.5, 1}, "deg", 0.5), "$28.6$$\\degree$");
+  EXPECT_EQ(inUnit(QuantityUnit::kAngle, {0.5, 0.5, 1}, "rad", 0.5), "$0.5000$$\\,\\mathrm{rad}$");
+  EXPECT_EQ(inUnit(QuantityUnit::kAngle, {0.5, 0.5, 1}, "deg", 0.5), "$28.65$$\\degree$");
   EXPECT_EQ(inUnit(QuantityUnit::kAction, {0.25, 0.25, 0.25}, "g m^2/s", 0.25), "$250.0$$\\,\\mathrm{g\\,m^2/s}$");
   EXPECT_EQ(textsAt(top("[[readout]]\nquantity = \"omega_3\"\nunit = \"deg/s\"\n"), 0).at(0).unit,
             "$\\,\\mathrm{deg/s}$");
