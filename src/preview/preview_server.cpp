@@ -25,7 +25,7 @@
 #include "preview/watched_scene.h"
 
 // Of page.html.
-extern "C" const char poinsot_preview_page[], poinsot_preview_page_end[];
+extern "C" const char poinsot_preview_page[];
 
 namespace poinsot::preview {
 namespace {
@@ -184,9 +184,7 @@ class PreviewServer::Site {
   void addRoutes() {
     const std::string root = "/" + token_;
     server_.Get(root + "/", [](const Request&, Response& response) {
-      response.set_content(poinsot_preview_page,
-                           static_cast<std::size_t>(poinsot_preview_page_end - poinsot_preview_page),
-                           "text/html; charset=utf-8");
+      response.set_content(poinsot_preview_page, "text/html; charset=utf-8");
     });
     server_.Get(root + "/scene", [this](const Request& request, Response& response) {
       const auto known = static_cast<int>(number(request, "after").value_or(-1));
