@@ -81,8 +81,9 @@ def main():
     built = build(stage(options), options.work)
     shutil.rmtree(options.out, ignore_errors=True)
     shutil.copytree(built, options.out)
-    print(f'poinsot: {options.out}/index.html is ready; to read it on another machine: '
-          f'python3 -m http.server -b 127.0.0.1 -d {options.out} 8000, through ssh -L 8000:127.0.0.1:8000', file=sys.stderr)
+    print(f'poinsot: {options.out}/index.html is ready\n'
+          f'poinsot: to read it from another machine (ssh -L 8000:127.0.0.1:8000): '
+          f'python3 -m http.server -b 127.0.0.1 -d {options.out} 8000', file=sys.stderr)
 
 
 if __name__ == '__main__':

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "core/expect.h"
 #include "output/yuv_weights.h"
@@ -32,8 +33,11 @@ std::uint8_t weighed(const Weights& w, std::int32_t r, std::int32_t g, std::int3
   return static_cast<std::uint8_t>((w.r * r + w.g * g + w.b * b + offset) >> kShift);
 }
 
+/// Where a pixel of a row begins.
+constexpr std::ptrdiff_t pixelAt(int x, int channels) { return std::ptrdiff_t{x} * channels; }
+
 void lumaRow(const std::uint8_t* rgb, int channels, int from, int to, std::uint8_t* y) {
-  rgb += from * channels;
+  rgb += pixelAt(from, channels);
   for (int x = from; x < to; ++x, rgb += channels) y[x] = weighed(kLuma, rgb[0], rgb[1], rgb[2], kLumaOffset);
 }
 
@@ -119,7 +123,7 @@ void fastLumaRow(const std::uint8_t* rgb, const Columns& columns, std::uint8_t* 
   const __m128i offset = _mm_set1_epi32(kLumaOffset);
   const int end = vectorEnd<kChannels>(columns, 4);
   for (int x = columns.from; x < end; x += 4) {
-    const __m128i p = fourPixels<kChannels>(rgb + x * kChannels);
+    const __m128i p = fourPixels<kChannels>(rgb + pixelAt(x, kChannels));
     store4(y + x, weighed(luma, lowHalf(p), highHalf(p), offset));
   }
   lumaRow(rgb, kChannels, end, columns.to, y);
@@ -133,7 +137,8 @@ struct RowSums {
 template <int kChannels>
 RowSums rowSums(const std::uint8_t* upper, const std::uint8_t* lower) {
   const __m128i a = fourPixels<kChannels>(upper), b = fourPixels<kChannels>(lower);
-  const __m128i c = fourPixels<kChannels>(upper + 4 * kChannels), d = fourPixels<kChannels>(lower + 4 * kChannels);
+  constexpr std::ptrdiff_t kNext = pixelAt(4, kChannels);
+  const __m128i c = fourPixels<kChannels>(upper + kNext), d = fourPixels<kChannels>(lower + kNext);
   return {_mm_add_epi16(lowHalf(a), lowHalf(b)), _mm_add_epi16(highHalf(a), highHalf(b)),
           _mm_add_epi16(lowHalf(c), lowHalf(d)), _mm_add_epi16(highHalf(c), highHalf(d))};
 }
@@ -160,7 +165,7 @@ void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, const C
   const int left = std::max(columns.from - 1, 0) * kChannels;  // column 0 stands in for -1
   __m128i before = pixelSum(upper + left, lower + left);
   for (int x = columns.from; x < end; x += 8) {
-    const RowSums v = rowSums<kChannels>(upper + x * kChannels, lower + x * kChannels);
+    const RowSums v = rowSums<kChannels>(upper + pixelAt(x, kChannels), lower + pixelAt(x, kChannels));
     const __m128i s01 = _mm_unpacklo_epi64(weighed121(before, v.p01), weighed121(v.p01, v.p23));
     const __m128i s23 = _mm_unpacklo_epi64(weighed121(v.p23, v.p45), weighed121(v.p45, v.p67));
     before = v.p67;

@@ -15,6 +15,8 @@
 #include <string_view>
 #include <system_error>
 
+#undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
+
 #include "app/sweep_cells.h"
 #include "app/trajectory_number.h"
 #include "core/base64.h"

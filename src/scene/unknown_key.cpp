@@ -77,7 +77,7 @@ std::optional<std::string> elsewhere(std::string_view path) {
   if (isColor(name)) return colorOf(tableOf(path));
   for (const auto& [known, key] : kKnownElsewhere)
     if (name == known) return std::string(key);
-  if (const auto found = deeper(tableOf(path), name)) return found;
+  if (auto found = deeper(tableOf(path), name)) return found;
   return sameName(name);
 }
 
@@ -120,7 +120,7 @@ std::string unknownTable(std::string_view path, std::string_view table) {
 
 std::optional<std::string> meant(std::string_view path) {
   if (nameOf(path).size() > kLongestName) return std::nullopt;
-  if (const auto near = misspelt(tableOf(path), nameOf(path))) return near;
+  if (auto near = misspelt(tableOf(path), nameOf(path))) return near;
   return elsewhere(path);
 }
 

@@ -43,7 +43,7 @@ class TheSite(unittest.TestCase):
 
     def test_is_built_without_a_warning(self):
         self.assertEqual(self.built.returncode, 0, self.built.stderr)
-        self.assertRegex(self.built.stderr, r'^poinsot: making the films of the gallery\npoinsot: \S+/index.html is ready\n$')
+        self.assertRegex(self.built.stderr, r'^poinsot: making the films of the gallery\npoinsot: \S+/index.html is ready\npoinsot: to read it .*\n$')
 
     def test_has_a_page_for_each_of_docs(self):
         for page in (ROOT / 'docs').glob('*.md'):

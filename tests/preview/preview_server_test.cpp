@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
+
 #include "core/error.h"
 #include "preview/watched_scene.h"
 #include "support/scratch_folder.h"
