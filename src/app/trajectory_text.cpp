@@ -15,8 +15,8 @@
 namespace poinsot::app {
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;       // a pipe's capacity
-constexpr std::size_t kLongestRow = 15 * 32;  // reserved beyond a piece, so that it never grows
+constexpr std::size_t kPiece = 1 << 16;   // a pipe's capacity
+constexpr std::size_t kLongestRow = 480;  // of 15 numbers, reserved beyond a piece: it never grows
 
 constexpr const char* kJsonFormat = "poinsot trajectory 1";
 constexpr const char* kAxes =

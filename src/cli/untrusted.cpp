@@ -15,7 +15,7 @@ using scene::Limit;
 // Of address space, for what is allowed of memory: the driver and its compiler take much that they never touch.
 constexpr std::uint64_t kAddressSpace = 4;
 // A run may take as long where nobody said how long.
-constexpr std::uint64_t kMostCpu_s = 24 * 3600;
+constexpr std::uint64_t kMostCpu_s = std::uint64_t{24} * 3600;
 
 bool isFile(const std::string& name) { return !name.empty() && name != "-"; }
 

@@ -127,7 +127,7 @@ std::string gifBlocks(Reader& reader) {
 }
 
 void skipGifColors(Reader& reader, std::uint8_t flags) {
-  if ((flags & 0x80) != 0) reader.skip(3 * (2 << (flags & 7)));
+  if ((flags & 0x80) != 0) reader.skip(std::int64_t{6} << (flags & 7));
 }
 
 Found readGif(Reader reader) {

@@ -46,7 +46,7 @@ namespace poinsot::output {
 struct Ffmpeg {
   Ffmpeg();
 
-#define POINSOT_MEMBER(function) decltype(&::function) function;
+#define POINSOT_MEMBER(function) decltype(&::function) function;  // NOLINT(bugprone-macro-parentheses): a name
   POINSOT_AVUTIL_FUNCTIONS(POINSOT_MEMBER)
   POINSOT_AVCODEC_FUNCTIONS(POINSOT_MEMBER)
   POINSOT_AVFORMAT_FUNCTIONS(POINSOT_MEMBER)

@@ -18,7 +18,7 @@ namespace poinsot::output {
 struct Imagequant {
   Imagequant();
 
-#define POINSOT_MEMBER(function) decltype(&::function) function;
+#define POINSOT_MEMBER(function) decltype(&::function) function;  // NOLINT(bugprone-macro-parentheses): a name
   POINSOT_IMAGEQUANT_FUNCTIONS(POINSOT_MEMBER)
 #undef POINSOT_MEMBER
   /// Of the OpenMP that this library was built with; null if with none. Others in the process are left alone.

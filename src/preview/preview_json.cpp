@@ -62,6 +62,13 @@ json viewsOf(const scene::Scene& scene) {
   return views;
 }
 
+/// What the file says and may be a slip.
+json notesOf(const scene::Scene& scene) {
+  json notes = json::array();
+  for (const scene::Doubt& doubt : scene.doubts) notes.push_back(toString(doubt));
+  return notes;
+}
+
 /// `sweep`: of its first cell; all of them are turned together.
 json filmOf(const scene::Scene& scene, bool sweep, const app::UnitChoice& units) {
   json quantities = json::array();
@@ -75,6 +82,7 @@ json filmOf(const scene::Scene& scene, bool sweep, const app::UnitChoice& units)
           {"sweep", sweep},
           {"panels", sweep ? 1 : scene.views.size() + scene.plots.size()},
           {"views", sweep ? json::array() : viewsOf(scene)},
+          {"notes", notesOf(scene)},
           {"physics", physicsOf(scene, units)},
           {"quantities", std::move(quantities)}};
 }

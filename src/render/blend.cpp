@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "core/expect.h"
@@ -39,7 +40,7 @@ class Blender {
       const float over = color_[static_cast<glm::length_t>(c)];
       blended_[c] = draw::srgbFromLinear<Sample>((over * share + under * below * (1 - share)) / alpha);
     }
-    blended_[3] = static_cast<Sample>(alpha * kMost + 0.5f);
+    blended_[3] = static_cast<Sample>(std::lround(alpha * kMost));
   }
 
   static constexpr float kMost = image::BasicImage<Sample>::kMost;
@@ -92,7 +93,7 @@ PixelBounds eraseCoverage(const text::CoverageMap& map, float opacity, image::Ba
   POINSOT_EXPECT(picture.channels == 4);
   return forEachCovered(map, picture, [&](Sample* pixel, std::uint8_t coverage) {
     const float left = 1 - opacity * static_cast<float>(coverage) / 255.0f;
-    pixel[3] = static_cast<Sample>(left * static_cast<float>(pixel[3]) + 0.5f);
+    pixel[3] = static_cast<Sample>(std::lround(left * static_cast<float>(pixel[3])));
   });
 }
 

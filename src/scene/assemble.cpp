@@ -32,7 +32,7 @@ std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const 
   const std::optional<Body> body = assembleBody(draft, findings, folder);
   scene.motion.forcing = assembleForcing(draft, body ? &*body : nullptr, findings, folder);
   scene.motion.flight = assembleFlight(draft, findings);
-  const auto rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
+  auto rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
   if (body) scene.body = *body;
   return rest;
 }

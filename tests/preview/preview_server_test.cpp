@@ -87,12 +87,21 @@ TEST_F(Preview, TellsTheFilmAndThePhysics) {
   EXPECT_EQ(told["error"], "");
   EXPECT_EQ(told["film"]["frames"], 60);
   EXPECT_EQ(told["film"]["size"], json({320, 180}));
+  EXPECT_EQ(told["film"]["notes"], json::array());
   EXPECT_EQ(told["film"]["physics"][0]["title"].get<std::string>().substr(0, 4), "Body");
   const json series = json::parse(get("series?name=omega_2&name=T")->body);
   EXPECT_EQ(series["series"].size(), 2u);
   EXPECT_EQ(series["series"][0]["values"].size(), series["times_s"].size());
   EXPECT_DOUBLE_EQ(series["series"][0]["values"][0], 3);
   EXPECT_NEAR(series["series"][1]["values"].back().get<double>(), (0.01 + 2 * 9 + 3 * 0.01) / 2, 1e-12);
+}
+
+TEST_F(Preview, TellsWhatMayBeASlip) {
+  save("a.toml", kScene + std::string("[camera]\nazimuth = 2\n"));
+  const json film = scene(1)["film"];
+  ASSERT_EQ(film["notes"].size(), 1u);
+  EXPECT_THAT(film["notes"][0].get<std::string>(),
+              HasSubstr("a.toml:10:11: note: camera.azimuth: 2 is in radians"));
 }
 
 TEST_F(Preview, ShowsOneViewOfSeveral) {
