@@ -79,6 +79,8 @@ void ConventionSearch::addOmega(const Vector3d& ours, const Vector3d& other, con
   if (!theirs.allFinite() || size == 0) return;
   omega_.add((theirs - ours).squaredNorm() / size);
   omegaInOtherFrame_.add((theirs - other).squaredNorm() / size);
+  omegaInDegrees_.add((EIGEN_PI / 180 * theirs - ours).squaredNorm() / size);
+  omegaInRpm_.add((EIGEN_PI / 30 * theirs - ours).squaredNorm() / size);
 }
 
 std::string ConventionSearch::attitudeHint() const {
@@ -109,14 +111,20 @@ std::string ConventionSearch::turnHint(std::string_view axes, const Quaterniond&
   return fmt::format("the attitudes fit if {} are turned by {}: are they the scene's?", axes, turnText(turn));
 }
 
+std::string ConventionSearch::omegaHint() const {
+  if (omegaInOtherFrame_.muchLessThan(omega_))
+    return "omega fits the columns of the other frame: omega_B is along the body's axes, omega_W along those of "
+           "space";
+  if (omegaInDegrees_.muchLessThan(omega_)) return "omega fits in deg/s: its columns are in rad/s";
+  if (omegaInRpm_.muchLessThan(omega_)) return "omega fits in rpm: its columns are in rad/s";
+  return "";
+}
+
 std::vector<std::string> ConventionSearch::hints() const {
   std::vector<std::string> hints;
   if (bodyTurn_)
     if (std::string hint = attitudeHint(); !hint.empty()) hints.push_back(std::move(hint));
-  if (omegaInOtherFrame_.muchLessThan(omega_))
-    hints.emplace_back(
-        "omega fits the columns of the other frame: omega_B is along the body's axes, omega_W along "
-        "those of space");
+  if (std::string hint = omegaHint(); !hint.empty()) hints.push_back(std::move(hint));
   return hints;
 }
 

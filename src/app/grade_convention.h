@@ -13,7 +13,7 @@ namespace poinsot::app {
 
 /// Tells a motion that is wrong from one that is written down otherwise: reads each row in the ways that are usual
 /// elsewhere, too (order of a quaternion, its conjugate, axes of the body or of space turned once and for all,
-/// omega along the other axes), and finds which way fits.
+/// omega along the other axes or in other units), and finds which way fits.
 class ConventionSearch {
  public:
   /// q_WB: unit quaternions; theirs as it was read.
@@ -40,11 +40,12 @@ class ConventionSearch {
 
   Eigen::Quaterniond read(Reading reading, const Eigen::Quaterniond& theirs) const;
   std::string attitudeHint() const;
+  std::string omegaHint() const;
   static std::string turnHint(std::string_view axes, const Eigen::Quaterniond& turn);
 
   std::optional<Eigen::Quaterniond> bodyTurn_, spaceTurn_;  ///< that make the first row fit
   std::array<Misfit, kReadings> attitude_;
-  Misfit omega_, omegaInOtherFrame_;
+  Misfit omega_, omegaInOtherFrame_, omegaInDegrees_, omegaInRpm_;
 };
 
 }  // namespace poinsot::app

@@ -126,8 +126,19 @@ class Reader {
 
   bool has(std::size_t column) const { return std::ranges::find(known_, column) != known_.end(); }
 
+  /// ", not qx, qy": the names that say nothing to us; a few.
+  std::string foreign() const {
+    std::string names;
+    for (std::size_t i = 0, count = 0; i < fields_.size() && count < 8; ++i)
+      if (columns_[i] == kForeign && ++count > 0)
+        names += (names.empty() ? "" : ", ") + core::printable(std::string(fields_[i].text));
+    return names.empty() ? "" : ", not " + names;
+  }
+
   /// What to say of a first line without t.
   std::string withoutTime() const {
+    if (fields_.size() == 1 && fields_[0].text.find(';') != std::string_view::npos)
+      return "semicolons: columns are separated by commas here, and numbers have a decimal point";
     if (parseNumber(fields_[0].text))
       return "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
     const auto field = std::ranges::find_if(fields_, [](const Field& f) { return meansTime(f.text); });
@@ -140,7 +151,8 @@ class Reader {
     if (!has(kTimeAt)) fail(withoutTime(), number_);
     for (const Vector& vector : kVectors) checkVector(vector);
     if (!has(kQAt) && !has(kOmegaBAt) && !has(kOmegaWAt))
-      fail("no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z", number_);
+      fail("no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z" + foreign(),
+           number_);
   }
 
   void checkVector(const Vector& vector) const {

@@ -163,8 +163,10 @@ std::string reportTable(const Report& report, int digits) {
   Widths widths;
   for (const Section& section : report.sections) {
     std::vector<Row>& rows = sections.emplace_back();
-    for (const Fact& fact : section.facts)
-      widths.include(rows.emplace_back(fact.label, fact.from, factLines(fact, digits)));
+    for (const Fact& fact : section.facts) {
+      rows.push_back({fact.label, fact.from, factLines(fact, digits)});
+      widths.include(rows.back());
+    }
   }
   std::string text = core::printable(report.scene) + '\n';
   for (std::size_t i = 0; i < sections.size(); ++i) {

@@ -52,12 +52,13 @@ void checkStandardOutput() {
                       "-o -: standard output is a terminal; send it to a program or a file");
 }
 
-/// The folder of results by default. False when it is missing and a dry run leaves it so.
+/// The folder of results, out/, also where it was named. False when it is missing and a dry run leaves it so.
 bool prepareDefaultFolder(const RenderOptions& options, const app::OutputTarget& target) {
   const auto folder = target.path.parent_path();
+  const bool results = options.output.empty() || folder == "out";
   std::error_code ignored;  // if it cannot be made, the check of the target says so
-  if (options.output.empty() && !options.dryRun) std::filesystem::create_directory(folder, ignored);
-  return !options.output.empty() || std::filesystem::exists(folder, ignored);
+  if (results && !options.dryRun) std::filesystem::create_directory(folder, ignored);
+  return !results || std::filesystem::exists(folder, ignored);
 }
 
 /// A sequence makes its folder; every other target was checked to have one.

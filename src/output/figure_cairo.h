@@ -7,8 +7,10 @@
 
 #include "text/glyph_run.h"
 
+// NOLINTBEGIN(bugprone-reserved-identifier): cairo's own names.
 struct _cairo;
 struct _cairo_font_face;
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace poinsot::output {
 

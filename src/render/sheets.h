@@ -27,7 +27,7 @@ struct SheetChoice {
 /// How many of each kind a shader is made for.
 struct SheetCounts {
   std::size_t ellipsoids = 0, planes = 0, cones = 0, polygons = 0, polygonSides = 0;
-  auto operator<=>(const SheetCounts&) const = default;
+  auto operator<=>(const SheetCounts&) const = default;  // NOLINT(modernize-use-nullptr): of what is made here
   std::size_t constants() const;
   /// How many of them a pixel can show: both walls of an ellipsoid, and of a cone its rim besides.
   std::size_t fragments() const { return 2 * ellipsoids + planes + 3 * cones + polygons; }

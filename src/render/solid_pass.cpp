@@ -26,8 +26,9 @@ void bindInputs(const PassInputs& inputs) {
 
 void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
+  glVertexAttribPointer(
+      index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+      reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr): so OpenGL has it
 }
 
 }  // namespace poinsot::render

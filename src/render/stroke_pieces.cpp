@@ -181,8 +181,11 @@ std::vector<StrokePiece> strokePieces(const draw::Stroke& stroke, const PixelBou
     const auto parts = dashed ? dashesIn(seen, static_cast<double>(stroke.dash_px)) : std::vector<Range>{seen};
     for (const Range& part : parts) {
       const double end = loop && part.to == path.length() ? part.to + overlap : part.to;
-      for (double s = part.from; s < part.to; s += step)
+      const auto count = static_cast<int>(std::ceil((part.to - part.from) / step));
+      for (int i = 0; i < count; ++i) {
+        const double s = part.from + i * step;
         pieces.push_back(path.piece({s, std::min(s + step + overlap, end)}));
+      }
     }
   }
   return pieces;

@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace poinsot::render {
+namespace {
+
+int tileOf(float px) { return static_cast<int>(px) / kTile_px; }
+
+}  // namespace
 
 void TileMemory::beginPicture(glm::ivec2 size_px, Constants common) {
   if (ended_ && size_px == size_px_ && common == common_) {
@@ -15,7 +20,7 @@ void TileMemory::beginPicture(glm::ivec2 size_px, Constants common) {
     common_ = std::move(common);
     last_.clear();
     current_.clear();
-    shown_.assign(static_cast<std::size_t>(tiles_.x * tiles_.y), 0);
+    shown_.assign(static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y), 0);
     names_ = 0;
   }
   ended_ = false;
@@ -32,9 +37,11 @@ int TileMemory::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
   return current_.back().name;
 }
 
-int& TileMemory::shownAt(const PixelBounds& tile) {
-  const int column = static_cast<int>(tile.left) / kTile_px, row = static_cast<int>(tile.top) / kTile_px;
-  return shown_[static_cast<std::size_t>(row * tiles_.x + column)];
+int& TileMemory::shownAt(const PixelBounds& tile) { return shownAt(tileOf(tile.left), tileOf(tile.top)); }
+
+int& TileMemory::shownAt(int column, int row) {
+  return shown_[static_cast<std::size_t>(row) * static_cast<std::size_t>(tiles_.x) +
+                static_cast<std::size_t>(column)];
 }
 
 bool TileMemory::shows(const PixelBounds& tile, const SheetChoice& chosen, const Sheets& sheets) {
@@ -45,10 +52,9 @@ bool TileMemory::shows(const PixelBounds& tile, const SheetChoice& chosen, const
 void TileMemory::forget(const PixelBounds& place) {
   const PixelBounds p = place.clipped(size_px_);
   if (p.empty()) return;
-  constexpr float side = kTile_px;
-  for (float y = p.top - static_cast<float>(static_cast<int>(p.top) % kTile_px); y < p.bottom; y += side)
-    for (float x = p.left - static_cast<float>(static_cast<int>(p.left) % kTile_px); x < p.right; x += side)
-      shownAt({x, y, x + side, y + side}) = 0;
+  const auto beginsBefore = [](int tile, float end) { return static_cast<float>(tile * kTile_px) < end; };
+  for (int row = tileOf(p.top); beginsBefore(row, p.bottom); ++row)
+    for (int column = tileOf(p.left); beginsBefore(column, p.right); ++column) shownAt(column, row) = 0;
 }
 
 }  // namespace poinsot::render

@@ -34,6 +34,7 @@ class TileMemory {
 
   int nameOf(const SheetChoice& chosen, const Sheets& sheets);
   int& shownAt(const PixelBounds& tile);
+  int& shownAt(int column, int row);
 
   glm::ivec2 size_px_{0}, tiles_{0};
   Constants common_;

@@ -65,6 +65,7 @@ Output assembleOutput(const Draft& draft) {
 }  // namespace
 
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
+  leaveOutOfFlight(findings, draft.scene.show);
   askForShown(draft, findings);
   Scene scene = draft.scene;
   std::optional<Rest> rest;

@@ -230,11 +230,24 @@ class Checker {
     for (std::size_t i = 0; i < key_.words.size(); ++i)
       if (key_.words[i] == given) return Checked(Word{static_cast<int>(i)});
     if (!value) return refuseType(node);
-    std::string message = fmt::format("expected {}, got {}", wordsText(key_), describe(node));
-    const std::vector<std::string> words(key_.words.begin(), key_.words.end());
-    if (value->size() <= 64)
-      if (const auto near = core::closest(*value, words)) message += fmt::format("; did you mean \"{}\"?", *near);
-    return refuse(node, message);
+    const auto near = meantWord(*value);
+    // Of many words the list would hide what is meant.
+    const std::string expected =
+        near && !key_.wordList.empty() ? fmt::format("one of the {}", key_.wordList) : wordsText(key_);
+    const std::string hint = near ? fmt::format("; did you mean \"{}\"?", *near) : "";
+    return refuse(node, fmt::format("expected {}, got {}{}", expected, describe(node), hint));
+  }
+
+  /// "omega_1" for "omega1", "omega" for "omega_magnitude".
+  std::optional<std::string> meantWord(const std::string& given) const {
+    constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time
+    constexpr std::size_t kAddition = 3;  // letters after the underscore: fewer are an axis
+    if (given.size() > kLongest) return std::nullopt;
+    const std::size_t begin = given.find('_');
+    if (!key_.wordList.empty() && begin != std::string::npos && given.size() > begin + kAddition)
+      if (std::ranges::find(key_.words, std::string_view(given).substr(0, begin)) != key_.words.end())
+        return given.substr(0, begin);
+    return core::closest(given, {key_.words.begin(), key_.words.end()});
   }
 
   std::optional<Checked> someWords(const Node& node) {

@@ -87,9 +87,17 @@ std::string unbracketed(std::string_view word) {
   return patternOf(word);
 }
 
+/// "body.part.mass" for "body.part[].mass".
+std::string withoutBrackets(std::string path) {
+  for (auto at = path.find("[]"); at != std::string::npos; at = path.find("[]")) path.erase(at, 2);
+  return path;
+}
+
 Explanations ofPath(std::string_view word) {
   const std::string path = unbracketed(word);
   if (const Key* key = findKey(path)) return {ofKey(*key)};
+  for (const Key& key : keys())
+    if (withoutBrackets(key.path) == path) return {ofKey(key)};
   const std::string array = path + "[]";
   for (const std::string_view table : tables())
     if (!table.empty() && (table == path || table == array)) return {ofTable(table)};
@@ -126,6 +134,27 @@ Explanations ofWord(std::string_view word) {
   return found;
 }
 
+Explanations ofUnit(std::string_view word) {
+  Explanations found;
+  for (const Dimension dimension : dimensions())
+    if (const Quantity one = parseQuantity(fmt::format("1 {}", word), dimension); one.ok())
+      found.push_back({fmt::format("{}, a unit of {}", core::printable(word), pluralName(dimension)),
+                       fmt::format("1 {} is {:.15g} {}.", core::printable(word), one.value, siUnit(dimension)),
+                       {{"units", std::string(usualUnits(dimension))}}});
+  return found;
+}
+
+Explanation ofAllUnits() {
+  Explanation explanation{"units",
+                          "What numbers with a unit are written in, such as \"3 rpm\"; also products of "
+                          "powers of these, such as \"g/cm^3\". A bare number is in the first.",
+                          {}};
+  for (const Dimension dimension : dimensions())
+    explanation.rows.push_back(
+        {std::string(pluralName(dimension)), fmt::format("{}: {}", siUnit(dimension), usualUnits(dimension))});
+  return explanation;
+}
+
 /// Keys that take the word: style.theme for "dark".
 Explanations ofValue(std::string_view word) {
   Explanations found;
@@ -158,7 +187,11 @@ std::vector<Explanation> explain(std::string_view word) {
     std::ranges::move(ofName(word), std::back_inserter(found));
     std::ranges::move(ofWord(word), std::back_inserter(found));
     if (found.empty()) found = ofValue(word);
+    if (word == "units") found = {ofAllUnits()};
+  } else if (found.empty() && nameOf(word) == "color") {
+    found = {ofTable("style.colors")};  // which has them all: body.color, body.part.color
   }
+  if (found.empty()) found = ofUnit(word);
   if (!found.empty()) return found;
   constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time
   const auto near = word.size() > kLongest ? std::nullopt : core::closest(word, known());

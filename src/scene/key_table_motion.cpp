@@ -58,7 +58,9 @@ std::vector<Key> spinKeys() {
        .dimension = kAngularVelocity,
        .range = kSpins,
        .example = "\"3 rev/s\"",
-       .help = "Component of omega along spin_axis, with L leaning from that axis by tilt.",
+       .help = "Component of omega along spin_axis, with L leaning from that axis by tilt. L stands upright; for "
+               "a throw "
+               "end over end give omega_space.",
        .put = into([](Draft& d) { return &d.start.spin; })},
       {.path = "motion.spin_axis",
        .type = kWord,
@@ -136,7 +138,8 @@ std::vector<Key> attitudeKeys() {
        .words = {"auto", "down", "up"},
        .fallback = "\"auto\"",
        .example = "\"up\"",
-       .help = "Which way L points where no orientation is given; auto is down where the plane is shown, so that "
+       .help = "Which way L points where no orientation is given, up or down; auto is down where the plane is "
+               "shown, so that "
                "the ellipsoid rolls on it as on a table, and up elsewhere.",
        .put = into([](Draft& d) { return &d.scene.motion.lPoints; })},
       {.path = "motion.tolerance",

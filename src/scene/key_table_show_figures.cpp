@@ -279,7 +279,8 @@ std::vector<Key> flightKeys(const ShowTable& table) {
   return {
       key.flag(
           "visible", true,
-          "Of a thrown body ([motion.flight]), in views at rest in space: the body moves along, on the path of "
+          "Of a thrown body ([motion.flight]), in views at rest in space: the body moves along, without Poinsot's "
+          "construction unless that is asked for, on the path of "
           "its "
           "centre of mass, which is drawn. Without it a picture goes with the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.visible; }),

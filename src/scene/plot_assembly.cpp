@@ -104,7 +104,8 @@ void assembleNotes(const Draft& draft, Findings& findings, Scene& scene) {
     require(quantity, "\"t\"", findings);
     const Readout& readout = scene.readouts.emplace_back(elementOrNone(draft.readouts, i));
     checkExists(readout.quantity, quantity, scene, findings);
-    if (findings.has(quantity)) checkUnit(readout.unit, readout.quantity, path + ".unit", findings);
+    if (findings.has(quantity) && !findings.failed(quantity))
+      checkUnit(readout.unit, readout.quantity, path + ".unit", findings);
   }
   for (std::size_t i = 0; i < findings.count("note"); ++i) {
     require(fmt::format("note[{}].text", i), "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'",

@@ -12,11 +12,11 @@
 #include "scene/assemble.h"
 #include "scene/check.h"
 #include "scene/document.h"
+#include "scene/doubtful_values.h"
 #include "scene/film_loop.h"
 #include "scene/style_file.h"
 #include "scene/sweep.h"
 #include "scene/text_lines.h"
-#include "scene/whole_angles.h"
 
 namespace poinsot::scene {
 namespace {
@@ -179,7 +179,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   problems.throwIfAny();
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();
-  doubtWholeAngles(leaves, findings);
+  doubtValues(leaves, findings);
   scene.doubts = findings.doubts();
   scene.motion.mostSteps = static_cast<double>(limits[Limit::kSteps]);
   return scene;

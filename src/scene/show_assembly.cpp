@@ -92,6 +92,12 @@ void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const 
 
 }  // namespace
 
+void leaveOutOfFlight(const Findings& findings, Show& show) {
+  if (!findings.hasTable("motion.flight") || !show.figures.flight.visible) return;
+  for (const Thing& thing : construction(show))
+    if (!findings.hasBelow(fmt::format("show.{}", thing.name))) thing.visible = false;
+}
+
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show) {
   ShapeReader reader(draft.drawn, "show.body", findings, folder);
   if (!reader.given() || findings.failed("show.body.shape")) return;

@@ -11,6 +11,9 @@
 
 namespace poinsot::scene {
 
+/// Of a thrown body Poinsot's construction is drawn where it is asked for; before anything is.
+void leaveOutOfFlight(const Findings& findings, Show& show);
+
 /// What is drawn in place of the body, into show.body; what is wrong goes to `findings`.
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show);
 

@@ -22,11 +22,11 @@ constexpr const char* kTimes = R"(( +| *(\*|·) *))";
 
 constexpr const char* kOver = "( */ *)";
 
-/// A unit to a power: "(m|cm)(\^2|²)".
+/// A unit to a power: "(m|cm)(\^?2|²)".
 std::string power(const std::string& names, int exponent) {
   if (exponent == 1) return names;
   const std::string superscript = exponent == 2 ? "|²" : exponent == 3 ? "|³" : "";
-  return fmt::format(R"({}(\^{}{}))", names, exponent, superscript);
+  return fmt::format(R"({}(\^{}{}{}))", names, exponent > 0 ? "?" : "", exponent, superscript);
 }
 
 /// Both in either order.

@@ -46,7 +46,8 @@ constexpr int kMostTerms = 8;
 std::optional<int> takePower(std::string_view& text) {
   if (skip(text, "²")) return 2;
   if (skip(text, "³")) return 3;
-  if (!skip(text, "^")) return 1;
+  const bool bareDigit = !text.empty() && text[0] >= '2' && text[0] <= '0' + kLargestPower;  // cm3
+  if (!skip(text, "^") && !bareDigit) return 1;
   int power = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), power);
   if (status != std::errc() || std::abs(power) > kLargestPower) return std::nullopt;
@@ -83,8 +84,8 @@ bool takeDivisor(std::string_view& text) {
   return true;
 }
 
-// [[1] /] term { (blank | * | ·) term | / term }, term = name [^n | ² | ³]. A '/' divides by the one term after
-// it.
+// [[1] /] term { (blank | * | ·) term | / term }, term = name [^n | n | ² | ³]. A '/' divides by the one term
+// after it.
 ParsedUnit parseUnit(std::string_view text) {
   ParsedUnit parsed;
   const std::string whole = core::printable(text);
@@ -112,17 +113,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "kg m^2" for "kg m2".
-std::string withCarets(std::string_view unit) {
-  std::string text;
-  for (const char c : unit) {
-    const bool digit = c >= '0' && c <= '9';
-    if (digit && !text.empty() && partOfName(std::string_view(text).substr(text.size() - 1))) text += '^';
-    text += c;
-  }
-  return text;
-}
-
 /// "rpm" for "RPM".
 std::string inSmallLetters(std::string_view unit) {
   std::string text(unit);
@@ -131,14 +121,12 @@ std::string inSmallLetters(std::string_view unit) {
   return text;
 }
 
-/// "; did you mean "kg m^2"?" where that would have been a unit of the dimension, else empty.
+/// "; did you mean "rpm"?" where that would have been a unit of the dimension, else empty.
 std::string hint(std::string_view unit, Dimension dimension) {
-  for (const std::string& meant : {withCarets(unit), inSmallLetters(unit)}) {
-    const ParsedUnit parsed = parseUnit(meant);
-    if (parsed.problem.empty() && parsed.unit.exponents == textOf(dimension).exponents)
-      return fmt::format("; did you mean \"{}\"?", core::printable(meant));
-  }
-  return "";
+  const std::string meant = inSmallLetters(unit);
+  const ParsedUnit parsed = parseUnit(meant);
+  const bool known = parsed.problem.empty() && parsed.unit.exponents == textOf(dimension).exponents;
+  return known ? fmt::format("; did you mean \"{}\"?", core::printable(meant)) : "";
 }
 
 std::string expected(Dimension dimension) {

@@ -124,9 +124,18 @@ std::optional<std::string> meant(std::string_view path) {
   return elsewhere(path);
 }
 
+/// Of "motion.omega_body[1]": no key, but one element of one.
+const Key* keyOfElement(std::string_view path) {
+  const auto bracket = path.rfind('[');
+  return path.ends_with(']') && bracket != std::string_view::npos ? findKey(path.substr(0, bracket)) : nullptr;
+}
+
 }  // namespace
 
 std::string unknownKey(std::string_view path) {
+  if (const Key* key = keyOfElement(path))
+    return fmt::format("{}: one element; give all of them, such as {}={}", core::printable(path),
+                       path.substr(0, path.rfind('[')), key->example.empty() ? key->fallback : key->example);
   if (const auto noTable = firstNoTable(path)) return unknownTable(path, *noTable);
   const std::string_view table = tableOf(path);
   if (isTableArray(table)) return withoutIndex(path, table);

@@ -40,8 +40,9 @@ FlightFigure::FlightFigure(const Setting& setting)
 std::vector<Vector3d> FlightFigure::path_V(const PictureState& state, double from_s, double to_s) const {
   const double step_s = motion_.length_s() / kPathSteps;
   std::vector<double> times_s{from_s};
-  for (double k = std::floor(from_s / step_s) + 1; k < std::ceil(to_s / step_s); ++k)
-    times_s.push_back(k * step_s);
+  if (step_s > 0)
+    for (auto k = static_cast<int>(std::floor(from_s / step_s)) + 1; k * step_s < to_s; ++k)
+      times_s.push_back(k * step_s);
   times_s.push_back(to_s);
   std::vector<Vector3d> points;
   for (const double t_s : times_s) points.emplace_back(scale_ * (motion_.atPlayed(t_s).centre_V - state.centre_V));

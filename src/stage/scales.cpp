@@ -61,7 +61,7 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
   double lengthOfL = kLAbove;
   if (construction && longest.omega > 0) {
     const physics::PoinsotConstruction construct(motion.moments(), motion.liveliest().omega_P);
-    const Eigen::Vector3d semiAxes = construct.semiAxes_P();
+    const Eigen::Vector3d& semiAxes = construct.semiAxes_P();
     scales.ellipsoid = show.ellipsoid.scale / semiAxes.maxCoeff();
     const Eigen::Vector3d shown = scales.ellipsoid * semiAxes;
     scales.body = kBodyInEllipsoid * show.body.scale / body.reachIn(shown);

@@ -56,6 +56,12 @@ TEST(GradeTable, MistakesHaveTheirPlace) {
   EXPECT_EQ(complaint("x,y\n"), "a.csv:1: no column t; the first line names the columns, separated by commas");
   EXPECT_EQ(complaint("0,1,2,3\n"),
             "a.csv:1: the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...");
+  EXPECT_EQ(complaint("t;q_w;q_x\n"),
+            "a.csv:1: semicolons: columns are separated by commas here, and numbers have a decimal point");
+  EXPECT_EQ(
+      complaint("t,qx,qy,qz,qw\n"),
+      "a.csv:1: no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z, not qx, qy, "
+      "qz, qw");
   for (const std::string time : {"time", "Time [s]", "t_s", "T (s)"})
     EXPECT_EQ(complaint("q_w," + time + "\n"), "a.csv:1: no column t; is it '" + time + "'?");
   EXPECT_EQ(complaint("torque,title\n"),

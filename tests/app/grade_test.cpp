@@ -103,6 +103,19 @@ TEST(Grade, SaysThatOmegaIsOfTheOtherFrame) {
               ElementsAre(HasSubstr("omega fits the columns of the other frame")));
 }
 
+TEST(Grade, SaysThatOmegaIsInOtherUnits) {
+  const auto notes = [](double perSi) {
+    return gradeOf(
+               writtenAs("omega_B_x,omega_B_y,omega_B_z",
+                         [perSi](const auto& s) {
+                           return std::vector{perSi * s.omega_B[0], perSi * s.omega_B[1], perSi * s.omega_B[2]};
+                         }))
+        .notes;
+  };
+  EXPECT_THAT(notes(180 / EIGEN_PI), ElementsAre(HasSubstr("omega fits in deg/s")));
+  EXPECT_THAT(notes(30 / EIGEN_PI), ElementsAre(HasSubstr("omega fits in rpm")));
+}
+
 TEST(Grade, OfAWrongMotionBlamesNoConvention) {
   EXPECT_THAT(gradeOf(engineCsv(explicitEuler, kMoments, kStart, 1e-2, 10000, 10)).notes, IsEmpty());
 }

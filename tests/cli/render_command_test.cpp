@@ -148,6 +148,11 @@ TEST_F(RenderCommand, QualityWinsOverTheFile) {
   EXPECT_EQ(image::readPng(folder_ / "preview.png").size, (image::PixelSize{640, 360}));
 }
 
+TEST_F(RenderCommand, TheFolderOfResultsIsMadeWhereItIsNamed) {
+  good({"render", "a.toml", "--frames", "0", "-o", "out/x.png"});
+  EXPECT_GT(bytes("out/x.png").size(), 500u);
+}
+
 TEST_F(RenderCommand, DefaultOutputIsInOut) {
   good({"still", "a.toml"});
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml", "out"));

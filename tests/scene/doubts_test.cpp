@@ -28,6 +28,31 @@ TEST(Doubts, NotWhatRadiansLookLike) {
   EXPECT_EQ(doubts("", {"camera.azimuth=\"1 deg\"", "time.start=1"}), "");
 }
 
+TEST(Doubts, MetresAmongCentimetres) {
+  const std::string start = "[motion]\nomega_body = [0, 1, 0.1]\n";
+  const auto said = [&](const std::string& body) {
+    std::string lines;
+    for (const Doubt& doubt : parseScene(start + body, "test.toml").doubts) lines += toString(doubt) + "\n";
+    return lines;
+  };
+  const std::string handle = "[[body.part]]\nshape = 'cube'\nedge = 32\nmass = 1\n";
+  EXPECT_EQ(said(handle + "[[body.part]]\nshape = 'cube'\nedge = '5 cm'\nmass = 1\n"),
+            "test.toml:5:8: note: body.part[0].edge: 32 is in metres; other lengths of this body have a unit\n");
+  EXPECT_EQ(said(handle), "");
+  EXPECT_EQ(said("[[body.part]]\nshape = 'cube'\nedge = '5 cm'\nmass = 1\noffset = [0, 0, 0.4]\n"), "");
+}
+
+TEST(Doubts, ADensityThatNothingHas) {
+  const auto said = [](const std::string& density) {
+    return parseScene("[motion]\nomega_body = [0, 1, 0]\n[body]\nshape = 'cube'\nedge = 1\ndensity = " + density,
+                      "test.toml")
+        .doubts.size();
+  };
+  EXPECT_EQ(said("'7850 g/cm^3'"), 1u);
+  EXPECT_EQ(said("22590"), 0u);  // osmium
+  EXPECT_EQ(said("'7.85 g/cm3'"), 0u);
+}
+
 TEST(Doubts, AHoldBeyondTheFilm) {
   EXPECT_EQ(doubts("[time]\nduration = 5\n[[timeline]]\nat = 3\nover = 1\nhold = 2\n"),
             "test.toml:10:8: note: timeline[0].hold: would last till 6 s, the film ends at 5 s (time.duration)\n");

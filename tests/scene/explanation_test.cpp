@@ -69,6 +69,10 @@ TEST(Explain, UnitsAndRanges) {
   EXPECT_THAT(rowOf(fov, "units"), HasSubstr("deg"));
   EXPECT_THAT(rowOf(fov, "units"), HasSubstr("a bare number is in rad"));
   EXPECT_EQ(rowOf(explain("show.title").front(), "units"), "no row units");
+  EXPECT_EQ(explain("body.part.density").at(0).title, "body.part[].density");
+  EXPECT_EQ(explain("body.part.color").at(0).title, "[style.colors]");
+  EXPECT_EQ(explain("rpm").at(0).help, "1 rpm is 0.10471975511966 rad/s.");
+  EXPECT_EQ(rowOf(explain("units").at(0), "lengths").substr(0, 5), "m: m,");
 }
 
 TEST(Explain, TablesAsTheyAreWritten) {

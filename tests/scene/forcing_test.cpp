@@ -131,6 +131,15 @@ TEST(Flight, IsThrownFromWhereTheSceneSays) {
   EXPECT_LE((flight->velocity_W - Vector3d(10, 0, 4)).norm(), 1e-14);
   EXPECT_EQ(flight->gravity_W, Vector3d(0, 0, -9.80665));
   EXPECT_TRUE(sceneWith(kBare + "[motion.flight]\n").motion.flight);
+  // Poinsot's construction only where it is asked for.
+  const auto shown = [](const std::string& more) {
+    const Show show = sceneWith(kBare + "[motion.flight]\n" + more).views.at(0).show;
+    return std::vector{show.ellipsoid.visible, show.plane.visible, show.height.visible, show.L.visible};
+  };
+  EXPECT_EQ(shown(""), (std::vector{false, false, false, true}));
+  EXPECT_EQ(shown("[show]\nellipsoid = true\nplane.grid = false\n"), (std::vector{true, true, false, true}));
+  EXPECT_EQ(shown("[[timeline]]\nat = 1\nshow = [\"plane\"]\n"), (std::vector{false, true, false, true}));
+  EXPECT_EQ(shown("[show]\nflight = false\n"), (std::vector{true, true, true, true}));
   EXPECT_FALSE(sceneWith(kBare).motion.flight);
   EXPECT_EQ(problems(kTop + "[motion.flight]\n"),
             "motion.flight: a thrown body turns about its centre of mass, and body.pivot holds it at a point\n");

@@ -69,6 +69,14 @@ TEST(Plots, AndReadoutsMayHaveAUnit) {
               HasSubstr("readout[0].unit: \"q_w\" is a bare number and has no unit; leave it out"));
 }
 
+TEST(Readouts, OfNoQuantityAreToldOnceWithWhatIsMeant) {
+  EXPECT_EQ(messagesWith("[[readout]]\nquantity = \"omega_mag\"\nunit = \"rpm\"\n"),
+            "readout[0].quantity: expected one of the quantities, got \"omega_mag\"; did you mean \"omega\"?\n");
+  EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"omega1\"\n"), HasSubstr("did you mean \"omega_1\"?"));
+  EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"zzzzzzzz\"\n"),
+              HasSubstr("expected one of \"t\", \"omega_1\","));
+}
+
 TEST(Plots, StandInTheGridOfTheViews) {
   const auto places = [](const std::string& extra) {
     const Scene scene = sceneWith(extra);

@@ -352,6 +352,12 @@ TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
             "no keys below it\n");
 }
 
+TEST(Overrides, OfOneElementShowTheWhole) {
+  EXPECT_EQ(
+      messagesOf(kMinimal, {"motion.omega_body[1]=3"}),
+      "motion.omega_body[1]: one element; give all of them, such as motion.omega_body=[0.01, \"3 rpm\", 0]\n");
+}
+
 TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
   EXPECT_FALSE(parseScene(kMinimal, "test.toml", {"show.plane = false"}).show.plane.visible);
   EXPECT_EQ(parseScene(kMinimal, "test.toml", {" style.theme = dark "}).style.theme, Theme::kDark);
