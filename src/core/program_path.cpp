@@ -10,7 +10,8 @@ namespace {
 
 /// A path, good as long as the working folder is the same.
 const char* programAsCalled() {
-  const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));  // the kernel's word, before main()
+  // The kernel's word, before main().
+  const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));  // NOLINT(performance-no-int-to-ptr)
   return name ? name : "";
 }
 

@@ -190,11 +190,13 @@ void animate(const std::vector<path>& segments, const path& target, const FilmTr
     AVFrame& frame = film->frame();
     if (gif) {
       setPalette(frame, dither->palette());
-      dither->apply(picture, {frame.data[0], static_cast<std::size_t>(frame.linesize[0] * frame.height)},
-                    frame.linesize[0]);
+      dither->apply(
+          picture,
+          {frame.data[0], static_cast<std::size_t>(frame.linesize[0]) * static_cast<std::size_t>(frame.height)},
+          frame.linesize[0]);
     } else {
       for (int y = 0; y < picture.size.height; ++y)
-        std::copy_n(picture.at(0, y), picture.rowBytes(), frame.data[0] + y * frame.linesize[0]);
+        std::copy_n(picture.at(0, y), picture.rowBytes(), frame.data[0] + std::ptrdiff_t{y} * frame.linesize[0]);
     }
     film->encode();
   });

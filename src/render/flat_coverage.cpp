@@ -178,7 +178,7 @@ text::CoverageMap polygonCoverage(const Polygon& polygon, glm::ivec2 size_px) {
   const std::vector<double> shares = area.coverage();
   map.values.resize(shares.size());
   std::ranges::transform(shares, map.values.begin(),
-                         [](double share) { return static_cast<std::uint8_t>(255 * share + 0.5); });
+                         [](double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); });
   return map;
 }
 

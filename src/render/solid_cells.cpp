@@ -23,10 +23,7 @@ SolidReach SolidCells::Cell::reach() const {
 }
 
 SolidCells::SolidCells(glm::vec2 size_px)
-    : size_px_(size_px),
-      columns_(cellsFor(size_px.x)),
-      rows_(cellsFor(size_px.y)),
-      cells_(static_cast<std::size_t>(columns_ * rows_)) {}
+    : size_px_(size_px), columns_(cellsFor(size_px.x)), rows_(cellsFor(size_px.y)), cells_(cellAt(0, rows_)) {}
 
 float SolidCells::nextSolid() {
   // Should there be so many solids that numbers come again, those alike have no seam: that is all.
@@ -42,7 +39,7 @@ void SolidCells::forEachCell(const PixelBounds& bounds, Use use) const {
   const int right = static_cast<int>(b.right - 1) / kSide_px, bottom = static_cast<int>(b.bottom - 1) / kSide_px;
   for (int row = static_cast<int>(b.top) / kSide_px; row <= bottom; ++row)
     for (int column = static_cast<int>(b.left) / kSide_px; column <= right; ++column)
-      use(column, row, static_cast<std::size_t>(row * columns_ + column));
+      use(column, row, cellAt(column, row));
 }
 
 template <typename Use>
@@ -136,7 +133,7 @@ SolidReach SolidCells::mostAround(int column, int row, int reach) const {
   SolidReach most = SolidReach::kNone;
   for (int y = std::max(row - reach, 0); y <= std::min(row + reach, rows_ - 1); ++y)
     for (int x = std::max(column - reach, 0); x <= std::min(column + reach, columns_ - 1); ++x)
-      most = std::max(most, cells_[static_cast<std::size_t>(y * columns_ + x)].reach());
+      most = std::max(most, cells_[cellAt(x, y)].reach());
   return most;
 }
 

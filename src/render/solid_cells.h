@@ -87,6 +87,9 @@ class SolidCells {
   void addSolid(Cell& cell, const DepthRange& depths);
   void addEdge(Cell& cell);
   SolidReach mostAround(int column, int row, int reach) const;
+  std::size_t cellAt(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
 
   glm::vec2 size_px_{0};
   int columns_ = 0, rows_ = 0;

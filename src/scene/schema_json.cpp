@@ -224,8 +224,7 @@ Json schemaOf(const std::string& path) {
 
 Json tableSchema(const std::string& table) {
   Json properties;
-  for (const std::string& name : namesBelow(table))
-    properties[name] = schemaOf(table.empty() ? name : table + "." + name);
+  for (const std::string& name : namesBelow(table)) properties[name] = schemaOf(pathBelow(table, name));
   Json json = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   addRequired(json, table);
   if (!hasVisible(table)) return json;
