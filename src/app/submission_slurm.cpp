@@ -18,7 +18,7 @@ int limit_min(const Division& division) { return static_cast<int>(std::ceil(10 +
 /// Absolute, as a % in the working folder would mean something to Slurm. A backslash anywhere switches the meaning
 /// of all % off, and then each task's file would have the same name.
 std::string saidFolder(const Submission& submission) {
-  const std::string folder = (submission.folder / tasksFolderOf(submission)).lexically_normal().string();
+  std::string folder = (submission.folder / tasksFolderOf(submission)).lexically_normal().string();
   if (folder.find('\\') != std::string::npos)
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("{}: Slurm cannot hold the '\\' of this name; choose another output",
