@@ -65,7 +65,7 @@ float linearFromSrgb16(std::uint16_t value) {
 std::uint16_t srgb16FromLinear(float linear) {
   if (!(linear > 0)) return 0;
   if (linear >= 1) return 65535;
-  return static_cast<std::uint16_t>(65535 * encode(static_cast<double>(linear)) + 0.5);
+  return static_cast<std::uint16_t>(std::lround(65535 * encode(static_cast<double>(linear))));
 }
 
 Color fromSrgb(std::uint32_t hex) {

@@ -52,7 +52,7 @@ class CairoImage {
     for (int y = 0; y < image.size.height; ++y)
       for (int x = 0; x < image.size.width; ++x) {
         const std::uint32_t pixel = packed(image.at(x, y), image.channels);
-        std::memcpy(rows + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, &pixel, sizeof(pixel));
+        std::memcpy(rows + static_cast<std::ptrdiff_t>(y) * stride + std::ptrdiff_t{4} * x, &pixel, sizeof(pixel));
       }
     cairo_surface_mark_dirty(surface_.get());
   }

@@ -14,7 +14,7 @@ namespace poinsot::render {
 struct Content {
   SolidReach solids = SolidReach::kNone;
   SheetChoice sheets;
-  auto operator<=>(const Content&) const = default;
+  auto operator<=>(const Content&) const = default;  // NOLINT(modernize-use-nullptr): of what is made here
   bool empty() const { return solids == SolidReach::kNone && sheets.empty(); }
 };
 

@@ -81,7 +81,7 @@ class BodyAssembly {
   std::string wholePath() const {
     if (findings_.has("body.shape")) return "body.shape";
     for (const std::string_view name : shapeKeyNames())
-      if (const std::string path = fmt::format("body.{}", name); findings_.has(path)) return path;
+      if (std::string path = fmt::format("body.{}", name); findings_.has(path)) return path;
     for (const char* path : {"body.mass", "body.density"})
       if (findings_.has(path)) return path;
     return "";

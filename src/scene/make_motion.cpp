@@ -61,10 +61,10 @@ int spinAxis(const Eigen::Vector3d& omega_P) {
 // The motion of the same body with its small transverse omega drawn larger: an exact motion too. It must stay the
 // same kind of motion, or the picture would not be true in any sense.
 Eigen::Vector3d drawnOmega_P(const Scene& scene) {
-  const Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
   if (scene.show.exaggerateAngles == 1) return omega_P;
   const physics::PrincipalMoments& moments = scene.body.axes.moments();
-  const Eigen::Vector3d drawn_P = exaggerated(omega_P, spinAxis(omega_P), scene.show.exaggerateAngles);
+  Eigen::Vector3d drawn_P = exaggerated(omega_P, spinAxis(omega_P), scene.show.exaggerateAngles);
   const bool sameAxis = spinAxis(drawn_P) == spinAxis(omega_P);
   if (sameAxis && roundLargest(moments, drawn_P) == roundLargest(moments, omega_P)) return drawn_P;
   throw core::Error(

@@ -90,7 +90,8 @@ TEST_F(Defaults, InfoSpeaksInTheUnitsAndItsJsonInSi) {
   give("[units]\nangular_velocity = \"rpm\"\nmoment_of_inertia = \"t cm^2\"\nenergy = \"mJ\"\n");
   // By hand: I3 = 12 kg (3² + 2²) m² / 12 = 13 kg m² = 130 t cm²; T = I3 ω²/2 = 6.5 π² J.
   std::vector<std::vector<std::string>> ways{{"info", "s.toml"}};
-  if (!kSanitized) ways.push_back({"info", "--untrusted", "s.toml"});  // bounds the address space
+  // The sandbox bounds the address space, and valgrind does not know its calls.
+  if (!kSanitized && !std::getenv("POINSOT_RUN_UNDER")) ways.push_back({"info", "--untrusted", "s.toml"});
   for (const std::vector<std::string>& words : ways)
     EXPECT_THAT(said(words), AllOf(HasSubstr("(0, 0, 30) rpm"), HasSubstr("(50, 100, 130) t cm^2"),
                                    HasSubstr("64152.4 mJ"), HasSubstr(" 12 kg\n")));
