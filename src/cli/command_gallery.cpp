@@ -94,7 +94,7 @@ std::vector<fs::path> chosenFiles(const GalleryOptions& options) {
 
 /// The folder of results, made where it is missing: by default with the one above it.
 fs::path preparedFolder(const GalleryOptions& options) {
-  const fs::path folder = options.output.empty() ? fs::path("out") / "gallery" : fs::path(options.output);
+  fs::path folder = options.output.empty() ? fs::path("out") / "gallery" : fs::path(options.output);
   std::error_code ignored;  // if it cannot be made, the check of the targets says so
   if (options.dryRun) return folder;
   if (options.output.empty()) fs::create_directory("out", ignored);

@@ -16,7 +16,7 @@ struct Place {
   std::uint32_t vertex;
 
   bool sameAs(const Place& other) const { return x == other.x && y == other.y && z == other.z; }
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr): of what is made here
 };
 
 /// For each vertex the first one at its place. By sorting, not hashing: a file cannot choose a slow case. Copies

@@ -21,6 +21,10 @@ constexpr double kCoarseness = 0.1;
 
 constexpr int kSide = 8, kCells = kSide * kSide;
 
+constexpr std::size_t placeOf(int x, int y) {
+  return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+}
+
 /// Bayer's matrix: which of the 64 pixels comes when in the pattern.
 constexpr std::array<std::uint8_t, kCells> kOrder = [] {
   std::array<std::uint8_t, kCells> order{};
@@ -31,7 +35,7 @@ constexpr std::array<std::uint8_t, kCells> kOrder = [] {
         const int a = (x >> bit) & 1, b = (y >> bit) & 1;
         value |= ((a ^ b) << (5 - 2 * bit)) | (b << (4 - 2 * bit));
       }
-      order[static_cast<std::size_t>(y * kSide + x)] = static_cast<std::uint8_t>(value);
+      order[placeOf(x, y)] = static_cast<std::uint8_t>(value);
     }
   return order;
 }();
@@ -87,7 +91,7 @@ void OrderedDither::apply(const image::Image& picture, std::span<std::uint8_t> i
     for (int x = 0; x < picture.size.width; ++x, from += picture.channels) {
       Mix& mix = mixes_[indexOf(from)];
       if (!mix.known) mix = mixOf(from);
-      const bool second = kOrder[static_cast<std::size_t>((y % kSide) * kSide + x % kSide)] < mix.share;
+      const bool second = kOrder[placeOf(x % kSide, y % kSide)] < mix.share;
       to[x] = second ? mix.second : mix.first;
     }
   }
