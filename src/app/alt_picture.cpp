@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -99,6 +100,7 @@ const std::vector<Thing>& thingsOfEnergy() {
 const std::vector<Thing>& thingsOfBody() {
   static const std::vector<Thing> things{
       {"the body", [](const scene::Show& s) { return s.body.visible; }},
+      {"paler poses of it at other times", [](const scene::Show& s) { return s.figures.ghosts.visible; }},
       {"its principal axes e1, e2 and e3", [](const scene::Show& s) { return s.principalAxes.visible; }},
       {"the main axis k", [](const scene::Show& s) { return s.figures.mainAxis.visible; }},
       {"the body cone about it", [](const scene::Show& s) { return s.figures.cones.visible; }},
@@ -106,12 +108,16 @@ const std::vector<Thing>& thingsOfBody() {
   return things;
 }
 
-std::string shownWords(const std::vector<Thing>& things, const std::vector<scene::View>& views) {
+std::vector<std::string> shown(const std::vector<Thing>& things, const std::vector<scene::View>& views) {
   std::vector<std::string> words;
   for (const Thing& thing : things)
     if (std::ranges::any_of(views, [&](const scene::View& view) { return thing.seen(view.show); }))
       words.emplace_back(thing.words);
-  return listWords(words);
+  return words;
+}
+
+std::string shownWords(const std::vector<Thing>& things, const std::vector<scene::View>& views) {
+  return listWords(shown(things, views));
 }
 
 Sentences colorSentences(const scene::Scene& scene) {
@@ -125,6 +131,22 @@ Sentences colorSentences(const scene::Scene& scene) {
     if (!family.things.empty())
       sentences.push_back(fmt::format("In {}: {}.", colorName(family.color), family.things));
   return sentences;
+}
+
+/// What has no family's colour, or one that the scene chose.
+std::string otherWords(const scene::Scene& scene) {
+  static const std::vector<Thing> things{
+      {"the angle θ between L and k", [](const scene::Show& s) { return s.figures.theta.visible; }},
+      {"an arrow for the torque", [](const scene::Show& s) { return s.figures.torque.visible; }},
+      {"the axes x, y and z of space", [](const scene::Show& s) { return s.figures.spaceAxes.visible; }}};
+  std::vector<std::string> words = shown(things, scene.views);
+  const auto add = [&](const char* what, const std::string& tex) {
+    const std::string name = text::setTex(tex).plainText;
+    words.push_back(name.empty() ? what : fmt::format("{} “{}”", what, name));
+  };
+  for (const scene::NamedVector& vector : scene.vectors) add("an arrow", vector.name);
+  for (const scene::NamedAngle& angle : scene.angles) add("an angle", angle.name);
+  return listWords(words);
 }
 
 // ---- Views
@@ -192,6 +214,19 @@ std::string plotSentence(const scene::Plot& plot) {
                      title.empty() ? "" : ", “" + title + "”,", quantityWords(plot.quantities), across);
 }
 
+std::string readoutSentence(const std::vector<scene::Readout>& readouts) {
+  std::vector<int> quantities;
+  for (const scene::Readout& readout : readouts) quantities.push_back(readout.quantity);
+  return fmt::format("At its edge {} written in numbers.",
+                     quantityWords(quantities) + (quantities.size() == 1 ? " is" : " are"));
+}
+
+std::string noteSentence(const scene::Note& note) {
+  std::vector<std::string> lines;
+  for (const std::string& line : note.lines) lines.push_back(text::setTex(line).plainText);
+  return fmt::format("Written in it: “{}”.", fmt::join(lines, " "));
+}
+
 std::string exaggerationSentence(double factor) {
   return fmt::format(
       "The angles between ω, L and the axis are drawn as if the part of ω across the axis were {} times larger.",
@@ -220,7 +255,11 @@ std::string filmSentence(const scene::Scene& scene) {
 Sentences pictureSentences(const scene::Scene& scene) {
   Sentences sentences = viewSentences(scene);
   for (const std::string& sentence : colorSentences(scene)) sentences.push_back(sentence);
+  if (const std::string others = otherWords(scene); !others.empty())
+    sentences.push_back(fmt::format("Besides: {}.", others));
   for (const scene::Plot& plot : scene.plots) sentences.push_back(plotSentence(plot));
+  if (!scene.readouts.empty()) sentences.push_back(readoutSentence(scene.readouts));
+  for (const scene::Note& note : scene.notes) sentences.push_back(noteSentence(note));
   if (scene.show.exaggerateAngles > 1) sentences.push_back(exaggerationSentence(scene.show.exaggerateAngles));
   sentences.push_back(filmSentence(scene));
   return sentences;

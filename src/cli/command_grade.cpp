@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/grade.h"
 #include "app/grade_text.h"
@@ -48,13 +51,32 @@ bool within(const app::Grade& grade, double limit_rad, const std::string& fileNa
   return errors->largest <= limit_rad;
 }
 
+bool isFarOff(const app::Grade& grade) {
+  constexpr double kFarOff = 0.1;  // rad, or of omega
+  return std::ranges::any_of(grade.quantities, [](const app::GradedQuantity& quantity) {
+    return quantity.errors && quantity.errors->rms > kFarOff;
+  });
+}
+
+/// Of a motion that is not ours, times far beyond the film's may be milliseconds, or another clock's.
+std::string timeNote(const app::Grade& grade, const scene::Scene& scene, const physics::TimeSpan& span) {
+  constexpr double kFar = 20;
+  const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
+  const double theirs_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
+  if (!isFarOff(grade) || !(std::abs(end_s) > 0) || theirs_s < kFar * std::abs(end_s)) return "";
+  return fmt::format(
+      "their times go to {:.4g} s, the film's motion to {:.4g} s; t is the motion's time in seconds", theirs_s,
+      end_s);
+}
+
 int gradeTheirs(const GradeOptions& options) {
   const auto limit = limit_rad(options.limit);
   const scene::Scene scene = loadScene(options);
   const app::TrajectoryTable theirs = app::readTrajectoryTable(options.theirs);
   const physics::TimeSpan span = app::spanOf(theirs);
   const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  const app::Grade grade = app::grade(*motion, theirs);
+  app::Grade grade = app::grade(*motion, theirs);
+  if (std::string note = timeNote(grade, scene, span); !note.empty()) grade.notes.push_back(std::move(note));
   writeOut(options.json ? app::gradeJson(grade, options.theirs, scene.name) : app::gradeTable(grade));
   return !limit || within(grade, *limit, options.theirs) ? kDone : kNo;
 }

@@ -132,6 +132,17 @@ TEST(AltText, OfAThrownBody) {
   EXPECT_THAT(drifts, HasSubstr("at rest in space."));
 }
 
+TEST(AltText, OfWhatIsDrawnAndWrittenBesides) {
+  const std::string text = altText(sceneOf(
+      "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.5, 0, 2]\n[show]\nghosts = true\ntheta = "
+      "true\n[[vector]]\nname = '$\\mathbf{r}$'\nposition_of = [1, 0, 0]\n[[readout]]\nquantity = \"omega\"\n"
+      "[[readout]]\nquantity = \"t\"\n[[note]]\ntext = ['One line', 'and $E = T$']\n"));
+  EXPECT_THAT(text, HasSubstr("the body, paler poses of it at other times and its principal axes e1, e2 and e3."));
+  EXPECT_THAT(text, HasSubstr("Besides: the angle θ between L and k and an arrow “r”."));
+  EXPECT_THAT(text, HasSubstr("At its edge |ω| and t are written in numbers."));
+  EXPECT_THAT(text, HasSubstr("Written in it: “One line and E = T”."));
+}
+
 TEST(AltText, OfLosses) {
   const scene::Scene scene = galleryScene("explorer_1");
   const json info = numbersOf(scene);
@@ -233,12 +244,17 @@ bool isKnown(double value, const std::vector<double>& known) {
   });
 }
 
+/// Formulas of the author's have numbers of their own.
+std::string withoutNotes(const std::string& text) {
+  return std::regex_replace(text, std::regex("Written in it: “.*?”\\."), "");
+}
+
 TEST(AltText, EveryNumberIsOneOfTheReport) {
   const std::regex counted("^ ?[0-9]+ (panels|swings|turns about).*| ?[0-9]+, “.*| ?2T/L.*");
   for (const std::string& name : galleryNames()) {
     const scene::Scene scene = galleryScene(name);
     const std::vector<double> known = knownNumbers(scene, numbersOf(scene));
-    const auto said = saidNumbers(altText(scene));
+    const auto said = saidNumbers(withoutNotes(altText(scene)));
     EXPECT_GE(said.size(), 5u) << name;
     for (const SaidNumber& number : said) {
       if (std::regex_match(number.near, counted)) continue;

@@ -48,6 +48,15 @@ TEST_F(GradeCommand, AnotherBodyIsFoundOut) {
   EXPECT_THAT(limited.out, StartsWith("81 rows"));
 }
 
+TEST_F(GradeCommand, TimesOfAnotherClockAreSuspected) {
+  folder_.put("ms.csv", "t,omega_B_x,omega_B_y,omega_B_z\n0,0.1,10,0\n2000,5,-8,3\n4000,-5,8,-3\n");
+  const char* note =
+      "Note: their times go to 4000 s, the film's motion to 4 s; t is the motion's time in seconds.";
+  EXPECT_THAT(grade({"ms.csv"}, "grade", {"-D", "time.speed=1"}).out, HasSubstr(note));
+  // A long run that is right is a long run.
+  EXPECT_EQ(grade({"copy.csv"}, "grade", {"-D", "time.speed=0.001"}).out.find("their times"), std::string::npos);
+}
+
 TEST_F(GradeCommand, Json) {
   const auto result = grade({"copy.csv"}, "grade", {"--json"});
   const auto json = nlohmann::json::parse(result.out);
