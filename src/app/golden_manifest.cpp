@@ -131,7 +131,7 @@ class Reader {
 
   /// The folder of references, into which --update writes.
   fs::path written(const Node& node) const {
-    const fs::path path = folder_ / textOf(node);
+    fs::path path = folder_ / textOf(node);
     if (!isAllowed(path))
       refuse(fmt::format("{} is not below the folder of this file; --asset-root FOLDER allows another",
                          describe(node)));
@@ -139,7 +139,7 @@ class Reader {
   }
 
   fs::path read(const Node& node) const {
-    const fs::path path = folder_ / textOf(node);
+    fs::path path = folder_ / textOf(node);
     if (!mayBeRead(path)) refuseOutside(describe(node));
     return path;
   }
@@ -226,7 +226,7 @@ class Reader {
       return problems_.add(node.place, "test: expected a scene or an image, one of the two");
     if (!test.image.empty() && (!test.times_s.empty() || !test.overrides.empty()))
       return problems_.add(node.place, "test: times and set are for a scene");
-    if (scene.empty()) return add(std::move(test), test.image.stem(), node);
+    if (const fs::path name = test.image.stem(); scene.empty()) return add(std::move(test), name, node);
     const auto files = filesOf(scene);
     if (files.empty())
       return problems_.add(node.place,
