@@ -12,7 +12,8 @@ Image magmaPicture(const FlipMap& map) {
   Image picture(map.size, 3);
   auto* p = picture.pixels.data();
   for (const double error : map.error)
-    p = std::ranges::copy(core::magma(static_cast<std::size_t>(std::lround(255 * std::clamp(error, 0.0, 1.0)))), p).out;
+    p = std::ranges::copy(core::magma(static_cast<std::size_t>(std::lround(255 * std::clamp(error, 0.0, 1.0)))), p)
+            .out;
   return picture;
 }
 
