@@ -162,11 +162,12 @@ std::string reportTable(const Report& report, int digits) {
   std::vector<std::vector<Row>> sections;
   Widths widths;
   for (const Section& section : report.sections) {
-    std::vector<Row>& rows = sections.emplace_back();
+    std::vector<Row> rows;
     for (const Fact& fact : section.facts) {
       rows.push_back({fact.label, fact.from, factLines(fact, digits)});
       widths.include(rows.back());
     }
+    sections.push_back(std::move(rows));
   }
   std::string text = core::printable(report.scene) + '\n';
   for (std::size_t i = 0; i < sections.size(); ++i) {
