@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 #include "core/text.h"
 
