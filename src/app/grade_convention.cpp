@@ -91,8 +91,7 @@ std::string ConventionSearch::attitudeHint() const {
       return "the attitudes fit if q_w, q_x, q_y, q_z hold x, y, z, w: name the columns q_x, q_y, q_z, q_w";
     case kConjugate:
       return "the attitudes fit if q is conjugated: poinsot's q takes components along the body's axes to those "
-             "in "
-             "space";
+             "in space";
     case kScalarLastConjugate:
       return "the attitudes fit if q_w, q_x, q_y, q_z hold x, y, z, w of the conjugate";
     case kBodyTurned:

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kRounds = 24;             // of pushing overlapping labels apart; four labels settle in five
 constexpr float kSpaceToShaft = 0.08f;  // of the type size
-constexpr glm::vec2 kApart{0.6f,
-                           0.3f};  // of the type size: names that stand closer side by side read as a product
+// Of the type size: names that stand closer side by side read as a product.
+constexpr glm::vec2 kApart{0.6f, 0.3f};
 constexpr float kBorder = 0.012f;  // kept free, as a share of the picture's shorter side
 constexpr float kHalo = 0.085f;    // of the type size
 
