@@ -48,9 +48,9 @@ class Page:
     def picture(self):
         """A number that stands for its pixels."""
         return self.driver.execute_script('''
-            const image = document.getElementById("picture"), canvas = document.createElement("canvas");
-            canvas.width = image.naturalWidth; canvas.height = image.naturalHeight;
-            const on = canvas.getContext("2d"); on.drawImage(image, 0, 0);
+            const shown = document.getElementById("picture"), canvas = document.createElement("canvas");
+            canvas.width = shown.width; canvas.height = shown.height;
+            const on = canvas.getContext("2d", {willReadFrequently: true}); on.drawImage(shown, 0, 0);
             let sum = 7; for (const b of on.getImageData(0, 0, canvas.width, canvas.height).data) sum = (sum * 31 + b) % 1000003;
             return sum;''')
 
