@@ -59,8 +59,7 @@ std::vector<Key> cameraKeys() {
        .fallback = "\"22 deg\"",
        .example = "\"-120 deg\"",
        .help = "Where the camera stands about the world's vertical, from its x axis. Of a thrown body it stands "
-               "beside "
-               "the path unless this is given.",
+               "beside the path unless this is given.",
        .put = into([](Draft& d) { return &d.scene.camera.azimuth_rad; })},
       {.path = "camera.elevation",
        .dimension = kAngle,
@@ -97,6 +96,13 @@ std::vector<Key> cameraKeys() {
        .help = "Which axes stand still in the picture: inertial ones, the body's, or those that turn about L with "
                "the axis of a symmetric body.",
        .put = into([](Draft& d) { return &d.scene.camera.frame; })},
+      {.path = "camera.follow",
+       .type = kBool,
+       .fallback = "false",
+       .example = "true",
+       .help = "The camera goes along with a thrown body, as near as the body allows, and its path passes by; else "
+               "it stands still and holds the whole flight.",
+       .put = into([](Draft& d) { return &d.scene.camera.follow; })},
   };
 }
 

@@ -185,7 +185,7 @@ std::vector<Key> traceKeys(const ShowTable& table) {
           "Factor on the sphere's radius, where no point is given.",
           [](ShownFigures & f) -> auto& { return f.trace.scale; }),
       key.position(
-          "point", "[0, 0, 0.5]", "The point, in body axes. Without it: one on the axis k, beyond the body.",
+          "point", "[0, 0, 0.5]", "The point, in body axes. Without it: one on the axis k, beyond the body; of a thrown body, its end.",
           [](ShownFigures & f) -> auto& { return f.trace.point_B; }),
       key.opacity(
           "0.06", [](ShownFigures & f) -> auto& { return f.trace.opacity; }),
@@ -280,9 +280,8 @@ std::vector<Key> flightKeys(const ShowTable& table) {
       key.flag(
           "visible", true,
           "Of a thrown body ([motion.flight]), in views at rest in space: the body moves along, without Poinsot's "
-          "construction unless that is asked for, on the path of "
-          "its "
-          "centre of mass, which is drawn. Without it a picture goes with the centre of mass.",
+          "construction unless that is asked for, on the path of its centre of mass, which is drawn. Without it a "
+          "picture goes with the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.visible; }),
       {.path = table.path + ".flight.scale",
        .range = {.least = 1e-6, .most = 100},

@@ -109,6 +109,7 @@ struct Camera {
   double zoom = 1;                          ///< 1 frames the whole motion; 2 shows it twice as large
   double orbit_rad = 0;                     ///< added to the azimuth over the film, steadily
   CameraFrame frame = CameraFrame::kSpace;  ///< which axes stand still in the picture
+  bool follow = false;                      ///< goes along with a thrown body
 };
 
 struct Show {

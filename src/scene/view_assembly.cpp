@@ -41,6 +41,17 @@ void standBesideFlight(const Draft& draft, const Findings& findings, Scene& scen
   if (v[0] != 0 || v[1] != 0) scene.camera.azimuth_rad = heading_rad(v[0], v[1]) + kFromHeading;
 }
 
+void checkFollow(const Camera& camera, const Show& show, const std::string& prefix, const Scene& scene,
+                 Findings& findings) {
+  const std::string follow = prefix + "camera.follow", zoom = prefix + "camera.zoom";
+  if (camera.follow && !scene.motion.flight && findings.has(follow))
+    findings.refuse(follow, "nothing is thrown: give [motion.flight], or leave it out");
+  constexpr double kMost = 1.1;  // as wide as the margins
+  if (movesAlong(scene.motion, camera, show) && !camera.follow && camera.zoom > kMost && findings.has(zoom))
+    findings.doubt(zoom, "the thrown body begins and ends outside the picture, as 1 shows its whole flight; with "
+                         "camera.follow = true the camera goes along");
+}
+
 // ---- frames ----
 
 void checkFrame(const View& view, const std::string& path, const Scene& scene, const std::optional<Rest>& rest,
@@ -112,6 +123,7 @@ std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::o
     View view = viewOf(given, path + ".", findings, scene);
     view.place = grid.take(path, given.at, given.span);
     assembleVisible(scene, rest, path + ".", findings, view.show);
+    checkFollow(view.camera, view.show, path + ".", scene, findings);
     const bool own = findings.has(path + ".camera.frame");
     checkFrame(view, own ? path + ".camera.frame" : "camera.frame", scene, rest, findings);
     views.push_back(std::move(view));
@@ -142,6 +154,7 @@ void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings
   if (count > 0) scene.views = givenViews(draft, count, rest, findings, grid, scene);
   if (start) return;
   scene.views = viewsOf(draft.frames.value_or(std::vector{scene.camera.frame}), grid, scene);
+  checkFollow(scene.camera, scene.show, "", scene, findings);
   for (const View& view : scene.views)
     checkFrame(view, draft.frames ? "camera.frames" : "camera.frame", scene, rest, findings);
 }

@@ -16,6 +16,8 @@ using Eigen::Vector3d;
 constexpr double kDash = 0.035;  // in picture lengths; gaps are as long
 constexpr float kSoft = 0.6f;    // of the type: shorter in the picture, a thing's direction does not tell
 
+bool beforeEye(const draw::Camera& camera, glm::vec3 point) { return depthOf(camera, point) >= camera.near; }
+
 }  // namespace
 
 void Canvas::line(const std::vector<Vector3d>& points_V, bool closed, const draw::Color& color, double width,
@@ -81,6 +83,7 @@ float Canvas::glass(double opacity, double share) const {
 
 void Canvas::label(const std::string& tex, const Vector3d& at_V, const Vector3d& inside_V,
                    const draw::Color& color, double size) const {
+  if (!beforeEye(list.camera, toPicture(at_V))) return;
   labelAt(tex, at_px(at_V), softUnit(at_px(at_V) - at_px(inside_V), kSoft * static_cast<float>(type_px)), color,
           size);
 }
@@ -93,7 +96,13 @@ void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 directio
       {tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color, still ? 1 : opacity});
 }
 
-glm::vec2 Canvas::at_px(const Vector3d& at_V) const { return project(list.camera, toPicture(at_V)); }
+// What is behind the eye counts as if it were beside it, far outside the picture.
+glm::vec2 Canvas::at_px(const Vector3d& at_V) const {
+  const draw::Camera& camera = list.camera;
+  const glm::vec3 point = toPicture(at_V);
+  const float behind = beforeEye(camera, point) ? 0 : camera.near - depthOf(camera, point);
+  return project(camera, point - behind * camera.R_WC[2]);
+}
 
 draw::Color mixed(const draw::Color& color, const draw::Color& over, double share) {
   const auto s = static_cast<float>(share);

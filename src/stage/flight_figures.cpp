@@ -18,6 +18,8 @@ constexpr double kLongestTorque = 0.9;  // of R x M g
 constexpr double kPale = 0.4;           // of the path to come
 constexpr double kPathSteps = 96;       // a parabola over the whole film: 0.1 px from one of 4000 px
 constexpr double kNameOfL = 0.55;       // along an arrow
+constexpr double kNameOfR = 0.5;        // along the arrow R,
+constexpr double kNearBody = 0.8;       // and no farther from the body where the camera goes along
 
 Vector3d unitOrZero(const Vector3d& v) { return v.isZero(0) ? v : Vector3d(v.normalized()); }
 
@@ -31,7 +33,8 @@ FlightFigure::FlightFigure(const Setting& setting)
       velocityScale_(setting.scales.velocity),
       position_(setting.scene.show.figures.flight.position),
       velocity_(setting.scene.show.figures.flight.velocity),
-      weight_(setting.scene.show.figures.flight.weight) {
+      weight_(setting.scene.show.figures.flight.weight),
+      follows_(setting.scene.camera.follow) {
   POINSOT_EXPECT(motion_.flight());
   weight_W_ = kWeight * unitOrZero(motion_.flight()->gravity_W);
 }
@@ -61,7 +64,9 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
     canvas.dot(origin, kDot, canvas.colors.ink);
     canvas.label(scene::LabelName::kOrigin, origin, Vector3d::Zero(), canvas.colors.ink);
     canvas.arrowFrom(origin, Vector3d::Zero(), kRadius, canvas.colors.ink);
-    canvas.label(scene::LabelName::kR, 0.5 * origin, origin + Vector3d::UnitX(), canvas.colors.ink);
+    const double most = follows_ ? kNearBody / std::max(origin.norm(), kNearBody) : 1;
+    canvas.label(scene::LabelName::kR, std::min(kNameOfR, most) * origin, origin + Vector3d::UnitX(),
+                 canvas.colors.ink);
   }
   if (velocity_ && !state.velocity_V.isZero(0)) {
     canvas.arrow(velocityTip_V(state), kRadius, color);
@@ -75,7 +80,7 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
 
 std::vector<Vector3d> FlightFigure::outermostPoints(const PictureState& state) const {
   std::vector<Vector3d> points{Vector3d::Zero()};
-  if (position_) points.push_back(origin_V(state));
+  if (position_ && !follows_) points.push_back(origin_V(state));
   if (velocity_) points.push_back(velocityTip_V(state));
   if (weight_) points.push_back(weightTip_V(state));
   return points;

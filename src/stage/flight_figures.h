@@ -28,6 +28,7 @@ class FlightFigure final : public Actor {
   double scale_, velocityScale_;
   Eigen::Vector3d weight_W_;
   bool position_, velocity_, weight_;
+  bool follows_;  // the camera, so that the origin is anywhere
 };
 
 /// The angular momentum of a thrown body about the origin of space and its two parts, R x P and L (eq 5), each

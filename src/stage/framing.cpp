@@ -34,10 +34,11 @@ struct Depths {
   double towards, away;
 
   explicit Depths(const Seen& seen) : towards(seen.ballRadius), away(seen.ballRadius) {
-    for (const Vector3d& p : seen.points_C) {
-      towards = std::max(towards, p.z());
-      away = std::max(away, -p.z());
-    }
+    for (const Vector3d& p : seen.points_C) include(p.z());
+  }
+  void include(double nearer) {
+    towards = std::max(towards, nearer);
+    away = std::max(away, -nearer);
   }
   double slack() const { return 0.3 * (towards + away) + 0.1; }
 };
@@ -159,19 +160,21 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   const Fit fit(camera, extent, margins, size_px);
   const Seen& seen = fit.seen;
   const double needed = std::max(fit.needed(), focal_px(fit, size_px) / mostUnit_px);
-  const double distance = needed / camera.zoom;
   const Vector3d target = fit.upright.shift(seen, needed) * fit.up;
-  const Depths depths(seen);
+  Depths depths(seen);
+  for (const Vector3d& p : extent.passing_V) depths.include(fit.backward.dot(p));
   const double slack = depths.slack();
   // With parallel rays the eye may stand anywhere: here far enough for all to be before it.
-  const double eye = seen.parallel ? std::max(distance, depths.towards + 2 * slack) : distance;
+  const double eye = seen.parallel ? std::max(needed, depths.towards + 2 * slack) : needed;
   draw::Camera result = draw::lookAt(toPicture(Vector3d(target + eye * fit.backward)), toPicture(target),
                                      fit.upwards(), static_cast<float>(camera.fov_rad), size_px);
+  // The eye stays: one that went nearer would be among what it looks at.
+  result.tanHalfFovY = static_cast<float>(fit.tanY / camera.zoom);
   result.orthographic = seen.parallel;
-  result.halfHeight_W = static_cast<float>(distance * fit.tanY);
+  result.halfHeight_W = static_cast<float>(needed * fit.tanY / camera.zoom);
   const double aside_px = focal_px(fit, size_px) * Width(seen, needed).middle() * camera.zoom;
   result.centre_px.x = static_cast<float>(fit.freeMiddle_px - aside_px);
-  result.near = static_cast<float>(std::max(eye - depths.towards - slack, 0.02 * distance));
+  result.near = static_cast<float>(std::max(eye - depths.towards - slack, 0.02 * needed));
   result.far = static_cast<float>(eye + depths.away + slack);
   return result;
 }

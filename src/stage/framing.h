@@ -17,10 +17,12 @@ struct Margins {
   double left = 0.06, right = 0.06, top = 0.06, bottom = 0.06;
 };
 
-/// What the frame must hold: points, and a ball about the centre (radius 0: none).
+/// What the frame must hold: points, and a ball about the centre (radius 0: none). What passes is drawn and need not
+/// be in the frame.
 struct Extent {
   std::vector<Eigen::Vector3d> points_V;
   double ballRadius = 0;
+  std::vector<Eigen::Vector3d> passing_V = {};
 };
 
 /// The axes of a camera that stands in the scene's direction: columns to the right, up and nearer.
@@ -29,8 +31,8 @@ Eigen::Matrix3d cameraAxes_V(const scene::Camera& camera);
 /// A camera in the scene's direction, as near as it can be with all of `extent` inside the margins. It depends on
 /// the whole motion and not on the time: nothing breathes.
 ///
-/// `mostUnit_px`: pixels of a unit of V, across the view at the centre of what is shown, that zoom 1 may have at
-/// most.
+/// Its zoom enlarges the picture about its middle, as a longer lens does. `mostUnit_px`: pixels of a unit of V,
+/// across the view at the centre of what is shown, that zoom 1 may have at most.
 draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px,
                       double mostUnit_px = std::numeric_limits<double>::infinity());
 

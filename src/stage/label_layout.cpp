@@ -87,15 +87,29 @@ void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
   p.centre_px = glm::clamp(p.centre_px, low, glm::max(size_px - free, 0.5f * size_px));
 }
 
+// The names of what lies outside the picture are not at its border: they go with what they name.
+std::vector<Label> ofWhatIsInThePicture(const std::vector<Label>& labels, glm::vec2 size_px) {
+  std::vector<Label> seen;
+  for (Label label : labels) {
+    const glm::vec2 outside_px = glm::max(-label.anchor_px, label.anchor_px - size_px);
+    const float there = std::clamp(1 - std::max(outside_px.x, outside_px.y) / label.size_px, 0.0f, 1.0f);
+    label.presence = std::min(label.presence, there);
+    label.opacity *= there;
+    if (there > 0) seen.push_back(std::move(label));
+  }
+  return seen;
+}
+
 }  // namespace
 
 glm::vec2 softUnit(glm::vec2 v, float soft) { return v / std::max(std::hypot(glm::length(v), soft), 1e-6f); }
 
-void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px,
+void addLabels(draw::DrawList& list, const std::vector<Label>& all, const draw::Color& halo, float top_px,
                std::span<const PixelBox> taken) {
+  const glm::vec2 size_px = list.camera.size_px;
+  const std::vector<Label> labels = ofWhatIsInThePicture(all, size_px);
   std::vector<Placed> placed;
   for (const Label& label : labels) placed.push_back(place(label));
-  const glm::vec2 size_px = list.camera.size_px;
   const std::vector<LabelObstacle> obstacles = obstaclesOf(list);
   for (std::size_t i = 0; i < placed.size(); ++i) moveOff(obstacles, kSpaceToShaft * labels[i].size_px, placed[i]);
   for (int round = 0; round < kRounds; ++round) {

@@ -77,7 +77,8 @@ Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const 
   scales.flight = scales.body;
   if (const auto& wanted = show.figures.flight.scale)
     scales.flight *= *wanted;
-  else if (const double path = scales.body * pathExtent(motion); path > kLongestPath * scales.reach)
+  else if (const double path = scales.body * pathExtent(motion);
+           path > kLongestPath * scales.reach && !scene.camera.follow)
     scales.flight *= kLongestPath * scales.reach / path;
   if (const double fastest = fastestShown(scene, motion); fastest > 0) scales.velocity = kVelocity / fastest;
   scales.omega = scales.ellipsoid * show.omega.scale;

@@ -19,9 +19,20 @@ constexpr int kMostPoints = 8000;
 constexpr double kPaleShare = 0.4;
 constexpr double kLift = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
 
+// Where the body ends, along the principal axis on which it reaches farthest.
+Vector3d endOfBody_B(const Setting& setting) {
+  const Vector3d& ahead = setting.body.reachAlongAxes();
+  const Vector3d behind = 2 * setting.body.halfExtents() - ahead;
+  int axis = 0;
+  const double most = ahead.cwiseMax(behind).maxCoeff(&axis);
+  const double end = ahead[axis] == most ? most : -most;
+  return setting.scales.body * end * setting.motion.axes().toB(Vector3d::Unit(axis));
+}
+
 Vector3d tracedPoint_B(const Setting& setting) {
   const auto& trace = setting.scene.show.figures.trace;
   if (trace.point_B) return setting.scales.body * (*trace.point_B - setting.scene.body.fixedPoint_B());
+  if (setting.motion.flight()) return trace.scale * endOfBody_B(setting);
   return trace.scale * kBeyondBody * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
 }
 

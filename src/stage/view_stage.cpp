@@ -24,13 +24,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The whole film at once, so that nothing breathes. From the origin of space where a body moves along.
-Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& motion, const Scales& scales) {
+// Where the ends of a flight are, and the origin, from the body that the camera goes along with: drawn when they
+// come into the picture.
+std::vector<Vector3d> passing_V(const PictureMotion& motion, double flightScale) {
+  constexpr std::size_t kStep = 50;
+  std::vector<Vector3d> ends{Vector3d::Zero()}, points;
+  for (std::size_t i = 0; i < motion.outline().size(); i += kStep)
+    ends.push_back(flightScale * motion.atPlayed(motion.outline()[i].played_s).centre_V);
+  for (const Vector3d& end : ends)
+    for (const Vector3d& body : ends) points.emplace_back(end - body);
+  return points;
+}
+
+// The whole film at once, so that nothing breathes. From the origin of space where a body passes by.
+Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& motion, const Scales& scales,
+                   double heldFlight) {
   Extent whole;
   for (const ShownActor& shown : actors) whole.ballRadius = std::max(whole.ballRadius, shown.actor->ballRadius());
   for (const PathPoint& p : motion.outline()) {
     const PictureState state = motion.atPlayed(p.played_s);
-    const Vector3d centre_V = scales.flight * state.centre_V;
+    const Vector3d centre_V = heldFlight * state.centre_V;
     for (const ShownActor& shown : actors)
       for (const Vector3d& point_V : shown.actor->outermostPoints(state))
         whole.points_V.push_back(centre_V + point_V);
@@ -56,6 +69,7 @@ struct ViewStage::Plan {
   PictureMotion motion;
   BodyFigure body;
   Scales scales;
+  double heldFlight = 0;  // lengths of a flight in what the frame holds: none where the camera goes along
   std::optional<Construction> construction;
   std::vector<ShownActor> actors;
   Extent extent;
@@ -77,8 +91,10 @@ struct ViewStage::Plan {
     const Construction* made = construction ? &*construction : nullptr;
     const Eigen::Vector3d axisLengths = principalAxisLengths(scene, body, scales, made);
     actors = makeActors({scene, motion, body, scales, made, axisLengths});
-    extent = wholeExtent(actors, motion, scales);
+    if (!scene.camera.follow) heldFlight = scales.flight;
+    extent = wholeExtent(actors, motion, scales, heldFlight);
     if (motion.flight()) middle_V = centre(extent);
+    if (motion.flight() && scene.camera.follow) extent.passing_V = passing_V(motion, scales.flight);
   }
 
   draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame, const PictureState& state) const;
@@ -92,12 +108,12 @@ double ViewStage::Plan::presenceOf(std::string_view thing, double filmTime_s) co
   return thing == "height" ? std::min(there, presence.at("plane", filmTime_s)) : there;
 }
 
-// It stands still in space.
+// It stands still in space, or goes along.
 draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame,
                                        const PictureState& state) const {
   const draw::Camera camera =
       framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
-  return draw::moved(camera, toPicture(Vector3d(middle_V - scales.flight * state.centre_V)));
+  return draw::moved(camera, toPicture(Vector3d(middle_V - heldFlight * state.centre_V)));
 }
 
 void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {

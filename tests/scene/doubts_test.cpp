@@ -53,6 +53,19 @@ TEST(Doubts, ADensityThatNothingHas) {
   EXPECT_EQ(said("'7.85 g/cm3'"), 0u);
 }
 
+TEST(Doubts, AThrownBodyThatLeavesThePicture) {
+  const std::string thrown = "[motion.flight]\nvelocity = [3, 0, 4]\n";
+  EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\n"),
+            "test.toml:8:8: note: camera.zoom: the thrown body begins and ends outside the picture, as 1 shows its "
+            "whole flight; with camera.follow = true the camera goes along\n");
+  EXPECT_EQ(doubts(thrown + "[[view]]\n[[view]]\ncamera.zoom = 2\n").substr(0, 47),
+            "test.toml:9:15: note: view[1].camera.zoom: the ");
+  EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\nfollow = true\n"), "");
+  EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\nframe = 'body'\n"), "");
+  EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 1.1\n"), "");
+  EXPECT_EQ(doubts("[camera]\nzoom = 2\n"), "");
+}
+
 TEST(Doubts, AHoldBeyondTheFilm) {
   EXPECT_EQ(doubts("[time]\nduration = 5\n[[timeline]]\nat = 3\nover = 1\nhold = 2\n"),
             "test.toml:10:8: note: timeline[0].hold: would last till 6 s, the film ends at 5 s (time.duration)\n");

@@ -150,6 +150,11 @@ TEST(Flight, IsDrawnOfABodyThatIsThrown) {
   EXPECT_EQ(problems(kBare + "[show]\nflight=false\n"), "");
   EXPECT_EQ(problems(kBare + "[show.flight]\nweight=true\n"),
             "show.flight: nothing is thrown: give [motion.flight], or leave it out\n");
+  EXPECT_EQ(problems(kBare + "[camera]\nfollow=true\n"),
+            "camera.follow: nothing is thrown: give [motion.flight], or leave it out\n");
+  EXPECT_EQ(problems(kBare + "[[view]]\n[[view]]\ncamera.follow=true\n"),
+            "view[1].camera.follow: nothing is thrown: give [motion.flight], or leave it out\n");
+  EXPECT_EQ(problems(kBare + "[camera]\nfollow=false\n"), "");
   EXPECT_EQ(problems(kBare + "[show]\ntotal_L=true\n"),
             "show.total_L: is drawn of a thrown body: give [motion.flight], or leave it out\n");
   EXPECT_EQ(problems(kBare + thrown + "[[view]]\nshow.total_L=true\n"),

@@ -37,6 +37,11 @@ std::string shapeWith(const std::string& table, std::string_view name) {
   return "shape = \"box\"\nsize = [3, 2, 1]\n";
 }
 
+bool ofAThrownBody(const Key& key) {
+  constexpr std::string_view kNames[] = {"show.flight", "show.total_L", "camera.follow"};
+  return std::ranges::any_of(kNames, [&](auto name) { return key.path.find(name) != std::string::npos; });
+}
+
 /// What a key needs besides a body and a start, or in their place.
 const std::map<std::string_view, std::string>& contexts() {
   static const std::string part = "[[body.part]]\nshape = \"box\"\nsize = [3, 2, 1]\n";
@@ -88,7 +93,7 @@ std::string pathIn(const Key& key) {
 }
 
 std::string sceneFor(const Key& key) {
-  if (key.path.find("show.flight") != std::string::npos || key.path.find("show.total_L") != std::string::npos)
+  if (ofAThrownBody(key))
     return kOmega + kBox + "body.mass = 1\nmotion.flight.velocity = [1, 0, 2]\n" +
            (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (key.path.find("show.cones") != std::string::npos || key.path.find("show.decomposition") != std::string::npos)

@@ -3,6 +3,7 @@
 // and from the sums over five masses in PHYSICS (eq 1 to 10).
 #include "stage/flight_figures.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -54,6 +55,10 @@ position = [-0.5, -0.75, -1.125]
 const std::string kBare =
     "[show]\nellipsoid = false\nplane = false\nherpolhode = false\npolhode = false\ncontact = false\n"
     "principal_axes = false\nL = false\nomega = false\nlabels = false\n";
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  return text.replace(text.find(from), from.size(), to);
+}
 
 Vector3d centre_W(double t_s) { return kStart + t_s * kVelocity + 0.5 * t_s * t_s * kGravity; }
 
@@ -116,6 +121,50 @@ TEST(FlightFigure, TheCameraStandsStillInSpace) {
     return Vector3d(fromPicture(onlyList(stage, t, kSize).camera.eye_W) + s.scales.flight * centre_W(t));
   };
   for (const double t : kTimes_s) EXPECT_LT((eye_W(t) - eye_W(0)).norm(), 3e-6) << t;  // floats; measured 6e-7
+}
+
+// The body, at V's origin, stays where it is in the picture; space passes by, from the first instant to the last.
+TEST(FlightFigure, TheCameraGoesAlongWhereItFollows) {
+  const std::string text = kFiveMasses + "[camera]\nfollow = true\n";
+  const Scenery s(text);
+  const Stage stage(scene::parseScene(text, "sample.toml"));
+  const Stage still(scene::parseScene(kFiveMasses, "sample.toml"));
+  const auto at_px = [&](double t) { return project(onlyList(stage, t, kSize).camera, glm::vec3(0)); };
+  for (const double t : kTimes_s) {
+    EXPECT_LT(glm::distance(at_px(t), at_px(0)), 1e-4f) << t;
+    const draw::Camera camera = onlyList(stage, t, kSize).camera;
+    for (const double other : kTimes_s) {
+      const Vector3d place_V = s.scales.flight * (centre_W(other) - centre_W(t));
+      EXPECT_LT(depthOf(camera, toPicture(place_V)), camera.far);
+    }
+  }
+  const auto unit_px = [](const Stage& of) {
+    const draw::Camera camera = onlyList(of, 0, kSize).camera;
+    return camera.scale_px(depthOf(camera, glm::vec3(0)));
+  };
+  EXPECT_GT(unit_px(stage), 1.5f * unit_px(still));  // as near as the body allows; measured 2.4
+}
+
+// A camera that goes along shows the body as large as it can be, however long its way is.
+TEST(FlightFigure, IsToScaleWhereTheCameraFollows) {
+  const auto shrinks = [&](const std::string& more) {
+    const Scenery s(replaced(kFiveMasses + kBare + more, "duration = 2", "duration = 12"));
+    return s.scales.flight < s.scales.body;
+  };
+  EXPECT_TRUE(shrinks(""));
+  EXPECT_FALSE(shrinks("[camera]\nfollow = true\n"));
+}
+
+// 170 m behind the body, at its height: in the picture of an eye before the body; of one behind it the origin is
+// behind the eye, and has no name.
+TEST(FlightFigure, TheOriginMayBeBehindTheEye) {
+  for (const int azimuth_deg : {0, 90, 180, 270}) {
+    const std::string follow = fmt::format("[camera]\nfollow = true\nelevation = 0\nazimuth = \"{} deg\"\n", azimuth_deg);
+    const Stage stage(scene::parseScene(replaced(kFiveMasses, "[1.2, -0.7, 0.4]", "[90, 0, 9.3]") + follow, ""));
+    const auto names = onlyList(stage, 1.9, kSize).texts;
+    EXPECT_EQ(std::ranges::any_of(names, [](const draw::Text& t) { return t.tex == "$O$"; }), azimuth_deg == 0)
+        << azimuth_deg;
+  }
 }
 
 TEST(FlightFigure, OnlyWhereSpaceStandsStill) {
@@ -185,6 +234,21 @@ TEST(GhostsFigure, OfAThrownBodyAppearWhenItHasBeenThere) {
   EXPECT_GE(body, 5u);
   EXPECT_EQ(balls(0.5) - 1, 2 * body);
   EXPECT_EQ(balls(1.5) - 1, 3 * body);
+}
+
+// Of a hammer, the end of the handle: 0.1 m of head one way, 0.8 m of handle the other, from the middle between both.
+TEST(TraceFigure, OfAThrownBodyIsThatOfItsEnd) {
+  const auto traced = [](const std::string& side) {
+    const Scenery s("[motion]\nomega_body = [0, 8, 0]\n[motion.flight]\nvelocity = [3, 0, 4]\n"
+                    "[[body.part]]\nshape = 'cube'\nedge = 0.2\nmass = 2\n"
+                    "[[body.part]]\nshape = 'cylinder'\nradius = 0.02\nheight = 0.8\nmass = 0.5\noffset = [0, 0, " +
+                    side + "0.5]\n");
+    const Vector3d end_B = TraceFigure(s.setting).point_V(s.motion.at(0)) / s.scales.body;
+    return Vector3d(s.motion.at(0).R_VB.transpose() * end_B);
+  };
+  const double centre = 0.5 * 0.5 / 2.5;  // of mass, from the head's middle
+  EXPECT_LT((traced("") - Vector3d(0, 0, 0.9 - centre)).norm(), 1e-14);
+  EXPECT_LT((traced("-") + Vector3d(0, 0, 0.9 - centre)).norm(), 1e-14);
 }
 
 TEST(TraceFigure, OfAThrownBodyIsThePathInSpace) {

@@ -104,6 +104,35 @@ TEST(Framing, ZoomEnlarges) {
   EXPECT_NEAR(width(near) / width(view()), 2, 0.02);
 }
 
+// As a longer lens: the picture is the same, larger. What the eye came near to by going there is still before it.
+TEST(Framing, ZoomKeepsThePictureAsItIs) {
+  std::vector<Vector3d> points = kWide;
+  points.emplace_back(2.5 * cameraAxes_V(view()).col(2));  // towards the eye
+  const draw::Camera whole = frameAll(view(), {points, 0}, {0.1, 0.05, 0.2, 0.1}, {1000, 500});
+  const glm::vec2 middle(0.5 * 1000 * (1 + 0.1 - 0.05), 250);
+  for (const double zoom : {0.05, 0.5, 5.0, 20.0}) {
+    scene::Camera enlarged = view();
+    enlarged.zoom = zoom;
+    const draw::Camera camera = frameAll(enlarged, {points, 0}, {0.1, 0.05, 0.2, 0.1}, {1000, 500});
+    for (const Vector3d& p : points) {
+      const glm::vec2 expected = middle + static_cast<float>(zoom) * (project(whole, toPicture(p)) - middle);
+      EXPECT_LT(glm::distance(project(camera, toPicture(p)), expected), 1e-3 * std::max(zoom, 1.0)) << zoom;
+      EXPECT_GT(depthOf(camera, toPicture(p)), camera.near) << zoom;
+    }
+  }
+}
+
+// What passes by changes neither the eye nor the size; it is between near and far.
+TEST(Framing, WhatPassesByIsDrawnAndNotHeld) {
+  const Vector3d far = -80 * cameraAxes_V(view()).col(2);
+  const draw::Camera held = frameAll(view(), {kWide, 0}, {}, {1000, 500});
+  const draw::Camera camera = frameAll(view(), {.points_V = kWide, .passing_V = {far}}, {}, {1000, 500});
+  EXPECT_EQ(camera.eye_W, held.eye_W);
+  EXPECT_EQ(camera.focal_px(), held.focal_px());
+  EXPECT_LT(held.far, depthOf(held, toPicture(far)));
+  EXPECT_GT(camera.far, depthOf(camera, toPicture(far)));
+}
+
 // ---- parallel rays ----
 
 scene::Camera parallelView() {

@@ -55,6 +55,21 @@ TEST(LabelLayout, LabelsKeepToTheirSideOfWhatLiesOverTheMiddle) {
   EXPECT_GT(inkOf(list.texts.at(1)).top, 245);
 }
 
+// At the border it is there, a type size outside it is not; between the two it fades.
+TEST(LabelLayout, NamesGoWithWhatLeavesThePicture) {
+  const auto opacity = [](glm::vec2 anchor_px) {
+    draw::DrawList list = picture();
+    addLabels(list, {{.tex = "$x$", .anchor_px = anchor_px, .size_px = 20}}, {});
+    return list.texts.empty() ? 0 : list.texts.at(0).opacity;
+  };
+  EXPECT_EQ(opacity({0, 0}), 1);
+  EXPECT_EQ(opacity({800, 450}), 1);
+  EXPECT_FLOAT_EQ(opacity({-5, 200}), 0.75);
+  EXPECT_FLOAT_EQ(opacity({805, 465}), 0.25);
+  EXPECT_EQ(opacity({300, 470}), 0);
+  EXPECT_EQ(opacity({-900, 100}), 0);
+}
+
 /// A view from straight above, 100 px to a unit, the origin in the middle.
 draw::DrawList withShaft(glm::vec3 from_W, glm::vec3 to_W) {
   draw::DrawList list;
@@ -129,8 +144,8 @@ TEST(LabelLayout, LabelsStayApartAndInside) {
   for (int trial = 0; trial < 300; ++trial) {
     draw::DrawList list = picture();
     std::vector<Label> labels;
-    // Five labels around one place, as when a motion brings all arrows together.
-    const glm::vec2 place(uniform(800), uniform(450));
+    // Five labels around one place in the picture, as when a motion brings all arrows together.
+    const glm::vec2 place(uniform(740), uniform(390));
     for (const char* tex : {"$\\mathbf{L}$", "$\\boldsymbol{\\omega}$", "$\\hat{\\mathbf{e}}_1$",
                             "$\\hat{\\mathbf{e}}_2$", "$\\hat{\\mathbf{e}}_3$"})
       labels.push_back({.tex = tex,
