@@ -11,7 +11,7 @@ namespace poinsot::app {
 /// too large is infinite, what is too small is zero. Empty if the whole text is no number.
 std::optional<double> parseNumber(std::string_view text);
 
-/// Appends the shortest decimal number that reads back as this very double.
+/// Appends the shortest decimal number that reads back as this very double; zero has no sign.
 void appendNumber(std::string& text, double value);
 
 }  // namespace poinsot::app

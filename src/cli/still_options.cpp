@@ -44,7 +44,7 @@ std::optional<double> askedTime_s(const StillOptions& options) {
 
 void addStillOptions(CLI::App& command, StillOptions& options) {
   command
-      .add_option("--time", options.time,
+      .add_option("-t,--time", options.time,
                   "film time, such as 1.25 (seconds) or '90 ms' (default: the scene's time.still)")
       ->type_name("T");
   command

@@ -78,7 +78,7 @@ std::vector<Key> drawnBodyKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Names beside the vectors and axes.",
+       .help = "Names beside the vectors and axes; one of them is left out by an empty text in [label].",
        .put = into([](Draft& d) { return &d.scene.show.labels; })},
       visibleKey("show.body.visible", "The body itself.",
                  into([](Draft& d) { return &d.scene.show.body.visible; })),

@@ -45,7 +45,8 @@ TEST(TrajectoryNumber, WritesWhatReadsBack) {
   }
   std::string text = "a,";
   appendNumber(text, 0.1);
-  EXPECT_EQ(text, "a,0.1");
+  appendNumber(text, -0.0);
+  EXPECT_EQ(text, "a,0.10");
 }
 
 std::vector<double> all(const TrajectoryTimes& times) {
