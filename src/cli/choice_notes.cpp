@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/loop_text.h"
+#include "app/scene_composer.h"
 #include "scene/heavy_top_start.h"
 #include "scene/make_motion.h"
 #include "stage/palette.h"
@@ -64,6 +66,16 @@ std::string faintTypeNote(const scene::Scene& scene) {
                   contrast));
 }
 
+float smallestType_px(const draw::Picture& picture) {
+  float smallest = std::numeric_limits<float>::infinity();
+  const auto look = [&](const std::vector<draw::Text>& texts) {
+    for (const draw::Text& text : texts) smallest = std::min(smallest, text.size_px);
+  };
+  look(picture.texts);
+  for (const draw::Panel& panel : picture.panels) look(panel.list.texts);
+  return smallest;
+}
+
 }  // namespace
 
 std::string doubtNotes(const scene::Scene& scene) {
@@ -77,6 +89,19 @@ std::string choiceNotes(const scene::Scene& scene, bool film) {
   if (scene.time.loop) notes += line(app::loopText(*scene.time.loop, scene.time));
   if (film) notes += paceNote(scene);
   return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);
+}
+
+std::string smallTypeNote(const app::RenderRequest& render, const scene::Scene& scene) {
+  constexpr float kLegible_px = 7;  // an x of 3 pixels
+  if (!render.scene.sweep || render.form.print) return "";
+  const glm::ivec2 size_px(scene.output.width, scene.output.height);
+  const auto composer = app::composerOf(render.scene, scene);
+  const float smallest_px = smallestType_px(composer->compose(scene.time.stillTime_s(), size_px));
+  if (smallest_px >= kLegible_px) return "";
+  return line(
+      fmt::format("the smallest type is {:.2g} px high, which nobody can read; a larger --size, fewer cells or "
+                  "style.text_size make it larger",
+                  smallest_px));
 }
 
 }  // namespace poinsot::cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/render_request.h"
 #include "scene/scene.h"
 
 namespace poinsot::cli {
@@ -14,5 +15,8 @@ std::string doubtNotes(const scene::Scene& scene);
 /// line each.
 /// @param film  more than one frame is made
 std::string choiceNotes(const scene::Scene& scene, bool film);
+
+/// Of a grid of films in the pixels of one, whose type nobody can read; else empty.
+std::string smallTypeNote(const app::RenderRequest& render, const scene::Scene& scene);
 
 }  // namespace poinsot::cli

@@ -200,7 +200,8 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   }
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
   checkTrace(options, target);
-  if (!options.quiet && options.progress != "json") writeErr(choiceNotes(scene, frames.count() > 1));
+  if (!options.quiet && options.progress != "json")
+    writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene));
   if (options.dryRun) return describe(render, scene);
   std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;

@@ -87,6 +87,14 @@ TEST_F(SweepCommand, WithoutANameAPictureIsMadeOfTheScenes) {
   EXPECT_THAT(description("out/a_map.png"), StartsWith("A map of how long the body takes from flip to flip"));
 }
 
+TEST_F(SweepCommand, SaysWhereTypeIsTooSmallToRead) {
+  const auto said = [&](const std::string& size) {
+    return good({"-D", kRange, "-o", "a.png", "--size", size, "--force", "--dry-run"}).err;
+  };
+  EXPECT_THAT(said("240x135"), HasSubstr("px high, which nobody can read; a larger --size"));
+  EXPECT_THAT(said("1280x720"), Not(HasSubstr("nobody can read")));
+}
+
 TEST_F(SweepCommand, FiguresOnPaper) {
   good({"-D", kRange, "-o", "sheet.pdf", "--dpi", "100"});
   good({"--map", "-o", "map.svg", "--dpi", "100"});
