@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "app/memory.h"
-#include "app/scene_composer.h"
 #include "app/submission.h"
 #include "app/sweep_cells.h"
 #include "cli/commands.h"
@@ -110,10 +109,7 @@ int submit(SubmitOptions options) {
   const auto [request, scene, target, frames] = requestedFilm(options);
   checkKind(target);
   checkMakeable(options, target, scene, frames, pictureForm(options));
-  if (request.sweep)  // what the motion lacks is found here, not in a queue
-    app::checkSweep(request, scene);
-  else
-    const stage::Stage stage(scene);
+  if (!request.sweep) const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
   const int cells = request.sweep ? app::SweepGrid(request).cells : 1;
   const double estimate_bytes = app::workerMemory_bytes(target, scene, pictureForm(options), cells);
   app::expectWithinMemory(estimate_bytes, app::pictureText({scene.output.width, scene.output.height}),
