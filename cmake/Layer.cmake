@@ -43,6 +43,6 @@ function(poinsot_test name)
   target_compile_definitions(${name} PRIVATE
     POINSOT_SOURCE_DIR="${CMAKE_SOURCE_DIR}" POINSOT_BINARY_DIR="${CMAKE_BINARY_DIR}"
     POINSOT_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/poinsot")
-  gtest_discover_tests(${name} PROPERTIES LABELS "${ARG_LABELS}"
+  gtest_discover_tests(${name} NO_PRETTY_VALUES PROPERTIES LABELS "${ARG_LABELS}"
     ENVIRONMENT "POINSOT_CACHE=${CMAKE_BINARY_DIR}/cache" DISCOVERY_TIMEOUT 60)
 endfunction()
