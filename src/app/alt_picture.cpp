@@ -136,10 +136,13 @@ Sentences colorSentences(const scene::Scene& scene) {
 /// What has no family's colour, or one that the scene chose.
 std::string otherWords(const scene::Scene& scene) {
   static const std::vector<Thing> things{
-      {"the angle θ between L and k", [](const scene::Show& s) { return s.figures.theta.visible; }},
       {"an arrow for the torque", [](const scene::Show& s) { return s.figures.torque.visible; }},
       {"the axes x, y and z of space", [](const scene::Show& s) { return s.figures.spaceAxes.visible; }}};
   std::vector<std::string> words = shown(things, scene.views);
+  const bool gravity = !scene.motion.forcing.gravity_B.isZero(0);
+  const Thing theta{gravity ? "the angle θ between k and the vertical" : "the angle θ between L and k",
+                    [](const scene::Show& s) { return s.figures.theta.visible; }};
+  for (const std::string& angle : shown({theta}, scene.views)) words.push_back(angle);
   const auto add = [&](const char* what, const std::string& tex) {
     const std::string name = text::setTex(tex).plainText;
     words.push_back(name.empty() ? what : fmt::format("{} “{}”", what, name));
@@ -242,11 +245,14 @@ std::string paceWords(double pace) {
 }
 
 std::string filmSentence(const scene::Scene& scene) {
-  const double speed = stage::chosenSpeed(scene), shown_s = std::abs(speed) * scene.time.duration_s;
-  const std::string length = timeWords(scene.time.duration_s);
+  const scene::FilmClock clock = stage::filmClock(scene);
+  const double speed = clock.speed(), length_s = scene.time.duration_s;
+  const double shown_s = std::abs(speed) * clock.played_s(length_s);
+  const std::string length = timeWords(length_s);
   if (speed == 0) return fmt::format("The film lasts {}; the motion stands still.", length);
   return fmt::format("The film lasts {} and shows {} of motion{}, {}{}.", length, timeWords(shown_s),
-                     speed < 0 ? " backwards" : "", paceWords(std::abs(speed)),
+                     speed < 0 ? " backwards" : "",
+                     clock.changes() ? "at a pace that changes" : paceWords(std::abs(speed)),
                      scene.time.loop ? "; then it repeats without a jump" : "");
 }
 

@@ -213,7 +213,11 @@ class Reader {
              if (!mayBeRead((folder_ / scene).parent_path())) refuseOutside(describe(n));
            }},
           {"image", [&](const Node& n) { test.image = read(n); }},
-          {"times", [&](const Node& n) { test.times_s = listOf(n, timeOf); }},
+          {"times",
+           [&](const Node& n) {
+             test.times_s = listOf(n, timeOf);
+             test.timesAt = locationOf(n.place);
+           }},
           {"size", [&](const Node& n) { test.size = sizeOf(n, allowance_.limits); }},
           {"height",
            [&](const Node& n) {

@@ -27,6 +27,7 @@ struct GoldenTest {
   std::optional<image::PixelSize> size;
   std::optional<int> height;           ///< in place of the size: the width keeps the scene's proportion
   core::SourceLocation heightAt;       ///< where the manifest says so
+  core::SourceLocation timesAt;        ///< and of the times
   std::vector<std::string> overrides;  ///< "key=value"
   GoldenRule rule;
 };

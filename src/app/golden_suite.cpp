@@ -2,6 +2,7 @@
 #include "app/golden_suite.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -34,6 +35,17 @@ std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) 
   return cases;
 }
 
+/// The first few, each once.
+std::string listText(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  std::vector<std::string> all;
+  for (const std::string& name : names)
+    if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  const std::size_t shown = std::min(all.size(), kMost);
+  return fmt::format("{}{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                     shown < all.size() ? ", ..." : "");
+}
+
 image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene, const scene::Limits& limits) {
   if (test.size) return *test.size;
   const image::PixelSize own{scene.output.width, scene.output.height};
@@ -51,6 +63,14 @@ image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene, const
   return {static_cast<int>(width), *test.height};
 }
 
+double timeOf(const GoldenCase& one, const scene::Scene& scene) {
+  const double t_s = one.time_s.value_or(scene.time.stillTime_s());
+  if (t_s >= 0 && t_s <= scene.time.duration_s) return t_s;
+  throw core::Error(core::ErrorKind::kScene,
+                    fmt::format("times: the film lasts from 0 to {} s, got {} s", scene.time.duration_s, t_s),
+                    one.test.timesAt);
+}
+
 /// A scene's picture, ready to be made.
 struct Drawing {
   std::size_t place = 0;  ///< among the cases
@@ -64,12 +84,8 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   const scene::Scene scene = loadRequested(request);
   request.size = sizeOf(one.test, scene, golden.allowance.limits);
   const std::string digest = core::toHex(sceneDigest(request, scene));
-  RenderRequest render{std::move(request),
-                       {OutputKind::kPicture, one.actual},
-                       {0, 0},
-                       one.time_s.value_or(scene.time.stillTime_s()),
-                       1,
-                       golden.backend,
+  const double time_s = timeOf(one, scene);  // not below, where g++ 12 frees the target twice when it throws
+  RenderRequest render{std::move(request), {OutputKind::kPicture, one.actual}, {0, 0}, time_s, 1, golden.backend,
                        golden.reproducible};
   const image::PixelSize size = *render.scene.size;
   const int cells = render.scene.sweep ? SweepGrid(render.scene).cells : 1;
@@ -293,7 +309,8 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
     const auto near = core::closest(only, names);
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("{}: no such test{}", core::printable(only),
-                                  near ? fmt::format("; did you mean '{}'?", *near) : ""));
+                                  near ? fmt::format("; did you mean '{}'?", *near)
+                                       : fmt::format("; there are {}", core::printable(listText(names)))));
   }
   return wanted;
 }

@@ -19,7 +19,8 @@ void addSteadyPrecession(Section& section, const physics::HeavyTop& top, double 
   section.add("steady_precession_exists", "steady precession at this tilt and spin", steady.has_value(), "", "");
   if (!steady) return;
   section.add("slow_precession_rate", "  slow", steady->slow, "rad/s", "about the vertical");
-  section.add("fast_precession_rate", "  fast", steady->fast, "rad/s", "");
+  section.add("fast_precession_rate", "  fast", steady->fast, "rad/s",
+              std::isinf(steady->fast) ? "none: the axis is level" : "");
 }
 
 void addNutation(Section& section, const physics::Nutation& nutation) {
@@ -67,6 +68,9 @@ Section heavyTopSection(const scene::Scene& scene) {
   const auto start = scene::heavyTopStart(scene);
   if (!start) return section;
   section.add("weight_moment", "M g l", start->top.weight, "N m", "");
+  if (start->uneven > 0)
+    section.add("top_unevenness", "moments across k differ by", start->uneven, "",
+                "of themselves; their mean counts");
   section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
   section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");

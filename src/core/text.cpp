@@ -10,7 +10,12 @@ namespace poinsot::core {
 namespace {
 
 constexpr int kLongestShown = 200;
-constexpr std::size_t kTellingPart = 3;  // letters that make a part of a word enough to tell it
+constexpr std::size_t kTellingPart = 3;   // letters that make a part of a word enough to tell it
+constexpr std::size_t kTellingBegin = 5;  // and its beginning, whatever follows
+
+std::size_t commonBegin(std::string_view a, std::string_view b) {
+  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+}
 
 bool unsafe(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
@@ -88,6 +93,9 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
   // "omega" for "omega_body", "moments" for "principal_moments".
   for (const std::string& candidate : candidates)
     if (candidate.find(word) != std::string::npos) return candidate;
+  // "gravitation" for "gravity".
+  for (const std::string& candidate : candidates)
+    if (commonBegin(word, candidate) >= kTellingBegin) return candidate;
   return best;
 }
 

@@ -69,13 +69,16 @@ double turning(double mc, double rate, double near, double far) {
 
 }  // namespace
 
-std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P) {
+std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P,
+                                 double uneven) {
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const double weight = std::abs(gravity_P[k]);
     const double across = std::max(std::abs(gravity_P[i]), std::abs(gravity_P[j]));
-    if (weight == 0 || across > kRounding * weight || moments[i] != moments[j]) continue;
-    return HeavyTop{(gravity_P[k] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(k), moments[i], moments[k], weight};
+    if (weight == 0 || across > std::max(kRounding, uneven) * weight) continue;
+    if (std::abs(moments[i] - moments[j]) > uneven * moments[i]) continue;
+    const double mean = moments[i] + 0.5 * (moments[j] - moments[i]);
+    return HeavyTop{(gravity_P[k] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(k), mean, moments[k], weight};
   }
   return std::nullopt;
 }
@@ -83,7 +86,9 @@ std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::V
 double HeavyTop::sleepingSpin() const { return 2 * std::sqrt(across * weight) / along; }
 
 std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, double spin) const {
-  const double L3 = along * spin, stiffness = across * sineCosine(tilt_rad).cosine;
+  constexpr double kLevel = 1e-15;  // cosine of a right angle, as double has it
+  const double cosine = sineCosine(tilt_rad).cosine, stiffness = std::abs(cosine) < kLevel ? 0 : across * cosine;
+  const double L3 = along * spin;
   const double square = L3 * L3 - 4 * stiffness * weight;
   if (square < 0 || (L3 == 0 && square == 0)) return std::nullopt;
   const double sum = L3 + std::copysign(std::sqrt(square), L3);  // of one sign

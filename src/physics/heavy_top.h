@@ -53,7 +53,9 @@ struct HeavyTop {
 };
 
 /// gravity_P: M g r of the centre of mass from the fixed point, N·m. Empty unless r is along a principal axis, to
-/// 1e-14 of its length, and not 0, and the moments about the other two are equal.
-std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P);
+/// `uneven` of its length or 1e-14, and not 0, and the moments about the other two differ by no more than `uneven`
+/// of themselves; then their mean is taken.
+std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P,
+                                 double uneven = 0);
 
 }  // namespace poinsot::physics

@@ -202,8 +202,9 @@ class Checker {
     // printable() changes exactly what a terminal or a line of type cannot show; at most 200 characters it cuts
     // nothing.
     if (core::printable(*value) != *value)
-      return refuse(node,
-                    fmt::format("may hold no line ends or other control characters, got {}", describe(node)));
+      return refuse(node, fmt::format("may hold no line ends or other control characters, got {} (mathematics "
+                                      "stands in single quotes, where a backslash is one: '$\\theta$')",
+                                      describe(node)));
     return Checked(*value);
   }
 
@@ -238,11 +239,14 @@ class Checker {
     return refuse(node, fmt::format("expected {}, got {}{}", expected, describe(node), hint));
   }
 
-  /// "omega_1" for "omega1", "omega" for "omega_magnitude".
+  /// "theta_vertical" for "theta_vert", "omega_1" for "omega1", "omega" for "omega_magnitude".
   std::optional<std::string> meantWord(const std::string& given) const {
     constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time
     constexpr std::size_t kAddition = 3;  // letters after the underscore: fewer are an axis
     if (given.size() > kLongest) return std::nullopt;
+    const auto begun = [&](std::string_view word) { return word.starts_with(given); };
+    if (given.size() > kAddition && std::ranges::count_if(key_.words, begun) == 1)
+      return std::string(*std::ranges::find_if(key_.words, begun));
     const std::size_t begin = given.find('_');
     if (!key_.wordList.empty() && begin != std::string::npos && given.size() > begin + kAddition)
       if (std::ranges::find(key_.words, std::string_view(given).substr(0, begin)) != key_.words.end())

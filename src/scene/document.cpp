@@ -5,10 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <toml++/toml.h>
-#include <algorithm>
-#include <regex>
 
 #include "core/text.h"
+#include "scene/syntax_problem.h"
 #include "scene/text_limits.h"
 
 namespace poinsot::scene {
@@ -58,66 +57,6 @@ class Converter {
   const Source& source_;
 };
 
-/// toml++ stops after the word it refuses and quotes it; this is where the word begins.
-Place placeOf(const toml::parse_error& error, const Source& source) {
-  const toml::source_position at = error.source().begin;
-  Place place{&source, static_cast<int>(at.line), static_cast<int>(at.column), 1};
-  const std::string_view text = error.description();
-  const bool quotesWhatItRead = text.find("saw '") == std::string_view::npos;
-  const std::size_t open = text.find('\''), close = text.rfind('\'');
-  if (!quotesWhatItRead || open == std::string_view::npos || close <= open + 1) return place;
-  const std::string_view word = text.substr(open + 1, close - open - 1);
-  const std::string_view line = source.line(place.line).substr(0, at.column);
-  const std::size_t found = line.rfind(word);
-  if (found == std::string_view::npos) return place;
-  place.column = static_cast<int>(characterCount(line.substr(0, found))) + 1;
-  place.length = static_cast<int>(characterCount(word));
-  return place;
-}
-
-std::string lowered(std::string text) {
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  return text;
-}
-
-/// In the words of someone who writes scenes, with the usual slip named.
-std::string messageOf(const toml::parse_error& error, std::string_view line) {
-  const bool typographic = line.find("\u201c") != line.npos || line.find("\u201d") != line.npos ||
-                           line.find("\u2018") != line.npos || line.find("\u2019") != line.npos;
-  const std::string text = lowered(core::printable(error.description()));
-  const auto says = [&](std::string_view part) { return text.find(part) != std::string::npos; };
-  if (says("cannot redefine existing boolean"))
-    return "given before as true or false; leave that line out: the keys below it ask for the thing";
-  if (says("cannot redefine")) return "this key or table is given twice: " + text;
-  if (says("parsing string") && (says("control characters") || says("end-of-file")))
-    return "not TOML: this text has no closing quote";
-  if (says("could not determine value type"))
-    return typographic ? "not a TOML value; text stands in straight quotes: \"...\" or '...'"
-                       : "not a TOML value; text stands in quotes: \"...\"";
-  if (says("could not be interpreted as a value") || says("is not representable"))
-    return "a number out of range: " + text;
-  if (says("expected a comment or whitespace, saw") || says("expected digit, saw"))
-    return "not TOML: " + text + " (a number with a unit, or a fraction, stands in quotes: \"3 rpm\")";
-  if (says("escape sequence"))
-    return "not TOML: " + text + " (mathematics stands in single quotes, where a backslash is one: '$\\omega$')";
-  return "not TOML: " + text;
-}
-
-/// Whether the line begins a table or gives a key, which no line within an array does.
-bool beginsAnew(std::string_view line) {
-  const std::regex headerOrKey(R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
-  constexpr std::size_t kLongest = 200;  // of which the library's recursion has to know nothing
-  return std::regex_match(std::string(line.substr(0, kLongest)), headerOrKey);
-}
-
-/// The bracket of an array that has no end: toml++ sees that only at what follows, often lines below.
-std::optional<Place> unclosedArray(const toml::parse_error& error, const Source& source, const Limits& limits) {
-  const int line = static_cast<int>(error.source().begin.line);
-  const bool atEnd = error.description().find("encountered end-of-file") != std::string_view::npos;
-  if (!atEnd && !beginsAnew(source.line(line))) return std::nullopt;
-  return openArrayAtLine(source, limits, atEnd ? line + 1 : line);
-}
-
 [[noreturn]] void refuse(const Place& place, std::string message) {
   Problems problems;
   problems.add(place, std::move(message));
@@ -144,9 +83,10 @@ Node parseDocument(const Source& source, const Limits& limits) {
   try {
     return Converter(source).node(toml::parse(std::string_view(source.text())));
   } catch (const toml::parse_error& error) {
-    if (const auto bracket = unclosedArray(error, source, limits))
-      refuse(*bracket, "not TOML: the array that begins here has no closing ]");
-    refuse(placeOf(error, source), messageOf(error, source.line(static_cast<int>(error.source().begin.line))));
+    const toml::source_position at = error.source().begin;
+    const SyntaxProblem problem =
+        syntaxProblem(source, static_cast<int>(at.line), static_cast<int>(at.column), error.description(), limits);
+    refuse(problem.place, problem.message);
   }
 }
 

@@ -81,7 +81,7 @@ struct VectorDraft {
   std::optional<Eigen::Vector3d> components, position, velocity;
   VectorFrame frame = VectorFrame::kSpace;
   double scale = 1;
-  Meaning color = Meaning::kInk;
+  Meaning color = Meaning::kVector;
 };
 
 struct AngleDraft {

@@ -22,6 +22,7 @@ class FilmClock {
 
   /// The factor on the speed at a film time: 1 plain, 0 stands still.
   double pace(double filmTime_s) const { return pace_.at(filmTime_s); }
+  bool changes() const { return !pace_.constant(); }
   /// The largest factor of the film.
   double fastestPace() const { return pace_.greatest(); }
   /// Motion seconds per film second at pace 1.

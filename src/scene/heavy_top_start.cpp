@@ -24,10 +24,13 @@ double HeavyTopStart::spin() const { return omega_P.dot(top.k_P); }
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene) {
   const physics::PrincipalAxes& axes = scene.body.axes;
   if (!gravityAlone(scene.motion.forcing)) return std::nullopt;
-  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
+  constexpr double kUneven = 1e-6;
+  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), kUneven);
   if (!top) return std::nullopt;
+  const Eigen::Vector3d acrossK = axes.moments().values() - top->along * top->k_P.cwiseAbs();
+  const double uneven = 2 * (acrossK.maxCoeff() / top->across - 1);
   return HeavyTopStart{*top, axes.toP(scene.motion.omega_B),
-                       axes.toP(startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ())};
+                       axes.toP(startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ()), std::abs(uneven)};
 }
 
 }  // namespace poinsot::scene

@@ -14,13 +14,15 @@ struct HeavyTopStart {
   physics::HeavyTop top;
   Eigen::Vector3d omega_P;  ///< rad/s
   Eigen::Vector3d up_P;     ///< unit
+  double uneven = 0;        ///< by how much of themselves the moments across k differ
 
   double tilt_rad() const;  ///< of k from the vertical
   double spin() const;      ///< about k, rad/s
   physics::Nutation nutation() const { return top.nutation(omega_P, up_P); }
 };
 
-/// Empty for every other motion.
+/// Empty for every other motion. What differs from symmetry by no more than rounded input does, 1e-6, is taken for
+/// symmetric.
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
 
 }  // namespace poinsot::scene

@@ -66,9 +66,9 @@ std::vector<Key> vectorKeys() {
        .put = intoVector([](VectorDraft& v) { return &v.scale; })},
       {.path = "vector[].color",
        .type = kWord,
-       .words = {"ink", "L", "omega", "body", "axes", "torque"},
+       .words = {"vector", "ink", "L", "omega", "body", "axes", "torque"},
        .example = "\"omega\"",
-       .help = "Whose colour it has.",
+       .help = "Whose of the [style.colors] it has.",
        .put = intoVector([](VectorDraft& v) { return &v.color; })},
   };
 }

@@ -16,7 +16,7 @@ enum class Direction { kL, kOmega, kTorque, kAxis, kE1, kE2, kE3, kX, kY, kZ };
 enum class VectorFrame { kSpace, kBody, kPrincipal };
 
 /// Whose colour a vector has.
-enum class Meaning { kInk, kL, kOmega, kBody, kAxis, kTorque };
+enum class Meaning { kVector, kInk, kL, kOmega, kBody, kAxis, kTorque };
 
 /// Fixed in its axes.
 struct FixedVector {
@@ -38,7 +38,7 @@ struct NamedVector {
   std::variant<FixedVector, PositionVector, VelocityVector> what;
   std::string name;  ///< the TeX subset of text/
   double scale = 1;
-  Meaning color = Meaning::kInk;
+  Meaning color = Meaning::kVector;
 };
 
 struct NamedAngle {

@@ -78,6 +78,7 @@ std::optional<std::string> elsewhere(std::string_view path) {
   for (const auto& [known, key] : kKnownElsewhere)
     if (name == known) return std::string(key);
   if (auto found = deeper(tableOf(path), name)) return found;
+  if (const std::string thing = pathBelow("show", name); isTable(thing)) return thing;
   return sameName(name);
 }
 

@@ -78,18 +78,20 @@ double CaptionStrip::height_px(glm::vec2 size_px, const Sizing& sizing) const {
   return tallest > 0 ? em_px * tallest + (kAbove + kBelow) * sizing.type_px : 0;
 }
 
-double CaptionStrip::opacity(const scene::Caption& caption, double filmTime_s) const {
+double CaptionStrip::opacity(const scene::Caption& caption, const Moment& moment) const {
+  const double t_s = moment.filmTime_s;
+  if (moment.still) return t_s >= caption.from_s && (t_s < caption.to_s || caption.to_s >= duration_s_) ? 1 : 0;
   const double third_s = (caption.to_s - caption.from_s) / 3, out_s = std::min(kOut_s, third_s);
   scene::EasedTrack track(caption.from_s > 0 ? 0 : 1);
   track.turnTo(caption.from_s, std::min(kIn_s, third_s), 1);
   if (caption.to_s < duration_s_) track.turnTo(caption.to_s - out_s, out_s, 0);
-  return track.at(filmTime_s);
+  return track.at(t_s);
 }
 
-void CaptionStrip::add(draw::Picture& picture, double filmTime_s, const Sizing& sizing,
+void CaptionStrip::add(draw::Picture& picture, const Moment& moment, const Sizing& sizing,
                        const Palette& colors) const {
   const auto entry =
-      std::ranges::find_if(entries_, [&](const Entry& e) { return opacity(e.caption, filmTime_s) > 0; });
+      std::ranges::find_if(entries_, [&](const Entry& e) { return opacity(e.caption, moment) > 0; });
   if (entry == entries_.end()) return;
   const double wanted_px = std::max(kSize * sizing.type_px, sizing.least_px), room_px = kRoom * picture.size_px.x;
   const std::vector<Line> lines = linesOf(*entry, room_px / wanted_px);
@@ -101,7 +103,7 @@ void CaptionStrip::add(draw::Picture& picture, double filmTime_s, const Sizing& 
     y += em_px * line.top_em;
     picture.texts.push_back({line.tex, glm::vec2(0.5 * (picture.size_px.x - em_px * line.width_em), y),
                              static_cast<float>(em_px), colors.ink,
-                             static_cast<float>(opacity(entry->caption, filmTime_s)), std::nullopt, 0});
+                             static_cast<float>(opacity(entry->caption, moment)), std::nullopt, 0});
     y += em_px * (line.bottom_em + kLeading);
   }
 }

@@ -9,6 +9,7 @@
 #include "draw/picture.h"
 #include "scene/timeline.h"
 #include "stage/lettering.h"
+#include "stage/moment.h"
 #include "stage/palette.h"
 
 namespace poinsot::stage {
@@ -22,8 +23,8 @@ class CaptionStrip {
 
   /// Of the strip, in pixels from the picture's bottom; 0 without captions.
   double height_px(glm::vec2 size_px, const Sizing& sizing) const;
-  /// The caption of that instant, in the strip of a picture whose size is set.
-  void add(draw::Picture& picture, double filmTime_s, const Sizing& sizing, const Palette& colors) const;
+  /// The caption of that moment, in the strip of a picture whose size is set.
+  void add(draw::Picture& picture, const Moment& moment, const Sizing& sizing, const Palette& colors) const;
 
  private:
   struct Line {
@@ -40,7 +41,7 @@ class CaptionStrip {
   static std::optional<std::array<Line, 2>> halvesOf(const std::string& tex);
   static std::vector<Line> linesOf(const Entry& entry, double room_em);
   static double height_em(const std::vector<Line>& lines);
-  double opacity(const scene::Caption& caption, double filmTime_s) const;
+  double opacity(const scene::Caption& caption, const Moment& moment) const;
 
   std::vector<Entry> entries_;
   double duration_s_;

@@ -14,14 +14,16 @@ using scene::Direction;
 
 constexpr double kArrowRadius = 0.016;
 constexpr double kArcShare = 0.72;  // of the shorter of the two arrows
-constexpr double kVertical = 1.5;   // length of the vertical, as of L where it is longest
+constexpr double kVertical = 1.15;  // length of the vertical, as of L where it is longest
 constexpr double kBeyond = 1.15;    // of a space axis, in the ball that holds body and ellipsoid
 constexpr int kArcPoints = 48;
 
 draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
   switch (meaning) {
-    case scene::Meaning::kInk:
+    case scene::Meaning::kVector:
       break;
+    case scene::Meaning::kInk:
+      return colors.ink;
     case scene::Meaning::kL:
       return colors.L;
     case scene::Meaning::kOmega:

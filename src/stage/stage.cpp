@@ -144,7 +144,7 @@ draw::Picture Stage::compose(const Moment& moment, glm::ivec2 size_px, const Siz
   addPlots(picture, std::span(cells).subspan(views_.size()), sizing, filmTime_s);
   layout_.addRules(picture, cells, sizing.line_px, colors_);
   addBlocks(picture, writing.blocks, writing.boxes);
-  captions_.add(picture, filmTime_s, typeScaled(sizing, scene_.style.textSize), colors_);
+  captions_.add(picture, moment, typeScaled(sizing, scene_.style.textSize), colors_);
   return picture;
 }
 

@@ -124,7 +124,7 @@ draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, cons
           grid.originOf(static_cast<int>(i)));
   addLabels(picture, grid);
   addBlocks(picture, writing.blocks, writing.boxes);
-  captions_.add(picture, filmTime_s, type, colors_);
+  captions_.add(picture, moment, type, colors_);
   return picture;
 }
 

@@ -99,6 +99,18 @@ TEST(AltText, OfAHeavyTop) {
   EXPECT_THAT(text, HasSubstr("nods between 30° and 38.8° from the vertical, once in 1.83 s"));
   EXPECT_THAT(text, HasSubstr("goes round the vertical by 54.9° each time"));
   EXPECT_THAT(text, Not(HasSubstr("never changes")));  // L is turned by gravity
+  const std::string gravity = "omega_body = [0, 0, 9]\n[motion.gravity]\nmgr_body = [0, 0, 2]\n";
+  EXPECT_THAT(altText(sceneOf(body + gravity + "[show]\ntheta = true\n")),
+              HasSubstr("Besides: the angle θ between k and the vertical."));
+}
+
+// Half as fast from 4 s on, reached at once: 4 s + 6 s/2 of the 10 s.
+TEST(AltText, OfAPaceThatChanges) {
+  const std::string text =
+      altText(sceneOf("[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n"
+                      "[time]\nduration = 10\nspeed = 1\n[[timeline]]\nat = 4\nover = 0\n"
+                      "speed = 0.5\n"));
+  EXPECT_THAT(text, HasSubstr("The film lasts 10 s and shows 7 s of motion, at a pace that changes."));
 }
 
 TEST(AltText, OfTorquesAndPlots) {

@@ -189,6 +189,17 @@ TEST_F(GoldenCommand, ComparesTheSheetOfASweep) {
   EXPECT_EQ(image::readPng(folder_ / "golden/sheet.png").pixels, image::readPng(folder_ / "sheet.png").pixels);
 }
 
+TEST_F(GoldenCommand, HoldsTimesToTheFilm) {
+  folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\nsize = [64, 36]\ntimes = [0.5, 50]\n");
+  const RunResult result = golden();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.out, HasSubstr("error      s_t50: golden.toml:4:9: times: the film lasts from 0 to "));
+  EXPECT_THAT(result.out, HasSubstr("new        s_t0.5"));
+  const RunResult other = golden({"--only", "zzz"});
+  EXPECT_EQ(other.exitCode, 2);
+  EXPECT_THAT(other.err, HasSubstr("zzz: no such test; there are s_t0.5, s, s_t50"));
+}
+
 TEST_F(GoldenCommand, TellsWhatNoTestMakesAndWhatIsNotThere) {
   approve();
   saveFlat("golden/gone.png", 1);

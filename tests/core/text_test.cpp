@@ -31,6 +31,8 @@ TEST(Closest, KnowsAWordByAPartOfIt) {
   EXPECT_EQ(closest("omega", keys), "omega_body");
   EXPECT_EQ(closest("mid", {"smallest", "middle"}), "middle");
   EXPECT_EQ(closest("om", keys), std::nullopt);
+  EXPECT_EQ(closest("gravitation", {"spin", "gravity"}), "gravity");
+  EXPECT_EQ(closest("grav-field", {"spin", "gravity"}), std::nullopt);
 }
 
 TEST(Printable, NeutralisesWhatATerminalObeys) {

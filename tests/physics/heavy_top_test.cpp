@@ -43,6 +43,8 @@ TEST(HeavyTop, SteadyPrecession) {
   EXPECT_EQ(pendulum->slow, -pendulum->fast);
   const auto level = heavyTop(kMoments, kGravity)->steadyPrecession(0.5 * 180 * kDegree, kSpin);
   EXPECT_NEAR(level->slow, 2.84375 / (0.65625 * kSpin), 1e-15);  // Mgl/(I3 omega_3)
+  EXPECT_TRUE(std::isinf(level->fast));
+  EXPECT_TRUE(std::isfinite(heavyTop(kMoments, kGravity)->steadyPrecession(89.999 * kDegree, kSpin)->fast));
 }
 
 TEST(HeavyTop, NutationOfATopLetGo) {
@@ -160,6 +162,10 @@ TEST(HeavyTop, NeedsGravityAlongTheSymmetryAxis) {
   EXPECT_FALSE(heavyTop(PrincipalMoments({2, 3, 4}), kGravity));
   EXPECT_TRUE(heavyTop(PrincipalMoments({2, 2, 2}), {0, -1, 0}));
   EXPECT_EQ(heavyTop(kMoments, {0, 0, -3})->k_P, Vector3d(0, 0, -1));
+  const PrincipalMoments rounded({2, 2 + 1e-6, 3});  // a body whose parts have six digits
+  EXPECT_FALSE(heavyTop(rounded, kGravity));
+  EXPECT_NEAR(heavyTop(rounded, kGravity + Vector3d(1e-7, 0, 0), 1e-6)->across, 2 + 0.5e-6, 1e-15);
+  EXPECT_FALSE(heavyTop(rounded, kGravity, 1e-7));
 }
 
 }  // namespace

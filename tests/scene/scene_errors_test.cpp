@@ -299,6 +299,29 @@ TEST(Report, KnowsTheUsualSlipsOfToml) {
         << value;
   EXPECT_THAT(atMessage("[show]\ncones = true\ncones.opacity = 0.5\n"),
               HasSubstr("given before as true or false; leave that line out"));
+  EXPECT_EQ(atMessage("[body]\nshape = torus\n"),
+            "test.toml:2:10: not a TOML value; text stands in quotes: \"...\"");
+  EXPECT_THAT(atMessage("[motion.gravity]\ng = 9,81\n"), HasSubstr("(a decimal sign is a point: 9.81)"));
+  EXPECT_THAT(atMessage("[motion]\nomega_body = 0, 0, 5\n"), HasSubstr("(several values stand in brackets: "));
+  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 0, 5 rpm]"}), HasSubstr("stands in quotes: \"3 rpm\""));
+  EXPECT_THAT(messagesOf(kMinimal, {"show.title=\"$\\theta$\""}),
+              HasSubstr("mathematics stands in single quotes"));
+}
+
+TEST(Report, TellsWhereWhatIsGivenTwiceStandsFirst) {
+  const std::string minimal(kMinimal);  // five lines, [motion] on the third
+  EXPECT_THAT(atMessage(minimal + "[motion]\n"), EndsWith("'motion'; first on line 3"));
+  EXPECT_THAT(atMessage("[time]\nfps = 25\nspeed = 1\nfps = 30\n"), EndsWith("'fps'; first on line 2"));
+  EXPECT_THAT(atMessage("[time]\nfps = 25\n[time]\nfps = 30\n"), EndsWith("'time'; first on line 1"));
+  EXPECT_EQ(atMessage("[plot]\nquantities = [\"t\"]\n[[plot]]\n"),
+            "test.toml:3:1: line 1 has it in single brackets; of several, each begins with [[plot]]");
+}
+
+TEST(Report, MeansAThingThatIsShown) {
+  EXPECT_EQ(messagesOf(kMinimal, {"output.theta=true"}), "output.theta: unknown key; did you mean show.theta?\n");
+  EXPECT_EQ(messagesOf(std::string(kMinimal) + "[[plot]]\nquantities = [\"theta_vert\"]\n"),
+            "plot[0].quantities: expected one of the quantities, got \"theta_vert\"; did you mean "
+            "\"theta_vertical\"?\n");
 }
 
 TEST(Report, LooksATableDeeperAndKnowsPlurals) {

@@ -64,6 +64,17 @@ TEST(Captions, ComeAndGoSoftly) {
   EXPECT_EQ(opacityAt(10), 1);  // the last one stands to the end
 }
 
+TEST(Captions, OfAStillAreThereOrNot) {
+  const std::string timeline = caption(2, "A") + caption(6, "B");
+  const auto still = [&](double t) { return Stage(sample(timeline)).compose(Moment(t, true), kSize).texts; };
+  EXPECT_TRUE(still(1.99).empty());
+  for (const double t : {2.0, 2.1, 5.95, 6.0, 10.0}) {
+    ASSERT_EQ(still(t).size(), 1u) << t;
+    EXPECT_EQ(still(t)[0].opacity, 1) << t;
+    EXPECT_EQ(still(t)[0].tex, t < 6 ? "A" : "B") << t;
+  }
+}
+
 TEST(Captions, MoveNothingElse) {
   const Stage stage(sample(caption(2, "A") + caption(6, kLong, "caption_for = 2\n")));
   const draw::Panel first = stage.compose(0, kSize).panels.at(0);

@@ -39,6 +39,22 @@ TEST(NamedVector, HasTheDirectionOfItsComponentsInItsAxes) {
   }
 }
 
+TEST(NamedVector, HasTheColourOfWhatItIsSaidToBe) {
+  const Palette colors = palette(scene::Style());
+  const auto colorOf = [&](const std::string& color) {
+    const Scenery s(kTop + "[[vector]]\nname = 'a'\ncomponents = [0, 0, 1]\n" + color);
+    draw::DrawList list;
+    std::vector<Label> labels;
+    NamedVectorFigure(s.setting, s.scene.vectors.at(0))
+        .add({list, labels, colors, s.scene.labels}, 0, s.motion.at(0));
+    return labels.at(0).color;
+  };
+  EXPECT_EQ(colorOf(""), colors.vector);
+  EXPECT_EQ(colorOf("color = 'vector'\n"), colors.vector);
+  EXPECT_EQ(colorOf("color = 'ink'\n"), colors.ink);
+  EXPECT_EQ(colorOf("color = 'L'\n"), colors.L);
+}
+
 // The velocity of a point that is fixed in the body is omega x r: perpendicular to both, |omega| |r| sin long.
 TEST(NamedVector, VelocityIsOmegaCrossR) {
   const Scenery s(kTop + "[[vector]]\nvelocity_of = [0.5, -0.2, 1]\n[[vector]]\nposition_of = [0.5, -0.2, 1]\n");
