@@ -91,6 +91,28 @@ struct Gauge {
   Vector3d inAxes(const Matrix3d& axes, const Vector3d& centre) const { return axes.inverse() * (p_B - centre); }
 };
 
+// ---- thickness -------------------------------------------------------------------------------------------------
+
+double middleOf(Vector3d extents) {
+  std::ranges::sort(extents);
+  return extents[1];
+}
+
+struct Thickness {
+  double operator()(const EllipsoidPiece& e) const { return 2 * middleOf(e.semiAxes_B.colwise().norm()); }
+  double operator()(const FrustumPiece& f) const { return 2 * std::max(f.fromRadius, f.toRadius); }
+  double operator()(const BoxPiece& b) const { return 2 * middleOf(b.halfAxes_B.colwise().norm()); }
+  double operator()(const TubePiece& t) const { return 2 * t.radius; }
+  double operator()(const MeshPiece& m) const {
+    Vector3d extents;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d axis_B = m.axes_B.col(i).normalized();
+      extents[i] = axis_B.dot(Support{axis_B}(m)-Support{-axis_B}(m));
+    }
+    return middleOf(extents);
+  }
+};
+
 // ---- drawing ---------------------------------------------------------------------------------------------------
 
 struct Draw {
@@ -155,7 +177,15 @@ struct Draw {
     return dense;
   }
 
+  /// The renderer knows two edges of a pixel. Of a part of so few, a line's would hide its own.
+  bool tooThinFor(const Mark& mark) const {
+    const double least_px = std::max(6.0, 3 * lineWidth_px);
+    const double unit_px = list.camera.scale_px(depthOf(list.camera, toPicture(place.origin_V)));
+    return mark.part_m * place.scale * unit_px < least_px;
+  }
+
   void operator()(const Mark& mark) const {
+    if (tooThinFor(mark)) return;
     draw::Curve line = curve(mark.closed ? mark.points_B : inShortSteps(mark.points_B), mark.closed);
     line.width_px = static_cast<float>(mark.width * lineWidth_px);
     line.lift_W = kLift;
@@ -207,6 +237,8 @@ MeshPiece meshPiece(const geometry::Mesh& mesh, const Matrix3d& R_BM, const Vect
 Vector3d supportPoint(const Piece& piece, const Vector3d& direction_B) {
   return std::visit(Support{direction_B}, piece);
 }
+
+double thickness(const Piece& piece) { return std::visit(Thickness{}, piece); }
 
 double gauge(const Piece& piece, const Vector3d& p_B) { return std::visit(Gauge{p_B}, piece); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -55,11 +56,14 @@ MeshPiece meshPiece(const geometry::Mesh& mesh, const Eigen::Matrix3d& R_BM, con
 
 using Piece = std::variant<EllipsoidPiece, FrustumPiece, BoxPiece, TubePiece, MeshPiece>;
 
-/// A line on a surface: an edge, a ring, a meridian. `width` in ordinary lines.
+/// A line on a surface: an edge, a ring, a meridian. `width` in ordinary lines. A part that is hardly wider than
+/// its lines in the picture has none. Or a string, by itself.
 struct Mark {
   std::vector<Eigen::Vector3d> points_B;
   bool closed = false;
   double width = 1;
+  bool string = false;
+  double part_m = std::numeric_limits<double>::infinity();  ///< how thick what it is on is
 };
 
 struct Figure {
@@ -72,6 +76,9 @@ std::vector<Eigen::Vector3d> cubeDirections();
 
 /// The piece's farthest point in a direction. @pre direction_B is not zero.
 Eigen::Vector3d supportPoint(const Piece& piece, const Eigen::Vector3d& direction_B);
+
+/// The second of its three extents, m: a rod's thickness, a plate's width.
+double thickness(const Piece& piece);
 
 /// How far out a point lies: 1 on the piece's surface, less inside; infinite where the piece is too thin to hide
 /// anything. Of a mesh, what lies between its tangent planes counts.

@@ -75,6 +75,15 @@ void addPointMasses(Figure& figure, const std::vector<scene::Part>& parts, const
   sketch.ball(centre_B, 1.6 * kRod * extent, Paint::kRod);
 }
 
+/// Marks from `firstMark` on are on pieces from `firstPiece` on.
+void markThickness(Figure& figure, std::size_t firstPiece, std::size_t firstMark) {
+  double most = 0;
+  for (std::size_t i = firstPiece; i < figure.pieces.size(); ++i)
+    most = std::max(most, thickness(figure.pieces[i]));
+  for (std::size_t i = firstMark; i < figure.marks.size(); ++i)
+    if (!figure.marks[i].string) figure.marks[i].part_m = most;
+}
+
 }  // namespace
 
 std::vector<scene::Part> partsToShow(const scene::Scene& scene) {
@@ -89,9 +98,11 @@ Vector3d originOfFigure(const scene::Scene& scene, const std::vector<scene::Part
 Figure partsFigure(const std::vector<scene::Part>& parts, const Vector3d& origin_B) {
   Figure figure;
   for (const scene::Part& part : parts) {
+    const std::size_t firstPiece = figure.pieces.size(), firstMark = figure.marks.size();
     const Sketch sketch(figure, part.q_BS.toRotationMatrix(), part.offset_B - origin_B);
     if (const auto* solid = std::get_if<physics::Solid>(&part.figure)) addSolid(sketch, *solid);
     if (const auto* mesh = std::get_if<MeshPointer>(&part.figure)) sketch.mesh(**mesh, true);
+    markThickness(figure, firstPiece, firstMark);
   }
   addPointMasses(figure, parts, origin_B);
   return figure;

@@ -64,4 +64,8 @@ void Sketch::mark(const std::vector<Vector3d>& points, bool closed, double width
   figure_.marks.push_back({toB(points), closed, width});
 }
 
+void Sketch::string(const Vector3d& from, const Vector3d& to, double width) const {
+  figure_.marks.push_back({{toB(from), toB(to)}, false, width, true});
+}
+
 }  // namespace poinsot::stage

@@ -33,6 +33,7 @@ class Sketch {
   /// `edges`: its creases are lines.
   void mesh(const geometry::Mesh& mesh, bool edges) const;
   void mark(const std::vector<Eigen::Vector3d>& points, bool closed, double width = 1) const;
+  void string(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double width) const;
 
  private:
   Eigen::Vector3d toB(const Eigen::Vector3d& p) const { return origin_B_ + R_BS_ * p; }

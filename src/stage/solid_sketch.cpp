@@ -80,8 +80,8 @@ void addStrings(const Sketch& sketch, double R, double frame) {
   constexpr int kStrings = 9;
   for (int i = 1; i < kStrings; ++i) {
     const double c = R * (2.0 * i / kStrings - 1), half = std::sqrt(R * R - c * c) - 0.8 * frame;
-    sketch.mark({{c, -half, 0}, {c, half, 0}}, false, 0.7);
-    sketch.mark({{-half, c, 0}, {half, c, 0}}, false, 0.7);
+    sketch.string({c, -half, 0}, {c, half, 0}, 0.7);
+    sketch.string({-half, c, 0}, {half, c, 0}, 0.7);
   }
 }
 

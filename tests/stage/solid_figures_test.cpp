@@ -28,8 +28,10 @@ scene::Scene sceneOf(const Solid& solid) {
   return scene;
 }
 
+/// 2000 pixels to a metre.
 draw::DrawList drawn(const scene::Scene& scene) {
   draw::DrawList list;
+  list.camera.size_px = {4000, 4000};
   BodyFigure(scene).add(list, {Matrix3d::Identity(), 1}, palette(scene::Theme::kLight), 2);
   return list;
 }
@@ -264,6 +266,22 @@ TEST(SolidFigures, OfRevolutionBearAHeavyMeridian) {
     ASSERT_FALSE(widths.empty()) << name;
     EXPECT_GT(*std::ranges::max_element(widths), 1.5f * *std::ranges::min_element(widths)) << name;
   }
+}
+
+// The lines are 2 pixels wide: a part of 5 has none, one of 7 has; a thin plate is a thousand wide. Strings are no
+// lines on something.
+TEST(SolidFigures, OfFewPixelsHaveNoMarks) {
+  const auto marks = [](const physics::Solid& solid) {
+    const auto list = drawn(sceneOf(solid));
+    return std::ranges::count_if(list.curves, [](const draw::Curve& curve) { return curve.radius_W == 0; });
+  };
+  EXPECT_EQ(marks(Cylinder{0.00125, 1}), 0);
+  EXPECT_GT(marks(Cylinder{0.00175, 1}), 0);
+  EXPECT_EQ(marks(Box{{0.0025, 0.0025, 1}}), 0);
+  EXPECT_GT(marks(Box{{0.001, 0.5, 1}}), 0);
+  EXPECT_EQ(marks(Torus{0.5, 0.00125}), 0);
+  EXPECT_GT(marks(Torus{0.5, 0.00175}), 0);
+  EXPECT_EQ(marks(physics::Racket{0.06, 0.02}), 2 * 8);  // 3 pixels of frame, 7 of handle
 }
 
 }  // namespace
