@@ -86,7 +86,7 @@ struct FigureWords {
 };
 
 std::string partsWords(const std::vector<scene::Part>& parts) {
-  if (parts.size() > kMostPartsNamed) return fmt::format("a body of {} parts", parts.size());
+  if (parts.size() > kMostPartsNamed) return fmt::format("made of {} parts", parts.size());
   std::vector<std::string> nouns;
   for (const scene::Part& part : parts) nouns.push_back(std::visit(FigureWords(), part.figure));
   if (nouns.size() == 1) return nouns.front();

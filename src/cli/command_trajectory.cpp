@@ -43,8 +43,10 @@ app::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
 core::Rational parsedRate(const std::string& word) {
   const auto rate_hz = core::parseRational(word);
   if (!rate_hz)
-    refuse(fmt::format("--rate '{}': rows per second of motion, such as 100, 0.5 or 30000/1001",
-                       core::printable(word)));
+    refuse(fmt::format(
+        "--rate '{}': rows per second of motion: a plain number above 0, or a fraction, such as 100, 0.5 or "
+        "30000/1001",
+        core::printable(word)));
   return *rate_hz;
 }
 

@@ -63,7 +63,7 @@ core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const s
     if (why == ENOENT) why = errno;
     if (errno != ENOENT && errno != ENOTDIR) break;  // it is there, and is no file to be read
   }
-  refuse(path, reason(why));
+  refuse(path, why == ENOENT ? reason(why) + " in the scene's folder" : reason(why));
 }
 
 }  // namespace

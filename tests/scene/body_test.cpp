@@ -240,7 +240,8 @@ TEST(Bodies, ThatCannotBeAreRefused) {
 
 TEST(Mesh, IsReadWhenTheSceneIs) {
   const std::string mesh = "[body]\nmass=1\nshape='mesh'\n";
-  EXPECT_EQ(problems(mesh + "file='none.stl'"), "body.file: cannot read none.stl: No such file or directory\n");
+  EXPECT_EQ(problems(mesh + "file='none.stl'"),
+            "body.file: cannot read none.stl: No such file or directory in the scene's folder\n");
   EXPECT_THAT(problems(mesh + "file='torque.csv'"), HasSubstr("body.file: "));
   EXPECT_THAT(problems(mesh + "file='../data/body.stl'"), HasSubstr("without \"..\""));
   EXPECT_THAT(problems(mesh + "file='open.obj'"), HasSubstr("body.file: "));

@@ -100,7 +100,7 @@ TEST(Torque, FromAFileThatIsWrongIsRefusedAtTheKey) {
   EXPECT_EQ(found[0].message,
             "motion.torque.file: body.stl: line 1: expected four numbers t,Nx,Ny,Nz, got \"solid tetrahedron\"");
   EXPECT_EQ(problems(kBare + "[motion.torque]\nfile='none.csv'"),
-            "motion.torque.file: cannot read none.csv: No such file or directory\n");
+            "motion.torque.file: cannot read none.csv: No such file or directory in the scene's folder\n");
   EXPECT_EQ(problems(kBare + "[motion.torque]\nfile_axes='space'"),
             "motion.torque.file_axes: needs motion.torque.file, which it is about\n");
   EXPECT_THAT(

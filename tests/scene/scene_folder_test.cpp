@@ -67,7 +67,7 @@ TEST_F(SceneFolderTest, ReadsRegularFilesOnly) {
   ASSERT_EQ(::mkfifo((root_ / "scene" / "fifo").c_str(), 0600), 0);
   EXPECT_EQ(problemOf("fifo"), "cannot read fifo: it is not a regular file");  // and does not wait for a writer
   EXPECT_EQ(problemOf("meshes"), "cannot read meshes: it is a directory");
-  EXPECT_EQ(problemOf("none.txt"), "cannot read none.txt: No such file or directory");
+  EXPECT_EQ(problemOf("none.txt"), "cannot read none.txt: No such file or directory in the scene's folder");
   EXPECT_EQ(problemOf("a.txt/b"), "cannot read a.txt/b: Not a directory");
 }
 
