@@ -167,7 +167,8 @@ class Reader {
   void take(const Node& node, const std::string& prefix, const Takers& takers) {
     const auto* table = node.as<Node::Table>();
     if (!table)
-      return problems_.add(node.place, fmt::format("{}expected a table, got {}", prefix, describe(node)));
+      return problems_.add(node.place, fmt::format("{}: expected a table, got {}",
+                                                   prefix.substr(0, prefix.rfind('.')), describe(node)));
     for (const Entry& entry : *table) {
       const auto taker = takers.find(entry.key);
       if (taker == takers.end()) {
@@ -198,7 +199,8 @@ class Reader {
           {"flip_mean", limit(setFlipMean)},
           {"flip_max", limit(setFlipMax)},
           {"reason", [&](const Node& n) { rule.reason = textOf(n); }}});
-    if (rule.reason.empty()) refuse("expected a reason beside the limits: why may this picture differ?");
+    if (rule.reason.empty() && node.as<Node::Table>())
+      refuse("expected a reason beside the limits: why may this picture differ?");
     return rule;
   }
 

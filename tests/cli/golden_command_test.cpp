@@ -239,6 +239,8 @@ TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
               HasSubstr("golden.toml:3:8: error: test.rule: expected a reason beside the limits"));
   EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\nrule = { max = '3', reason = 'x' }\n"),
               HasSubstr("golden.toml:3:16: error: test.rule.max: a limit '3': write 0-3"));
+  EXPECT_EQ(refusal("[[test]]\nscene = 's.toml'\nrule = 3\n"),
+            "golden.toml:3:8: error: test.rule: expected a table, got 3\n   3 | rule = 3\n     |        ^\n");
   EXPECT_THAT(refusal("[[test]]\nscen = 's.toml'\n"),
               HasSubstr("test.scen: unknown key; did you mean test.scene?"));
   EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"), HasSubstr("make a name"));

@@ -48,6 +48,19 @@ TEST_P(Shards, OfASequenceMakeItsBytes) { expectSameBytes(kSequence); }
 // Of 7, one has nothing to do: there are six segments.
 INSTANTIATE_TEST_SUITE_P(Of, Shards, testing::Values(1, 2, 3, 7), testing::PrintToStringParamName());
 
+TEST(Shards, AreJoinedToWhatTheyWereMadeFor) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  for (const Output* output : {&kFilm, &kSequence})
+    EXPECT_EQ(run(folder, renderArguments(*output, {"--shard", "1/1"})).exitCode, 0);
+  const RunResult kind = run(folder, {"assemble", kFilm.name, "-o", "other.webm"});
+  EXPECT_EQ(kind.exitCode, 2);
+  EXPECT_EQ(kind.err, "poinsot: error: -o other.webm: the segments are those of a .mp4\n");
+  const RunResult frames = run(folder, {"assemble", kSequence.name, "-o", "other.mp4"});
+  EXPECT_EQ(frames.exitCode, 2);
+  EXPECT_EQ(frames.err, "poinsot: error: -o names another place for a film; frames stay where they are\n");
+}
+
 TEST(Shards, TellWhichHaveWorkLeft) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);

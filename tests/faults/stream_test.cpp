@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "faults/tiny_film.h"
+#include "support/shell_run.h"
 
 namespace poinsot::faults {
 namespace {
@@ -118,6 +119,13 @@ TEST_F(Stream, RefusesWhatIsForFiles) {
     EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "-", "--format", "png", option}),
                 HasSubstr("are for files"));
   EXPECT_THAT(refusal({"submit", "tiny.toml", "-o", "-", "--format", "png"}), HasSubstr("write files"));
+}
+
+TEST_F(Stream, IsNotForATerminal) {
+  const ShellResult told =
+      runShell(folder_.path(), "script -qec '" POINSOT_PROGRAM " render tiny.toml -o - --format png' /dev/null");
+  EXPECT_EQ(told.exitCode, 2);
+  EXPECT_THAT(told.out, HasSubstr("-o -: standard output is a terminal; send it to a program or a file"));
 }
 
 }  // namespace

@@ -239,6 +239,28 @@ TEST_F(Preview, SurvivesManyAtOnceAndThoseWhoLeave) {
   EXPECT_EQ(picture(7), expected);
 }
 
+// As the command: how it is reached by ssh, as who came by it sees this machine; and what is wrong, which is no
+// reason not to begin.
+TEST(PreviewCommand, TellsHowItIsReachedAndWhatIsWrong) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kScene);
+  const auto said = [&](const std::vector<std::string>& environment) {
+    const std::string untilItSays = "for i in $(seq 400); do grep -q Ctrl-C out && break; sleep 0.05; done\n";
+    return runShell(
+               folder.path(),
+               POINSOT_PROGRAM " preview a.toml > out 2>&1 &\n" + untilItSays + "kill -TERM $!; wait $!; cat out",
+               environment)
+        .out;
+  };
+  EXPECT_THAT(said({"USER=anna", "SSH_CONNECTION=192.0.2.1 5 192.0.2.7 22"}),
+              testing::ContainsRegex("\n  ssh -L ([0-9]+):127\\.0\\.0\\.1:[0-9]+ anna@192\\.0\\.2\\.7\n"));
+  EXPECT_THAT(said({"SSH_CONNECTION="}), HasSubstr(" THIS_MACHINE\n"));
+  folder.put("a.toml", std::string("[boddy]\n") + kScene);
+  const std::string wrong = said({});
+  EXPECT_THAT(wrong, HasSubstr("a.toml:1:2: error: boddy: unknown "));
+  EXPECT_THAT(wrong, HasSubstr("poinsot: the page tells this too, and shows the scene when it is mended\n"));
+}
+
 TEST_F(Preview, TwoCannotHaveOnePort) {
   const PreviewRequest request{.fileName = (folder_ / "a.toml").string(),
                                .overrides = {},
