@@ -17,7 +17,7 @@ std::optional<double> parseNumber(std::string_view text) {
 }
 
 void appendNumber(std::string& text, double value) {
-  std::array<char, 32> digits;  // the longest has 24: -2.2250738585072014e-308
+  std::array<char, 32> digits;              // the longest has 24: -2.2250738585072014e-308
   const double unsignedZero = value + 0.0;  // -0 says nothing that a reader could use
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), unsignedZero);
   text.append(digits.data(), written.ptr);

@@ -100,8 +100,9 @@ std::vector<Key> cameraKeys() {
        .type = kBool,
        .fallback = "false",
        .example = "true",
-       .help = "The camera goes along with a thrown body, as near as the body allows, and its path passes by; else "
-               "it stands still and holds the whole flight.",
+       .help =
+           "The camera goes along with a thrown body, as near as the body allows, and its path passes by; else "
+           "it stands still and holds the whole flight.",
        .put = into([](Draft& d) { return &d.scene.camera.follow; })},
   };
 }

@@ -185,7 +185,8 @@ std::vector<Key> traceKeys(const ShowTable& table) {
           "Factor on the sphere's radius, where no point is given.",
           [](ShownFigures & f) -> auto& { return f.trace.scale; }),
       key.position(
-          "point", "[0, 0, 0.5]", "The point, in body axes. Without it: one on the axis k, beyond the body; of a thrown body, its end.",
+          "point", "[0, 0, 0.5]",
+          "The point, in body axes. Without it: one on the axis k, beyond the body; of a thrown body, its end.",
           [](ShownFigures & f) -> auto& { return f.trace.point_B; }),
       key.opacity(
           "0.06", [](ShownFigures & f) -> auto& { return f.trace.opacity; }),

@@ -48,8 +48,9 @@ void checkFollow(const Camera& camera, const Show& show, const std::string& pref
     findings.refuse(follow, "nothing is thrown: give [motion.flight], or leave it out");
   constexpr double kMost = 1.1;  // as wide as the margins
   if (movesAlong(scene.motion, camera, show) && !camera.follow && camera.zoom > kMost && findings.has(zoom))
-    findings.doubt(zoom, "the thrown body begins and ends outside the picture, as 1 shows its whole flight; with "
-                         "camera.follow = true the camera goes along");
+    findings.doubt(zoom,
+                   "the thrown body begins and ends outside the picture, as 1 shows its whole flight; with "
+                   "camera.follow = true the camera goes along");
 }
 
 // ---- frames ----

@@ -17,8 +17,8 @@ struct Margins {
   double left = 0.06, right = 0.06, top = 0.06, bottom = 0.06;
 };
 
-/// What the frame must hold: points, and a ball about the centre (radius 0: none). What passes is drawn and need not
-/// be in the frame.
+/// What the frame must hold: points, and a ball about the centre (radius 0: none). What passes is drawn and need
+/// not be in the frame.
 struct Extent {
   std::vector<Eigen::Vector3d> points_V;
   double ballRadius = 0;

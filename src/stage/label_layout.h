@@ -28,8 +28,8 @@ glm::vec2 softUnit(glm::vec2 v, float soft);
 
 /// Places labels beside their anchors, apart from one another, inside the picture, and off the shafts of arrows
 /// where there is room. A continuous function of the anchors, so that labels do not jump in a film, but where one
-/// passes the middle of a box; those of points outside the picture fade. The picture's uppermost `top_px` stay free, and so do the boxes in `taken`: a label
-/// in one gives way towards the picture's middle.
+/// passes the middle of a box; those of points outside the picture fade. The picture's uppermost `top_px` stay
+/// free, and so do the boxes in `taken`: a label in one gives way towards the picture's middle.
 void addLabels(draw::DrawList& list, const std::vector<Label>& labels, const draw::Color& halo, float top_px = 0,
                std::span<const PixelBox> taken = {});
 

@@ -55,9 +55,10 @@ TEST(Doubts, ADensityThatNothingHas) {
 
 TEST(Doubts, AThrownBodyThatLeavesThePicture) {
   const std::string thrown = "[motion.flight]\nvelocity = [3, 0, 4]\n";
-  EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\n"),
-            "test.toml:8:8: note: camera.zoom: the thrown body begins and ends outside the picture, as 1 shows its "
-            "whole flight; with camera.follow = true the camera goes along\n");
+  EXPECT_EQ(
+      doubts(thrown + "[camera]\nzoom = 2\n"),
+      "test.toml:8:8: note: camera.zoom: the thrown body begins and ends outside the picture, as 1 shows its "
+      "whole flight; with camera.follow = true the camera goes along\n");
   EXPECT_EQ(doubts(thrown + "[[view]]\n[[view]]\ncamera.zoom = 2\n").substr(0, 47),
             "test.toml:9:15: note: view[1].camera.zoom: the ");
   EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\nfollow = true\n"), "");

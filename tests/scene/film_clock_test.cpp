@@ -82,9 +82,8 @@ TEST(FilmClock, NeverRunsBackwardsOrJumps) {
     const double step = clock.played_s(t + h) - clock.played_s(t);
     EXPECT_GE(step, 0) << t;
     EXPECT_LE(step, fastest * h * (1 + 1e-9)) << t;
-    if (std::abs(t - 16) < 2 * h) continue;  // the jump
-    EXPECT_NEAR(step, h * 0.5 * (clock.pace(t) + clock.pace(t + h)), 1e-8)
-        << t;  // measured: at most 2.0e-9
+    if (std::abs(t - 16) < 2 * h) continue;                                       // the jump
+    EXPECT_NEAR(step, h * 0.5 * (clock.pace(t) + clock.pace(t + h)), 1e-8) << t;  // measured: at most 2.0e-9
   }
 }
 

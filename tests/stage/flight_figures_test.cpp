@@ -159,7 +159,8 @@ TEST(FlightFigure, IsToScaleWhereTheCameraFollows) {
 // behind the eye, and has no name.
 TEST(FlightFigure, TheOriginMayBeBehindTheEye) {
   for (const int azimuth_deg : {0, 90, 180, 270}) {
-    const std::string follow = fmt::format("[camera]\nfollow = true\nelevation = 0\nazimuth = \"{} deg\"\n", azimuth_deg);
+    const std::string follow =
+        fmt::format("[camera]\nfollow = true\nelevation = 0\nazimuth = \"{} deg\"\n", azimuth_deg);
     const Stage stage(scene::parseScene(replaced(kFiveMasses, "[1.2, -0.7, 0.4]", "[90, 0, 9.3]") + follow, ""));
     const auto names = onlyList(stage, 1.9, kSize).texts;
     EXPECT_EQ(std::ranges::any_of(names, [](const draw::Text& t) { return t.tex == "$O$"; }), azimuth_deg == 0)
@@ -236,13 +237,15 @@ TEST(GhostsFigure, OfAThrownBodyAppearWhenItHasBeenThere) {
   EXPECT_EQ(balls(1.5) - 1, 3 * body);
 }
 
-// Of a hammer, the end of the handle: 0.1 m of head one way, 0.8 m of handle the other, from the middle between both.
+// Of a hammer, the end of the handle: 0.1 m of head one way, 0.8 m of handle the other, from the middle between
+// both.
 TEST(TraceFigure, OfAThrownBodyIsThatOfItsEnd) {
   const auto traced = [](const std::string& side) {
-    const Scenery s("[motion]\nomega_body = [0, 8, 0]\n[motion.flight]\nvelocity = [3, 0, 4]\n"
-                    "[[body.part]]\nshape = 'cube'\nedge = 0.2\nmass = 2\n"
-                    "[[body.part]]\nshape = 'cylinder'\nradius = 0.02\nheight = 0.8\nmass = 0.5\noffset = [0, 0, " +
-                    side + "0.5]\n");
+    const Scenery s(
+        "[motion]\nomega_body = [0, 8, 0]\n[motion.flight]\nvelocity = [3, 0, 4]\n"
+        "[[body.part]]\nshape = 'cube'\nedge = 0.2\nmass = 2\n"
+        "[[body.part]]\nshape = 'cylinder'\nradius = 0.02\nheight = 0.8\nmass = 0.5\noffset = [0, 0, " +
+        side + "0.5]\n");
     const Vector3d end_B = TraceFigure(s.setting).point_V(s.motion.at(0)) / s.scales.body;
     return Vector3d(s.motion.at(0).R_VB.transpose() * end_B);
   };
