@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <regex>
 
@@ -45,21 +46,25 @@ std::string lowered(std::string text) {
 
 // ---- given twice
 
-/// What a line gives: the path between its brackets, or the key before its equals sign; else empty.
-std::string givenBy(std::string_view line) {
-  std::smatch found;
-  const std::string text = beginOf(line);
-  static const std::regex given(R"(\s*(?:\[{1,2}\s*([\w.-]+)\s*\]|([\w.-]+)\s*=).*)");
-  if (!std::regex_match(text, found, given)) return "";
-  return found[1].matched ? found[1] : found[2];
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string_view::npos ? "" : text.substr(first, last - first + 1);
 }
 
-bool isHeader(std::string_view line) { return matches(line, R"(\s*\[.*)"); }
+bool isHeader(std::string_view line) { return trimmed(line).starts_with('['); }
+
+/// What a line gives: the path between its brackets, or the key before its equals sign; else empty. By hand, as it
+/// is asked of every line of a file.
+std::string_view givenBy(std::string_view line) {
+  const std::size_t equals = line.find('='), path = std::min(line.find_first_not_of(" \t["), line.size());
+  if (!isHeader(line)) return equals == line.npos ? "" : trimmed(line.substr(0, equals));
+  return trimmed(line.substr(path, line.find(']') - path));
+}
 
 /// The line above that gives what this one does; a key is sought in its own table.
 std::optional<int> givenBefore(const Source& source, int lineNumber) {
   const bool header = isHeader(source.line(lineNumber));
-  const std::string given = givenBy(source.line(lineNumber));
+  const std::string_view given = givenBy(source.line(lineNumber));
   if (given.empty()) return std::nullopt;
   for (int above = lineNumber - 1; above > 0; --above) {
     const bool other = isHeader(source.line(above)) != header;
@@ -73,9 +78,10 @@ std::string twice(const Source& source, int lineNumber, std::string_view text) {
   if (text.find("cannot redefine existing boolean") != text.npos)
     return "given before as true or false; leave that line out: the keys below it ask for the thing";
   const auto before = givenBefore(source, lineNumber);
-  const std::string name = givenBy(source.line(lineNumber));
+  const std::string_view name = givenBy(source.line(lineNumber));
   if (before && text.find("as array-of-tables") != text.npos)
-    return fmt::format("line {} has it in single brackets; of several, each begins with [[{}]]", *before, name);
+    return fmt::format("line {} has it in single brackets; of several, each begins with [[{}]]", *before,
+                       core::printable(name));
   const std::string where = before ? fmt::format("; first on line {}", *before) : "";
   return fmt::format("this key or table is given twice: {}{}", text, where);
 }

@@ -315,6 +315,15 @@ TEST(Report, TellsWhereWhatIsGivenTwiceStandsFirst) {
   EXPECT_THAT(atMessage("[time]\nfps = 25\n[time]\nfps = 30\n"), EndsWith("'time'; first on line 1"));
   EXPECT_EQ(atMessage("[plot]\nquantities = [\"t\"]\n[[plot]]\n"),
             "test.toml:3:1: line 1 has it in single brackets; of several, each begins with [[plot]]");
+  EXPECT_THAT(atMessage("[\"a\xe2\x80\xae\"]\n[\n[[\n =\n"), Not(HasSubstr("\xe2\x80\xae")));
+  EXPECT_EQ(atMessage("[ plot ]\n  [[ \"\xe2\x80\xae\" ]]\n[[plot]]\n").find("\xe2\x80\xae"), std::string::npos);
+}
+
+// Each line above is looked at: of 30 000, in far less than the tenth of a second that a refusal may take.
+TEST(Report, OfALongFileIsToldAtOnce) {
+  std::string text = "[a]\n";
+  for (int i = 0; i < 30000; ++i) text += "[a" + std::to_string(i) + "]\n";
+  EXPECT_THAT(atMessage(text + "[a]\n"), EndsWith("'a'; first on line 1"));
 }
 
 TEST(Report, MeansAThingThatIsShown) {
