@@ -182,6 +182,10 @@ TEST_F(DiffCommand, PairsFoldersByName) {
   EXPECT_EQ(both["only_in_reference"], json::array({"gone.png"}));
   EXPECT_EQ(figures({"old", "old"}, 0)["verdict"], "identical");
   EXPECT_EQ(diff({"old", "maps/none"}).exitCode, 2);  // a folder and none
+  std::filesystem::create_directory(folder_ / "empty");
+  const RunResult none = diff({"empty", "new"});
+  EXPECT_EQ(none.exitCode, 2);
+  EXPECT_EQ(none.err, "poinsot: error: empty: no PNG is there\n");
 }
 
 TEST_F(DiffCommand, ComparesFilmsFrameByFrame) {

@@ -77,6 +77,14 @@ TEST_F(GoldenCommand, KeepsWhatAPictureWasMadeWith) {
   EXPECT_EQ(origin["scene"].get<std::string>().size(), 64u);
 }
 
+TEST_F(GoldenCommand, TellsAnOriginThatIsNotItsOwn) {
+  approve();
+  folder_.put("golden/s.json", "[1]");
+  const RunResult result = golden();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.out, HasSubstr("error      s: golden/s.json: is no JSON object of poinsot's"));
+}
+
 // Where an approved picture is of this renderer, only that counts; else any of those approved.
 TEST_F(GoldenCommand, ComparesWithItsOwnRenderersPicture) {
   approve();

@@ -90,7 +90,7 @@ TEST_F(Refused, TimesOfTrajectories) {
   put("s.toml", kGoodScene);
   expectAll({
       {{"trajectory", "s.toml"}, "say at which times: --at T1,T2,... or --rate HZ"},
-      {{"trajectory", "s.toml", "--rate", "abc"}, "--rate 'abc': rows per second of motion, such as 100, 0.5"},
+      {{"trajectory", "s.toml", "--rate", "abc"}, "--rate 'abc': rows per second of motion: a plain number"},
       {{"trajectory", "s.toml", "-D", "time.speed=1e10", "--rate", "1000000"},
        "rows are more than can be told apart"},
   });

@@ -29,7 +29,14 @@ struct Mistake {
   const char* says;
 };
 
+/// A fraction of fractions of fractions.
+std::string tower(int stories) {
+  const std::string below = stories > 1 ? tower(stories - 1) : "a";
+  return "\\frac{" + below + "}{" + below + "}";
+}
+
 TEST(TexError, NamesTheColumnAndTheRepair) {
+  const std::string tall = "$a\\sqrt{" + tower(4) + "}$";
   const Mistake kMistakes[] = {
       {"$\\omgea$", 2, "unknown command \\omgea; did you mean \\omega?"},
       {"a $\\mathbb{R}$", 4, "unknown command \\mathbb; did you mean \\mathbf?"},
@@ -48,6 +55,7 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
       {"$x_1_2$", 5, "a second '_'"},
       {"$\\hat$", 2, "\\hat needs an argument"},
       {"$\\frac{1}$", 2, "\\frac needs an argument"},
+      {tall.c_str(), 3, "what is under the root is taller than the font's largest root sign"},
       {"\\textbf a", 1, "\\textbf needs braces: \\textbf{...}"},
       {"$\\text{a $b$}$", 10, "a formula inside \\text{...}"},
       {"L 漢", 3, "the font has no glyph for 漢 (U+6F22)"},
