@@ -30,8 +30,6 @@ constexpr Known kKnown[] = {
     {"displaced_axis", 2.35},
     {"stroboscope", 2.5},
     {"t_handle", 4.0},
-    // An arrow lies along a rod: paper shines through where their outlines are one.
-    {"thrown_baton", 2.2},
     // A path runs along itself, lap by lap.
     {"dumbbell", 2.15},
     {"toutatis", 2.45},
