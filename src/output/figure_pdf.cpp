@@ -220,6 +220,13 @@ void eraseDate(Bytes& pdf) {
   if (end != pdf.end()) std::fill(begin, end + 1, ' ');
 }
 
+/// Without memory for a font cairo 1.16 leaves off in the middle of a file, and says that all is well.
+void checkEnd(const Bytes& pdf) {
+  constexpr std::string_view kEnd = "%%EOF\n";
+  if (pdf.size() < kEnd.size() || !std::equal(kEnd.rbegin(), kEnd.rend(), pdf.rbegin()))
+    check(CAIRO_STATUS_NO_MEMORY);
+}
+
 void setMetadata(cairo_surface_t* surface, const FigureOptions& options) {
   const auto set = [&](cairo_pdf_metadata_t which, const std::string& value) {
     if (!value.empty()) cairo_pdf_surface_set_metadata(surface, which, value.c_str());
@@ -254,6 +261,7 @@ Bytes pdfOf(const Figure& figure) {
   check(cairo_status(context.get()));
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
+  checkEnd(bytes);
   if (askedDate().empty()) eraseDate(bytes);
   return bytes;
 }
