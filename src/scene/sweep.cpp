@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/keys.h"
+#include "scene/trimmed.h"
 
 namespace poinsot::scene {
 namespace {
@@ -22,12 +23,6 @@ struct Number {
   double value = 0;
   std::string typed, unit;
 };
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 /// "10 rpm"; nothing where no number begins.
 std::optional<Number> numberIn(std::string_view text) {

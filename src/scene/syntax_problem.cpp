@@ -9,6 +9,7 @@
 
 #include "core/text.h"
 #include "scene/text_limits.h"
+#include "scene/trimmed.h"
 
 namespace poinsot::scene {
 namespace {
@@ -45,11 +46,6 @@ std::string lowered(std::string text) {
 }
 
 // ---- given twice
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string_view::npos ? "" : text.substr(first, last - first + 1);
-}
 
 bool isHeader(std::string_view line) { return trimmed(line).starts_with('['); }
 
