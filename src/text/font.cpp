@@ -8,6 +8,7 @@
 #include <hb.h>
 
 #include <algorithm>
+#include <new>
 
 #include "core/error.h"
 #include "core/expect.h"
@@ -24,7 +25,14 @@ using SetPtr = std::unique_ptr<hb_set_t, decltype(&hb_set_destroy)>;
 
 long embeddedSize() { return poinsot_font_latin_modern_math_end - poinsot_font_latin_modern_math; }
 
-// The substitutions behind a feature. Asked directly, as glyphs of mathematics are set one by one.
+// HarfBuzz goes on without what it got no memory for: a measure is zero then, a form is not found, a text is
+// short.
+void expectMemory(bool sufficed) {
+  if (!sufficed) throw std::bad_alloc();
+}
+
+// The substitutions behind a feature that the font has. Asked directly, as glyphs of mathematics are set one by
+// one.
 std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
   const hb_tag_t wanted[] = {hb_tag_from_string(feature, -1), HB_TAG_NONE};
   const SetPtr set(hb_set_create(), &hb_set_destroy);
@@ -32,6 +40,7 @@ std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
   std::vector<unsigned> lookups;
   hb_codepoint_t lookup = HB_SET_VALUE_INVALID;
   while (hb_set_next(set.get(), &lookup)) lookups.push_back(lookup);
+  expectMemory(hb_set_allocation_successful(set.get()) && !lookups.empty());
   return lookups;
 }
 
@@ -64,6 +73,11 @@ struct Font::Handles {
                           HB_MEMORY_MODE_READONLY, nullptr, nullptr);
     shapingFace = hb_face_create(blob, 0);
     shapingFont = hb_font_create(shapingFace);
+    if (!hb_ot_layout_has_substitution(shapingFace) || !hb_ot_math_has_data(shapingFace) ||
+        shapingFont == hb_font_get_empty()) {
+      release();
+      throw std::bad_alloc();
+    }
     unitsPerEm = hb_face_get_upem(shapingFace);
   }
   ~Handles() { release(); }
@@ -127,7 +141,9 @@ const Font& Font::mathematics() {
 
 Font::Font()
     : handles_(std::make_unique<const Handles>()),
-      constants_(readConstants(handles_->shapingFont, handles_->unitsPerEm)) {}
+      constants_(readConstants(handles_->shapingFont, handles_->unitsPerEm)),
+      scriptLookups_(lookupsOf(handles_->shapingFace, "ssty")),
+      dotlessLookups_(lookupsOf(handles_->shapingFace, "dtls")) {}
 
 Font::~Font() = default;
 
@@ -140,7 +156,7 @@ std::optional<GlyphId> Font::glyph(char32_t character) const {
 GlyphMetrics Font::metrics(GlyphId id) const {
   hb_font_t* font = handles_->shapingFont;
   hb_glyph_extents_t ink{};
-  hb_font_get_glyph_extents(font, id, &ink);
+  expectMemory(hb_font_get_glyph_extents(font, id, &ink));
   GlyphMetrics m;
   m.advance = handles_->em(hb_font_get_glyph_h_advance(font, id));
   m.left = handles_->em(ink.x_bearing);
@@ -155,7 +171,7 @@ GlyphMetrics Font::metrics(GlyphId id) const {
 GlyphId Font::scriptForm(GlyphId id, int level) const {
   if (level == 0) return id;
   hb_face_t* face = handles_->shapingFace;
-  for (const unsigned lookup : lookupsOf(face, "ssty")) {
+  for (const unsigned lookup : scriptLookups_) {
     hb_codepoint_t forms[2];
     unsigned count = 2;
     hb_ot_layout_lookup_get_glyph_alternates(face, lookup, id, 0, &count, forms);
@@ -169,10 +185,14 @@ GlyphId Font::dotlessForm(GlyphId id) const {
   hb_face_t* face = handles_->shapingFace;
   const SetPtr glyphs(hb_set_create(), &hb_set_destroy);
   hb_set_add(glyphs.get(), id);
-  for (const unsigned lookup : lookupsOf(face, "dtls"))
+  bool hasForm = false;
+  for (const unsigned lookup : dotlessLookups_) {
+    hasForm = hasForm || hb_ot_layout_lookup_would_substitute(face, lookup, &id, 1, true);
     hb_ot_layout_lookup_substitute_closure(face, lookup, glyphs.get());
+  }
   hb_set_del(glyphs.get(), id);
-  return hb_set_is_empty(glyphs.get()) ? id : hb_set_get_min(glyphs.get());
+  expectMemory(hb_set_allocation_successful(glyphs.get()) && hasForm != hb_set_is_empty(glyphs.get()));
+  return hasForm ? hb_set_get_min(glyphs.get()) : id;
 }
 
 std::vector<GlyphId> Font::tallerForms(GlyphId id) const {
@@ -190,7 +210,8 @@ std::vector<ShapedGlyph> Font::shape(std::u32string_view text, int level) const 
   hb_buffer_set_content_type(buffer.get(), HB_BUFFER_CONTENT_TYPE_UNICODE);
   const hb_feature_t scriptForms = {HB_TAG('s', 's', 't', 'y'), static_cast<unsigned>(level),
                                     HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
-  hb_shape(handles_->shapingFont, buffer.get(), &scriptForms, 1);
+  expectMemory(hb_shape_full(handles_->shapingFont, buffer.get(), &scriptForms, 1, nullptr) &&
+               hb_buffer_allocation_successful(buffer.get()));
 
   unsigned count = 0;
   const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);

@@ -99,6 +99,7 @@ class Font {
 
   std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from whoever includes this header
   MathConstants constants_;
+  std::vector<unsigned> scriptLookups_, dotlessLookups_;  // of the table of substitutions
 };
 
 }  // namespace poinsot::text
