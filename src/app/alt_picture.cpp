@@ -199,29 +199,29 @@ Sentences viewSentences(const scene::Scene& scene) {
 }
 
 /// "omega 1, omega 2 and theta"
-std::string quantityWords(const std::vector<int>& quantities) {
+std::string quantityWords(const scene::Scene& scene, const std::vector<int>& quantities) {
   std::string words;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const char* between = i == 0 ? "" : i + 1 == quantities.size() ? " and " : ", ";
-    words += between + text::setTex("$" + std::string(scene::stateQuantity(quantities[i]).tex) + "$").plainText;
+    words += between + text::setTex("$" + scene::quantityTex(quantities[i], scene.motion.forcing) + "$").plainText;
   }
   return words;
 }
 
-std::string plotSentence(const scene::Plot& plot) {
-  const std::string across = plot.x                                ? quantityWords({*plot.x})
+std::string plotSentence(const scene::Scene& scene, const scene::Plot& plot) {
+  const std::string across = plot.x                                ? quantityWords(scene, {*plot.x})
                              : plot.time == scene::PlotTime::kFilm ? "the time of the film"
                                                                    : "time";
   const std::string title = text::setTex(plot.title).plainText;
   return fmt::format("A plot{} shows {} against {}, with a cursor at the instant of the picture.",
-                     title.empty() ? "" : ", “" + title + "”,", quantityWords(plot.quantities), across);
+                     title.empty() ? "" : ", “" + title + "”,", quantityWords(scene, plot.quantities), across);
 }
 
-std::string readoutSentence(const std::vector<scene::Readout>& readouts) {
+std::string readoutSentence(const scene::Scene& scene) {
   std::vector<int> quantities;
-  for (const scene::Readout& readout : readouts) quantities.push_back(readout.quantity);
+  for (const scene::Readout& readout : scene.readouts) quantities.push_back(readout.quantity);
   return fmt::format("At its edge {} written in numbers.",
-                     quantityWords(quantities) + (quantities.size() == 1 ? " is" : " are"));
+                     quantityWords(scene, quantities) + (quantities.size() == 1 ? " is" : " are"));
 }
 
 std::string noteSentence(const scene::Note& note) {
@@ -263,8 +263,8 @@ Sentences pictureSentences(const scene::Scene& scene) {
   for (const std::string& sentence : colorSentences(scene)) sentences.push_back(sentence);
   if (const std::string others = otherWords(scene); !others.empty())
     sentences.push_back(fmt::format("Besides: {}.", others));
-  for (const scene::Plot& plot : scene.plots) sentences.push_back(plotSentence(plot));
-  if (!scene.readouts.empty()) sentences.push_back(readoutSentence(scene.readouts));
+  for (const scene::Plot& plot : scene.plots) sentences.push_back(plotSentence(scene, plot));
+  if (!scene.readouts.empty()) sentences.push_back(readoutSentence(scene));
   for (const scene::Note& note : scene.notes) sentences.push_back(noteSentence(note));
   if (scene.show.exaggerateAngles > 1) sentences.push_back(exaggerationSentence(scene.show.exaggerateAngles));
   sentences.push_back(filmSentence(scene));

@@ -206,8 +206,9 @@ constexpr StateQuantity kQuantities[] = {
      F::kEnergy, kSmooth, potentialEnergy, energySize},
     {"E", "E", "kinetic and potential energy, all that there is", kJoule, F::kEnergy, kSmooth, energy, energySize},
     {"theta", "\\theta", "angle between k, the axis of symmetry or of the main spin, and L", kAngle, F::kBody,
-     kSmooth, theta},
-    {"theta_vertical", "\\theta_z", "angle between k and the vertical", kAngle, F::kBody, kSmooth, thetaVertical},
+     kSmooth, theta, nullptr, kNothing, "\\theta_L"},
+    {"theta_vertical", "\\theta_z", "angle between k and the vertical, in pictures under gravity called theta",
+     kAngle, F::kBody, kSmooth, thetaVertical, nullptr, kNothing, "\\theta"},
     {"theta_omega", "\\alpha", "angle between omega and L", kAngle, F::kOmega, kSmooth, omegaToL},
     {"phi", "\\varphi", "precession: angle of the line of nodes about L, under gravity about the vertical", kAngle,
      F::kBody, kTurns, phi},
@@ -315,6 +316,12 @@ std::span<const StateQuantity> stateQuantities() { return kQuantities; }
 const StateQuantity& stateQuantity(int index) {
   POINSOT_EXPECT(index >= 0 && index < static_cast<int>(std::size(kQuantities)));
   return kQuantities[index];
+}
+
+std::string quantityTex(int index, const physics::Forcing& forcing) {
+  const StateQuantity& quantity = stateQuantity(index);
+  const bool hasOther = !forcing.gravity_B.isZero(0) && !quantity.texUnderGravity.empty();
+  return std::string(hasOther ? quantity.texUnderGravity : quantity.tex);
 }
 
 }  // namespace poinsot::scene

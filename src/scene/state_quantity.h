@@ -75,6 +75,7 @@ struct StateQuantity {
   /// What the value's rounding is a small part of: |omega| for omega_1; null: 1.
   double (*size)(const physics::RigidBodyState&, const QuantityBasis&) = nullptr;
   QuantityNeeds needs = QuantityNeeds::kNothing;
+  std::string_view texUnderGravity = {};  ///< empty: as ever
 };
 
 /// Of a unit that one may ask for: kNone for a bare number.
@@ -88,5 +89,10 @@ std::span<const StateQuantity> stateQuantities();
 
 /// @pre index of a quantity.
 const StateQuantity& stateQuantity(int index);
+
+/// What pictures of a body with that forcing call it: angles are counted from the vertical where gravity acts, so
+/// theta is the one to the vertical there.
+/// @pre index of a quantity.
+std::string quantityTex(int index, const physics::Forcing& forcing);
 
 }  // namespace poinsot::scene

@@ -36,9 +36,9 @@ std::vector<PlotPoint> bounded(const std::vector<PlotPoint>& points) {
   return kept;
 }
 
-std::string joinedNames(const std::vector<int>& quantities) {
+std::string namesOf(const QuantityTrack& track, std::size_t count) {
   std::string names;
-  for (const int q : quantities) names += (names.empty() ? "" : ",\\,") + std::string(scene::stateQuantity(q).tex);
+  for (std::size_t i = 0; i < count; ++i) names += (i == 0 ? "" : ",\\,") + track.tex(i);
   return names;
 }
 
@@ -48,13 +48,9 @@ std::vector<int> tracked(const scene::Plot& plot) {
   return all;
 }
 
-QuantityRange both(const QuantityRange& a, const QuantityRange& b) {
-  return {std::min(a.low, b.low), std::max(a.high, b.high), std::max(a.size, b.size)};
-}
-
 PlotRanges rangesOf(const QuantityTrack& track, const scene::Plot& plot) {
   PlotRanges all{track.range(0), {}};
-  for (std::size_t i = 1; i < plot.quantities.size(); ++i) all.y = both(all.y, track.range(i));
+  for (std::size_t i = 1; i < plot.quantities.size(); ++i) all.y = joined(all.y, track.range(i));
   if (plot.x) all.x = track.range(1);
   return all;
 }
@@ -63,7 +59,7 @@ PlotRanges rangesOf(const QuantityTrack& track, const scene::Plot& plot) {
 
 PlotRanges joined(const PlotRanges& a, const PlotRanges& b) {
   POINSOT_EXPECT(a.x.has_value() == b.x.has_value());
-  return {both(a.y, b.y), a.x ? std::optional(both(*a.x, *b.x)) : std::nullopt};
+  return {joined(a.y, b.y), a.x ? std::optional(joined(*a.x, *b.x)) : std::nullopt};
 }
 
 struct PlotFigure::Plan {
@@ -100,7 +96,7 @@ struct PlotFigure::Plan {
 
   void makeFrame() {
     const scene::QuantityUnit unit = track.quantity(0).unit;
-    const std::string names = joinedNames(plot.quantities);
+    const std::string names = namesOf(track, plot.quantities.size());
     frame.title = plot.title;
     frame.y = plot.range ? givenAxis(unit, ranges.y, names, plot.unit, plot.range->low, plot.range->high)
                          : valueAxis(unit, ranges.y, names, plot.unit);
@@ -109,7 +105,7 @@ struct PlotFigure::Plan {
       return;
     }
     const scene::StateQuantity& x = track.quantity(1);
-    frame.x = valueAxis(x.unit, *ranges.x, std::string(x.tex), x.unit == unit ? plot.unit : "");
+    frame.x = valueAxis(x.unit, *ranges.x, track.tex(1), x.unit == unit ? plot.unit : "");
     frame.equalScales = x.unit == unit && frame.x.unit.perSi == frame.y.unit.perSi && ofLikeLength();
   }
 
@@ -155,8 +151,7 @@ std::vector<PlotValue> PlotFigure::Plan::values(double filmTime_s) const {
   std::vector<PlotValue> all;
   for (std::size_t i = 0; i < plot.quantities.size(); ++i) {
     const double end = curves[i].empty() ? 0 : curves[i].back().back().y;
-    all.push_back(
-        {std::string(track.quantity(i).tex), tones[i], frame.y.unit.written(track.at(i, filmTime_s)), end});
+    all.push_back({track.tex(i), tones[i], frame.y.unit.written(track.at(i, filmTime_s)), end});
   }
   return all;
 }
@@ -240,7 +235,7 @@ void PlotFigure::Plan::addPair(draw::Picture& picture, const PixelBox& panel, co
   const PlotAxis* axes[] = {&frame.y, &frame.x};
   for (const std::size_t which : {0u, 1u}) {
     const ValueFormat format = valueFormat(*axes[which], pen.decimalSign);
-    const std::string name = "$" + std::string(track.quantity(which).tex) + "\\,=$";
+    const std::string name = "$" + track.tex(which) + "\\,=$";
     const double left = right - (format.width_em + 0.3) * em - widthOf(name, em);
     if (left < least) return;
     const double value = axes[which]->unit.written(track.at(which, filmTime_s));

@@ -58,6 +58,10 @@ double largestOf(const QuantityRange& range) { return std::max(std::abs(range.lo
 
 }  // namespace
 
+QuantityRange joined(const QuantityRange& a, const QuantityRange& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high), std::max(a.size, b.size)};
+}
+
 bool varies(const QuantityRange& range) {
   return range.high - range.low > std::max(kRounding * range.size, kFlat * largestOf(range));
 }

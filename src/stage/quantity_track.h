@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "physics/motion.h"
@@ -16,6 +17,8 @@ struct QuantityRange {
   double low = 0, high = 0, size = 0;
 };
 
+/// Both, for films that are to be compared.
+QuantityRange joined(const QuantityRange& a, const QuantityRange& b);
 /// Whether the values differ by more than rounding, and by more than six digits show.
 bool varies(const QuantityRange& range);
 /// The largest absolute value; of what is zero but for rounding, what its size could be.
@@ -45,6 +48,8 @@ class QuantityTrack {
   const scene::StateQuantity& quantity(std::size_t which) const {
     return scene::stateQuantity(quantities_[which]);
   }
+  /// What pictures of the scene call it.
+  std::string tex(std::size_t which) const { return scene::quantityTex(quantities_[which], basis_.forcing()); }
   std::size_t quantities() const { return quantities_.size(); }
 
   /// However long the film and fast the motion.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/expect.h"
 #include "stage/plot_tones.h"
 #include "text/math_setter.h"
 
@@ -21,9 +22,8 @@ std::vector<int> quantitiesOf(const std::vector<scene::Readout>& readouts) {
   return all;
 }
 
-std::string nameOf(const scene::Readout& readout) {
-  if (!readout.label.empty()) return readout.label + " $=$";
-  return "$" + std::string(scene::stateQuantity(readout.quantity).tex) + "\\,=$";
+std::string nameOf(const scene::Readout& readout, const std::string& tex) {
+  return readout.label.empty() ? "$" + tex + "\\,=$" : readout.label + " $=$";
 }
 
 std::string wider(const std::string& a, const std::string& b) {
@@ -47,17 +47,19 @@ ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range
 }
 
 ReadoutBoard::ReadoutBoard(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion,
-                           const Palette& colors)
+                           const Palette& colors, std::span<const QuantityRange> least)
     : sign_(scene.style.decimalSign) {
   if (scene.readouts.empty()) return;
+  POINSOT_EXPECT(least.empty() || least.size() == scene.readouts.size());
   track_.emplace(scene, std::move(motion), quantitiesOf(scene.readouts));
   for (std::size_t i = 0; i < scene.readouts.size(); ++i) {
     const scene::StateQuantity& quantity = track_->quantity(i);
-    const QuantityRange range = track_->range(i);
+    const QuantityRange& range =
+        ranges_.emplace_back(least.empty() ? track_->range(i) : joined(track_->range(i), least[i]));
     const ReadoutFormat& format =
         formats_.emplace_back(readoutFormat(quantity.unit, range, scene.readouts[i].unit));
     texts_.push_back({.at = scene.readouts[i].at,
-                      .name = nameOf(scene.readouts[i]),
+                      .name = nameOf(scene.readouts[i], track_->tex(i)),
                       .value = {},
                       .widest = wider(format.tex(range.low, sign_), format.tex(range.high, sign_)),
                       .unit = unitSuffix(format.unit),

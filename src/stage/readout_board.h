@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,14 +40,20 @@ ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range
 /// A scene's read-outs over its film.
 class ReadoutBoard {
  public:
-  /// `motion`: drawnMotion() of the scene.
-  ReadoutBoard(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion, const Palette& colors);
+  /// `motion`: drawnMotion() of the scene. @param least  for what other ranges the digits are chosen besides, one
+  /// for each; or none
+  ReadoutBoard(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion, const Palette& colors,
+               std::span<const QuantityRange> least = {});
+
+  /// Of each, with those that it was made for.
+  const std::vector<QuantityRange>& ranges() const { return ranges_; }
 
   /// In the order of the scene. A pure function.
   std::vector<ReadoutText> at(double filmTime_s) const;
 
  private:
   std::optional<QuantityTrack> track_;  // none without read-outs
+  std::vector<QuantityRange> ranges_;
   std::vector<ReadoutFormat> formats_;
   std::vector<ReadoutText> texts_;  // all but the values
   scene::DecimalSign sign_;

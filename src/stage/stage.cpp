@@ -115,18 +115,18 @@ void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& fr
 Stage::Stage(const scene::Scene& scene, core::StepLedger* steps)
     : Stage(scene, timed(drawnMotion(scene), steps)) {}
 
-Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion,
-             std::span<const PlotRanges> least)
+Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion, const FilmRanges& least)
     : scene_(std::move(scene)),
       colors_(palette(scene_.style)),
       layout_(placesOf(scene_)),
-      readouts_(scene_, motion, colors_),
+      readouts_(scene_, motion, colors_, least.readouts),
       presence_(scene_.timeline),
       captions_(scene_.timeline.captions, scene_.time.duration_s) {
   for (const scene::View& view : scene_.views) views_.emplace_back(viewOf(scene_, view), motion);
-  POINSOT_EXPECT(least.empty() || least.size() == scene_.plots.size());
+  POINSOT_EXPECT(least.plots.empty() || least.plots.size() == scene_.plots.size());
   for (std::size_t i = 0; i < scene_.plots.size(); ++i)
-    plots_.emplace_back(scene_, scene_.plots[i], motion, least.empty() ? std::nullopt : std::optional(least[i]));
+    plots_.emplace_back(scene_, scene_.plots[i], motion,
+                        least.plots.empty() ? std::nullopt : std::optional(least.plots[i]));
 }
 
 draw::Picture Stage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing,

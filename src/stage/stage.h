@@ -10,11 +10,11 @@
 #include "scene/scene.h"
 #include "stage/caption_strip.h"
 #include "stage/composer.h"
+#include "stage/film_ranges.h"
 #include "stage/palette.h"
 #include "stage/picture_layout.h"
 #include "stage/picture_motion.h"
 #include "stage/picture_writing.h"
-#include "stage/plot_figure.h"
 #include "stage/presence.h"
 #include "stage/readout_board.h"
 #include "stage/view_stage.h"
@@ -29,9 +29,9 @@ class Stage final : public Composer {
   /// (the invariable plane of a body at rest).
   /// @param steps  where the time of the motion is entered; then it is of one thread.
   explicit Stage(const scene::Scene& scene, core::StepLedger* steps = nullptr);
-  /// With drawnMotion() of the scene. @param least  what the axes of its plots hold besides, one for each; or none
-  Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion,
-        std::span<const PlotRanges> least = {});
+  /// With drawnMotion() of the scene. @param least  what its plots and read-outs hold besides their own; or
+  /// nothing
+  Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion, const FilmRanges& least = {});
 
   using Composer::compose;
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/expect.h"
 #include "stage/common_scale.h"
@@ -66,18 +67,38 @@ void addAt(draw::Picture& picture, draw::Picture cell, glm::ivec2 origin_px) {
   }
 }
 
-/// What the axes of each plot hold in all cells, so that curves can be compared.
-std::vector<PlotRanges> commonRanges(const std::vector<scene::Scene>& cells,
-                                     const std::vector<std::shared_ptr<const physics::Motion>>& motions) {
-  std::vector<PlotRanges> all;
-  for (std::size_t plot = 0; plot < cells[0].plots.size(); ++plot)
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const PlotRanges one = PlotFigure(cells[i], cells[i].plots.at(plot), motions[i]).ranges();
-      if (i == 0)
-        all.push_back(one);
-      else
-        all.back() = joined(all.back(), one);
-    }
+FilmRanges rangesOf(const scene::Scene& cell, const std::shared_ptr<const physics::Motion>& motion) {
+  FilmRanges ranges;
+  for (const scene::Plot& plot : cell.plots) ranges.plots.push_back(PlotFigure(cell, plot, motion).ranges());
+  ranges.readouts = ReadoutBoard(cell, motion, palette(cell.style)).ranges();
+  return ranges;
+}
+
+/// For numbers of the same digits; for any where the smallest would have too few of them left.
+QuantityRange commonDigits(const std::vector<QuantityRange>& ofCells) {
+  constexpr double kMostUnlike = 10;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  QuantityRange all{kInfinity, -kInfinity, 0};
+  double least = kInfinity;
+  for (const QuantityRange& one : ofCells) {
+    all = joined(all, one);
+    least = std::min(least, sizeOf(one));
+  }
+  return sizeOf(all) <= kMostUnlike * least ? all : QuantityRange{kInfinity, -kInfinity, 0};
+}
+
+/// So that curves and numbers of the cells can be compared.
+FilmRanges commonRanges(const std::vector<scene::Scene>& cells,
+                        const std::vector<std::shared_ptr<const physics::Motion>>& motions) {
+  FilmRanges all = rangesOf(cells[0], motions[0]);
+  std::vector<std::vector<QuantityRange>> readouts;
+  for (const QuantityRange& first : all.readouts) readouts.push_back({first});
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    const FilmRanges one = rangesOf(cells[i], motions[i]);
+    for (std::size_t k = 0; k < all.plots.size(); ++k) all.plots[k] = joined(all.plots[k], one.plots.at(k));
+    for (std::size_t k = 0; k < readouts.size(); ++k) readouts[k].push_back(one.readouts.at(k));
+  }
+  std::ranges::transform(readouts, all.readouts.begin(), commonDigits);
   return all;
 }
 
@@ -101,7 +122,7 @@ SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels>
   POINSOT_EXPECT(cells.size() == labels_[0].whole.size() * (labels_.size() == 2 ? labels_[1].whole.size() : 1));
   std::vector<std::shared_ptr<const physics::Motion>> motions;
   for (const scene::Scene& cell : cells) motions.push_back(timed(drawnMotion(cell), steps));
-  const std::vector<PlotRanges> ranges = commonRanges(cells, motions);
+  const FilmRanges ranges = commonRanges(cells, motions);
   for (std::size_t i = 0; i < cells.size(); ++i)
     cells_.emplace_back(withoutWriting(std::move(cells[i])), motions[i], ranges);
 }

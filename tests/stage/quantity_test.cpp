@@ -168,6 +168,20 @@ scene::Scene symmetricTop() {
 }
 
 // phi turns at L/I1 (eq 34), psi at -Omega_p (eq 21), theta stays: the lecture's numbers, by hand.
+// Books of tops count theta from the vertical, those of free bodies from L.
+TEST(Quantities, OfATopAreCalledByItsVertical) {
+  physics::Forcing gravity;
+  gravity.gravity_B = {0, 0, 0.3};
+  const auto called = [](const char* name, const physics::Forcing& forcing) {
+    return scene::quantityTex(indexOf(name), forcing);
+  };
+  EXPECT_EQ(called("theta", {}), "\\theta");
+  EXPECT_EQ(called("theta_vertical", {}), "\\theta_z");
+  EXPECT_EQ(called("theta", gravity), "\\theta_L");
+  EXPECT_EQ(called("theta_vertical", gravity), "\\theta");
+  EXPECT_EQ(called("phi", gravity), called("phi", {}));
+}
+
 TEST(QuantityTrack, EulersAnglesOfASymmetricTopTurnSteadilyThroughAllTurns) {
   const scene::Scene scene = symmetricTop();
   const QuantityTrack track(scene, drawnMotion(scene), {indexOf("phi"), indexOf("psi"), indexOf("theta")});

@@ -88,6 +88,17 @@ TEST(Readouts, HaveAsManyDecimalsAsTheFilmNeeds) {
   EXPECT_EQ(written(QuantityUnit::kAngle, {0, 1, 1}, std::nan("")), "$--$$\\degree$");
 }
 
+// omega_3 is 2 rad/s all along, which has four digits by itself.
+TEST(Readouts, HaveTheDigitsOfTheFilmsThatTheyAreComparedWith) {
+  const scene::Scene scene = top("[[readout]]\nquantity = \"omega_3\"\n");
+  const QuantityRange others[] = {{0, 60, 60}};
+  const ReadoutBoard board(scene, drawnMotion(scene), palette(scene.style.theme), others);
+  EXPECT_EQ(textsAt(scene, 1).at(0).value, "$2.000$");
+  EXPECT_EQ(board.at(1).at(0).value, "$2.0$");
+  EXPECT_EQ(board.at(1).at(0).widest, "$60.0$");
+  EXPECT_EQ(board.ranges().at(0).high, 60);
+}
+
 // A spin of 1 rad/s is 30/pi turns a minute; one unit is asked for, and no power of ten comes with it.
 TEST(Readouts, AreInTheUnitThatWasAskedFor) {
   const auto inUnit = [](QuantityUnit unit, const QuantityRange& range, const std::string& asked, double si) {

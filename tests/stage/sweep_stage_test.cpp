@@ -2,6 +2,7 @@
 // Small multiples as values: where cells and labels lie, and what cells have in common.
 #include "stage/sweep_stage.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -164,6 +165,21 @@ TEST(SweepStage, PlotsHaveTheSameAxes) {
       ++numbers[text.tex];
   EXPECT_GE(numbers.size(), 4u);
   for (const auto& [tex, count] : numbers) EXPECT_EQ(count % 5, 0) << tex << " " << count;
+}
+
+// I1 = (2^2 + 1^2)/12 = 5/12 kg·m²; each cell by itself would have four digits.
+TEST(SweepStage, ReadOutsHaveTheSameDigits) {
+  const auto values = [](const std::string& word) {
+    std::vector<std::string> all;
+    for (const draw::Text& text :
+         swept("[[readout]]\nquantity = \"L\"\n", {word}).stage.compose(2, {1600, 400}).texts)
+      if (text.tex.starts_with("$") && text.tex.find_first_not_of("$-.0123456789") == std::string::npos)
+        all.push_back(text.tex);
+    return all;
+  };
+  EXPECT_THAT(values("motion.omega_body=[0.3|3, 0, 0]"), testing::ElementsAre("$0.125$", "$1.250$"));
+  EXPECT_THAT(values("motion.omega_body=[0.01|10, 0, 0]"),
+              testing::ElementsAre("$4.167$", "$4.167$"));  // thousandths
 }
 
 TEST(SweepStage, TheGridOfOneRangeHasTheColumnsAskedForOrTheBest) {
