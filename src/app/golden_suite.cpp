@@ -253,12 +253,15 @@ class Run {
   void addUnused() {
     std::vector<std::string> names;
     for (const GoldenCase& one : cases_) names.push_back(one.name);
+    // A scene with a mistake may be what made it.
+    const bool allMade = std::ranges::count(outcomes_, GoldenStatus::kError, &GoldenOutcome::status) == 0;
     for (const std::string& file : unusedIn(manifest_.references, names)) {
       GoldenOutcome outcome;
       outcome.name = fs::path(file).stem();
       outcome.status = GoldenStatus::kUnused;
-      outcome.message =
-          "approved, and no test makes it: remove " + core::printable((manifest_.references / file).native());
+      outcome.message = "approved, and no test makes it: " +
+                        (allMade ? "remove " + core::printable((manifest_.references / file).native())
+                                 : "first mend what is in error");
       outcome.reference = manifest_.references / file;
       outcomes_.push_back(std::move(outcome));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <system_error>
 
@@ -61,9 +62,22 @@ app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allo
           std::move(allowance)};
 }
 
-std::string lineOf(const GoldenOutcome& outcome) {
+std::string lineOf(const GoldenOutcome& outcome, const std::string& message) {
   return fmt::format("{:<10} {}{}{}\n", toString(outcome.status), core::printable(outcome.name),
-                     outcome.message.empty() ? "" : ": ", outcome.message);
+                     message.empty() ? "" : ": ", message);
+}
+
+/// A line for each outcome that is wanted. What is wrong with a scene is said once, at the first of its pictures.
+template <typename Wanted>
+std::string linesOf(const std::vector<GoldenOutcome>& outcomes, Wanted wanted) {
+  std::string lines, lastError;
+  for (const GoldenOutcome& outcome : outcomes) {
+    if (!wanted(outcome)) continue;
+    const bool again = outcome.status == GoldenStatus::kError && outcome.message == lastError;
+    lines += lineOf(outcome, again ? "the same" : outcome.message);
+    if (outcome.status == GoldenStatus::kError) lastError = outcome.message;
+  }
+  return lines;
 }
 
 /// "60 identical, 2 near, 1 different".
@@ -142,8 +156,7 @@ class Golden {
   }
 
   void tell() const {
-    for (const GoldenOutcome& outcome : outcomes_)
-      if (outcome.status != GoldenStatus::kIdentical) say(lineOf(outcome));
+    say(linesOf(outcomes_, [](const GoldenOutcome& o) { return o.status != GoldenStatus::kIdentical; }));
     say(fmt::format("{}{}\n", countsText(outcomes_), onlyNear() ? ": not all identical, as --exact asks" : ""));
     if (failures() > 0) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
   }
@@ -159,16 +172,14 @@ class Golden {
 
   /// Approves what is not as it was; exit 1 only where there is no picture to approve.
   int update() const {
-    bool allThere = true;
-    for (const GoldenOutcome& outcome : outcomes_) {
-      if (outcome.status == GoldenStatus::kError || outcome.status == GoldenStatus::kUnused) {
-        say(lineOf(outcome));
-        allThere = false;
-      } else if (outcome.status != GoldenStatus::kIdentical || !hasOrigin(outcome)) {
+    const auto isThere = [](const GoldenOutcome& o) {
+      return o.status != GoldenStatus::kError && o.status != GoldenStatus::kUnused;
+    };
+    for (const GoldenOutcome& outcome : outcomes_)
+      if (isThere(outcome) && (outcome.status != GoldenStatus::kIdentical || !hasOrigin(outcome)))
         approve(outcome);
-      }
-    }
-    return allThere ? kDone : kNo;
+    say(linesOf(outcomes_, std::not_fn(isThere)));
+    return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
   }
 
   /// Whether it is written down what the reference was made with.

@@ -216,9 +216,15 @@ TEST_F(GoldenCommand, TellsWhatNoTestMakesAndWhatIsNotThere) {
   const RunResult missing = golden();
   EXPECT_EQ(missing.exitCode, 1);
   EXPECT_THAT(missing.out, HasSubstr("error      nothing: "));
-  folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\n");
+  folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\ntimes = [0, 0.5]\n");
   folder_.put("s.toml", "[body]\nprincipal_moment = [1, 2, 3]\n");
-  EXPECT_THAT(golden().out, HasSubstr("did you mean"));
+  const RunResult wrong = golden();
+  EXPECT_THAT(wrong.out,
+              HasSubstr("error      s_t0: s.toml:2:1: error: body.principal_moment: unknown key; did you "
+                        "mean body.principal_moments?"));
+  EXPECT_THAT(wrong.out, HasSubstr("\nerror      s_t0.5: the same\n"));
+  EXPECT_THAT(wrong.out,
+              HasSubstr("unused     gone: approved, and no test makes it: first mend what is in error\n"));
 }
 
 TEST_F(GoldenCommand, HasItsOwnRulesWithReasons) {
