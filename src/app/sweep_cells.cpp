@@ -11,7 +11,6 @@
 #include "core/expect.h"
 #include "core/text.h"
 #include "scene/make_motion.h"
-#include "stage/palette.h"
 
 namespace poinsot::app {
 namespace {
@@ -21,6 +20,13 @@ using scene::Limit;
 constexpr std::size_t kMostAxes = 2;  // rows and columns
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// What belongs to the film as a whole: its cells are one.
+void expectOneFilm(const scene::SweepAxis& axis) {
+  if (axis.key == "time.duration" || axis.key.starts_with("output."))
+    refuse(fmt::format("a sweep of {}: its cells would differ in length, rate, size or paper, and are one film",
+                       axis.key));
+}
 
 void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   const std::size_t ranges = grid.axes.size();
@@ -35,6 +41,7 @@ void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   if (grid.cells > scene::kMostCells)
     refuse(fmt::format("{} x {} are {} cells: a sweep has at most {}", grid.axes[0].values.size(),
                        grid.axes.back().values.size(), grid.cells, scene::kMostCells));
+  for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
 }
 
 /// Of two words for a key the last one wins: the range would count for nothing, or all else would.
@@ -45,23 +52,6 @@ void expectOnce(const std::vector<std::string>& overrides, const std::string& ke
            word.find_first_not_of(' ', from + key.size()) == word.find('=');
   };
   if (std::ranges::count_if(overrides, isOfKey) > 1) refuse(fmt::format("-D {}: given more than once", key));
-}
-
-bool isOneFilm(const scene::Scene& a, const scene::Scene& b) {
-  const auto isSameOutput = [](const scene::Output& p, const scene::Output& q) {
-    return p.width == q.width && p.height == q.height && p.crf == q.crf && p.codec == q.codec;
-  };
-  return a.time.duration_s == b.time.duration_s && a.time.fps == b.time.fps && isSameOutput(a.output, b.output) &&
-         stage::palette(a.style).paper == stage::palette(b.style).paper;
-}
-
-void expectOneFilm(const std::vector<scene::Scene>& cells, const SweepGrid& grid) {
-  for (const scene::Scene& cell : cells) {
-    if (cell.time.loop) refuse("a sweep does not repeat: --loop changes each motion by itself");
-    if (isOneFilm(cells.front(), cell)) continue;
-    refuse(fmt::format("a sweep of {}: its cells would differ in length, rate, size or paper, and are one film",
-                       grid.axes.size() == 1 ? grid.axes[0].key : grid.axes[0].key + " and " + grid.axes[1].key));
-  }
 }
 
 void shareSpeed(std::vector<scene::Scene>& cells) {
@@ -120,7 +110,7 @@ std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid
       expectWithinMemory(grid.cells * meshMemory_bytes(cells[0]),
                          fmt::format("the meshes of {} cells", grid.cells), request.allowance.limits);
   }
-  expectOneFilm(cells, grid);
+  if (cells[0].time.loop) refuse("a sweep does not repeat: --loop changes each motion by itself");
   shareSpeed(cells);
   return cells;
 }

@@ -25,6 +25,10 @@ bool Findings::misspelt(std::string_view path) const {
          });
 }
 
+bool Findings::isUnsure(std::string_view path) const {
+  return failed(path) || misspelt(path) || misspelt(tableOf(path));
+}
+
 Place Findings::placeOf(std::string_view path) const {
   for (const std::string& given : {std::string(path), std::string(path) + ".visible"})
     if (const auto leaf = given_.values.find(given); leaf != given_.values.end()) return leaf->second.place;

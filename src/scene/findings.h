@@ -30,6 +30,9 @@ class Findings {
   bool hasTable(std::string_view table) const;
   /// Whether a name was given in its place that is spelled like it and is no key, which is reported anyway.
   bool misspelt(std::string_view path) const;
+  /// Whether what stands in its place is reported anyway, and is not what was meant: refused, misspelt, or in a
+  /// table whose name is.
+  bool isUnsure(std::string_view path) const;
   std::size_t count(std::string_view array) const { return given_.count(array); }
 
   /// "path: message", at the path.

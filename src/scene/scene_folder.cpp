@@ -63,7 +63,8 @@ core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const s
     if (why == ENOENT) why = errno;
     if (errno != ENOENT && errno != ENOTDIR) break;  // it is there, and is no file to be read
   }
-  refuse(path, why == ENOENT ? reason(why) + " in the scene's folder" : reason(why));
+  const char* const others = roots.size() > 1 ? ", nor in a folder of --asset-root" : "";
+  refuse(path, why == ENOENT ? reason(why) + " in the scene's folder" + others : reason(why));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace poinsot::scene {
 namespace {
@@ -91,12 +92,14 @@ void askForShown(Draft& draft, const Findings& findings) {
 }
 
 Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings) {
+  // Nothing is said of a film's end that nobody gave.
+  const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : duration_s;
   std::vector<TimelineDraft> entries;
   for (std::size_t i = 0; i < findings.count("timeline"); ++i) {
     const TimelineDraft entry = given(draft, i);
-    checkWhen(entry, pathOf(i), duration_s, findings);
+    checkWhen(entry, pathOf(i), end_s, findings);
     checkWhat(entry, pathOf(i), findings);
-    doubtHold(entry, pathOf(i), duration_s, findings);
+    doubtHold(entry, pathOf(i), end_s, findings);
     if (draft.loop) checkLoop(entry, pathOf(i), findings);
     if (entry.at) entries.push_back(entry);
   }

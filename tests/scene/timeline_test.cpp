@@ -13,6 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -98,6 +99,14 @@ TEST(Timeline, RefusesATimeBeyondTheFilm) {
   EXPECT_THAT(messagesWith("[[timeline]]\nat = 10.5\n"),
               StartsWith("timeline[0].at: must lie within the film, which ends at 10 s, got 10.5 s"));
   EXPECT_EQ(messagesWith("[[timeline]]\nat = 10\n"), "");
+}
+
+TEST(Timeline, SaysNothingOfAnEndThatNobodyGave) {
+  for (const char* time : {"[Time]\nduration = 60\n", "[time]\ndurtion = 60\n", "[time]\nduration = \"60\"\n"}) {
+    const std::string messages = messagesWith(std::string(time) + "[[timeline]]\nat = 30\nhold = 40\n");
+    EXPECT_THAT(messages, HasSubstr("ime")) << time;
+    EXPECT_THAT(messages, Not(HasSubstr("timeline"))) << time;
+  }
 }
 
 TEST(Timeline, RefusesAnEntryWithoutATime) {
