@@ -18,6 +18,10 @@ std::unique_ptr<const stage::Composer> composerOf(const SceneRequest& request, c
                                              request.sweep->columns, steps);
 }
 
+stage::Sizing sizingOf(const PictureForm& form, glm::ivec2 size_px) {
+  return form.print ? stage::printSizing(form.print->dpi) : stage::screenSizing(size_px);
+}
+
 void checkSweep(const SceneRequest& request, const scene::Scene& scene) {
   if (request.sweep->map) return static_cast<void>(stage::StabilityMap(scene));
   const SweepGrid grid(request);

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/picture_form.h"
 #include "app/scene_request.h"
 #include "core/step_times.h"
 #include "stage/composer.h"
@@ -15,6 +16,9 @@ namespace poinsot::app {
 /// @throws core::Error(kPhysics) where the scene asks for something its motion does not have; as loadCells().
 std::unique_ptr<const stage::Composer> composerOf(const SceneRequest& request, const scene::Scene& scene,
                                                   core::StepLedger* steps = nullptr);
+
+/// How large type and lines are in pictures of that size.
+stage::Sizing sizingOf(const PictureForm& form, glm::ivec2 size_px);
 
 /// What can be refused of a sweep before its motions are made: a cell, a label, the map of a body that has none.
 /// @pre request.sweep

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/frame_clock.h"
+#include "app/scene_composer.h"
 #include "output/figure_alpha.h"
 
 namespace poinsot::app {
@@ -45,8 +46,7 @@ void SceneFrames::compose(std::int64_t k) {
   const core::StepScope timing(steps_, core::Step::kCompose);
   const stage::Moment moment(time_s_.value_or(filmTime_s(k, fps_)), time_s_.has_value());
   const glm::ivec2 size_px(size_.width, size_.height);
-  picture_ = form_.print ? composer_->compose(moment, size_px, stage::printSizing(form_.print->dpi))
-                         : composer_->compose(moment, size_px);
+  picture_ = composer_->compose(moment, size_px, sizingOf(form_, size_px));
   composed_ = k;
 }
 

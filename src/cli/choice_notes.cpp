@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "app/loop_text.h"
 #include "app/scene_composer.h"
@@ -16,6 +17,8 @@
 
 namespace poinsot::cli {
 namespace {
+
+constexpr double kPointsPerInch = 72;
 
 std::string line(const std::string& text) { return "poinsot: " + text + "\n"; }
 
@@ -92,16 +95,19 @@ std::string choiceNotes(const scene::Scene& scene, bool film) {
 }
 
 std::string smallTypeNote(const app::RenderRequest& render, const scene::Scene& scene) {
-  constexpr float kLegible_px = 7;  // an x of 3 pixels
-  if (!render.scene.sweep || render.form.print) return "";
+  constexpr double kLegible_px = 7;  // an x of 3 pixels
+  constexpr double kLegible_pt = 5;  // what publishers ask for at least
+  const auto& [sweep, print] = std::tie(render.scene.sweep, render.form.print);
+  if (!sweep && !print) return "";
   const glm::ivec2 size_px(scene.output.width, scene.output.height);
-  const auto composer = app::composerOf(render.scene, scene);
-  const float smallest_px = smallestType_px(composer->compose(scene.time.stillTime_s(), size_px));
-  if (smallest_px >= kLegible_px) return "";
-  return line(
-      fmt::format("the smallest type is {:.2g} px high, which nobody can read; a larger --size, fewer cells or "
-                  "style.text_size make it larger",
-                  smallest_px));
+  const stage::Moment moment(render.time_s.value_or(scene.time.stillTime_s()), true);
+  const double smallest_px = smallestType_px(
+      app::composerOf(render.scene, scene)->compose(moment, size_px, app::sizingOf(render.form, size_px)));
+  const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
+  if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
+  return line(fmt::format("the smallest type is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,
+                          print ? "pt high, which is hard to read on paper" : "px high, which nobody can read",
+                          print ? "--width" : "--size", sweep ? "cells" : "panels"));
 }
 
 }  // namespace poinsot::cli

@@ -16,7 +16,7 @@ std::string doubtNotes(const scene::Scene& scene);
 /// @param film  more than one frame is made
 std::string choiceNotes(const scene::Scene& scene, bool film);
 
-/// Of a grid of films in the pixels of one, whose type nobody can read; else empty.
+/// Of a grid of films in the pixels of one, or of a figure on paper, whose type nobody can read; else empty.
 std::string smallTypeNote(const app::RenderRequest& render, const scene::Scene& scene);
 
 }  // namespace poinsot::cli

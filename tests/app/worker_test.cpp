@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/worker.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "app/job_identity.h"
 #include "app/worker_protocol.h"
 #include "core/file_handle.h"
+#include "support/scratch_folder.h"
 
 namespace poinsot::app {
 namespace {
@@ -80,6 +84,47 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   EXPECT_EQ(frames, (std::vector<std::int64_t>{3, 4, 60}));
   EXPECT_EQ(segmentStarts, (std::vector<std::int64_t>{3, 60}));
   EXPECT_EQ(tracedSegments, segmentStarts);
+}
+
+/// The last word of a worker, a process of its own, that is given the job and no segment.
+WorkerReport lastWordOf(const WorkerJob& job) {
+  Pipe jobs, reports;
+  writeLine(jobs.write.get(), toLine(job));
+  jobs.write.reset();
+  const pid_t worker = fork();
+  if (worker == 0) _exit(runWorker(jobs.read.get(), reports.write.get()));
+  reports.write.reset();
+  LineReader told(reports.read.get());
+  WorkerReport last = FrameDone{};
+  while (const auto line = told.wait()) last = reportFromLine(*line);
+  waitpid(worker, nullptr, 0);
+  return last;
+}
+
+TEST(Worker, TellsThatAFileOfTheSceneHasChanged) {
+  const ScratchFolder folder;
+  folder.put("style.toml", "[style]\ntheme = \"dark\"\n");
+  const std::string scene = folder / "a.toml";
+  WorkerJob job;
+  job.scene = {scene,
+               "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 2, 0.1]\n"
+               "[style]\nfile = \"style.toml\"\n",
+               {},
+               {}};
+  job.target = {OutputKind::kSequence, folder / "{frame}.png"};
+  job.workFolder = folder.path();
+  const scene::Scene read = loadRequested(job.scene);
+  job.job =
+      core::toHex(jobDigest(sceneDigest(job.scene, read),
+                            renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, read)));
+  EXPECT_TRUE(std::holds_alternative<WorkerFinished>(lastWordOf(job)));
+
+  folder.put("style.toml", "[style]\ntheme = \"light\"\n");
+  const WorkerReport last = lastWordOf(job);
+  ASSERT_TRUE(std::holds_alternative<WorkerFailed>(last));
+  EXPECT_EQ(std::get<WorkerFailed>(last).kind, core::ErrorKind::kIo);
+  EXPECT_EQ(std::get<WorkerFailed>(last).message,
+            scene + ": a file that the scene names has changed since the render began");
 }
 
 TEST(WorkerProtocol, CarriesAJobUnchanged) {

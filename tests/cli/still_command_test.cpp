@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 using ::testing::Not;
 using ::testing::StartsWith;
 
@@ -97,6 +98,18 @@ TEST_F(StillCommand, ADryRunSaysTheSizeAndWritesNothing) {
   EXPECT_EQ(still({"-o", "a.pdf", "--dry-run", "--size", "400x300", "--width", "60mm", "--dpi", "254"}).out,
             "a.pdf: 60 x 45 mm at 254 dpi, 600x450 pixels\n");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
+TEST_F(StillCommand, TypeThatIsTooSmallOnPaperIsToldOf) {
+  folder_.put("a.toml",
+              std::string(kGoodScene) + "[[view]]\n[[plot]]\nquantities = ['L_1', 'L_2']\nat = [1, 0]\n");
+  const auto said = [&](const std::string& width) {
+    return still({"-o", "a.pdf", "--dry-run", "--width", width}).err;
+  };
+  EXPECT_THAT(said("35mm"),
+              MatchesRegex("poinsot: the smallest type is [34]\\.[0-9] pt high, which is hard to read on "
+                           "paper; a larger --width or fewer panels make it larger\n"));
+  EXPECT_EQ(said("86mm"), "");
 }
 
 TEST_F(StillCommand, TransparentPaperIsNotThere) {

@@ -254,6 +254,20 @@ TEST_F(Reader, RefusesLargePictures) {
               HasSubstr("b.mkv: pictures of 65535x64; at most 16384 a side and 64 million pixels are read"));
 }
 
+// Two films one behind the other, as ffmpeg copies them into one.
+TEST_F(Reader, RefusesPicturesThatChangeTheirSize) {
+  const std::string make = "ffmpeg -v error -f lavfi -i color=rate=25:size=";
+  const std::string commands = "cd '" + in("").native() + "' && " + make + "320x64 -frames:v 2 a.ts && " + make +
+                               "256x64 -frames:v 2 b.ts && cat a.ts b.ts > ab.ts && " +
+                               "ffmpeg -v error -i ab.ts -c copy ab.mp4";
+  ASSERT_EQ(std::system(commands.c_str()), 0);
+  const auto readAll = [&] {
+    FilmReader reader(in("ab.mp4"));
+    while (reader.next()) continue;
+  };
+  EXPECT_THAT(messageOf(core::ErrorKind::kIo, readAll), HasSubstr("ab.mp4: its pictures change their size"));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, FilmFormats, testing::ValuesIn(formats()),
                          [](const auto& tested) { return tested.param.name; });
 
