@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
@@ -12,11 +13,11 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/figure_cairo.h"
 #include "output/figure_ink.h"
 #include "output/figure_mark.h"
 #include "output/figure_parts.h"
 #include "output/figure_writers.h"
+#include "text/font.h"
 #include "text/math_setter.h"
 #include "text/plain_text.h"
 
@@ -25,6 +26,7 @@ namespace {
 
 using SurfacePtr = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using ContextPtr = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+using FontPtr = std::unique_ptr<cairo_font_face_t, decltype(&cairo_font_face_destroy)>;
 
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
@@ -69,11 +71,27 @@ class CairoImage {
   SurfacePtr surface_;
 };
 
+/// The embedded mathematics font as cairo has it, of the thread that asks.
+FontPtr mathematics() {
+  return {cairo_ft_font_face_create_for_ft_face(text::Font::mathematics().face(), 0), &cairo_font_face_destroy};
+}
+
+/// Sets font and size, unhinted, unrounded.
+void useFont(cairo_t* context, cairo_font_face_t* font, double size) {
+  const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> exact(
+      cairo_font_options_create(), &cairo_font_options_destroy);
+  cairo_font_options_set_hint_style(exact.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(exact.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_face(context, font);
+  cairo_set_font_options(context, exact.get());
+  cairo_set_font_size(context, size);
+}
+
 /// Paints a picture on a page; the unit of its context is the picture's pixel.
 class Page {
  public:
   Page(cairo_t* context, const Figure& figure)
-      : context_(context), paper_(figure.picture.background), halos_(figure.hasPaper()), font_(cairoFont()) {}
+      : context_(context), paper_(figure.picture.background), halos_(figure.hasPaper()), font_(mathematics()) {}
 
   void paint(const image::Image& image) {
     const CairoImage pixels(image);
@@ -191,7 +209,7 @@ class Page {
   cairo_t* context_;
   draw::Color paper_;
   bool halos_;
-  std::shared_ptr<cairo_font_face_t> font_;
+  FontPtr font_;
 };
 
 /// The date that a build of fixed content asks for, as cairo wants it; empty where none does.

@@ -8,11 +8,11 @@
 #include <set>
 
 #include "image/png_file.h"
-#include "output/figure_cairo.h"
 #include "output/figure_ink.h"
 #include "output/figure_mark.h"
 #include "output/figure_parts.h"
 #include "output/figure_writers.h"
+#include "text/glyph_outline.h"
 #include "text/math_setter.h"
 
 namespace poinsot::output {
@@ -74,6 +74,44 @@ std::string paintedBy(const char* what, const Ink& ink) {
   return ink.alpha < 1 ? color + fmt::format(" {}-opacity=\"{}\"", what, number(ink.alpha)) : color;
 }
 
+/// A glyph's outline as path data, in the font's units, y down; nothing for a space.
+class PathWriter final : public text::OutlineSink {
+ public:
+  void moveTo(text::Point to) override {
+    close();
+    start_ = to;
+    add('M', {to});
+  }
+  void lineTo(text::Point to) override {
+    if (to.x != start_.x || to.y != start_.y) add('L', {to});  // else "Z" draws it
+  }
+  void cubicTo(text::Point c1, text::Point c2, text::Point end) override { add('C', {c1, c2, end}); }
+
+  std::string data() {
+    close();
+    return data_;
+  }
+
+ private:
+  void close() {
+    if (!data_.empty()) data_ += 'Z';
+  }
+  void add(char command, std::initializer_list<text::Point> points) {
+    data_ += command;
+    for (const text::Point& p : points)
+      data_ += fmt::format("{}{:.0f} {:.0f}", data_.back() == command ? "" : " ", p.x, -p.y);
+  }
+
+  std::string data_;
+  text::Point start_;
+};
+
+std::string pathOf(text::GlyphId id) {
+  PathWriter path;
+  text::traceGlyph(id, path);
+  return path.data();
+}
+
 class SvgDocument {
  public:
   explicit SvgDocument(const Figure& figure) : figure_(figure), paper_(figure.picture.background) {}
@@ -104,7 +142,7 @@ class SvgDocument {
   std::string glyphs() const {
     std::string defs = "<defs>\n";
     for (const text::GlyphId id : glyphs_)
-      defs += fmt::format("<path id=\"lmmath-{}\" d=\"{}\"/>\n", id, svgPathOf(id));
+      defs += fmt::format("<path id=\"lmmath-{}\" d=\"{}\"/>\n", id, pathOf(id));
     return defs + "</defs>\n";
   }
 

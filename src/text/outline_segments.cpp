@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text/outline_segments.h"
 
-#include <ft2build.h>
-#include FT_FREETYPE_H
-#include FT_OUTLINE_H
+#include <cmath>
 
-#include "core/expect.h"
 #include "text/font.h"
+#include "text/glyph_outline.h"
 
 namespace poinsot::text {
 namespace {
 
-// Takes an outline in FreeType's calls and lays it down as segments.
+// Lays an outline down as segments.
 class Tracer {
  public:
   Tracer(std::vector<Segment>& segments, double tolerance_px) : segments_(segments), tolerance_px_(tolerance_px) {}
@@ -42,45 +40,18 @@ class Tracer {
   Point pen_;
 };
 
-// One glyph's outline from the font's units into pixels.
-class GlyphTracer {
+// From the font's units into pixels.
+class GlyphTracer final : public OutlineSink {
  public:
   GlyphTracer(Tracer& tracer, Point origin, double pixelsPerUnit)
       : tracer_(tracer), origin_(origin), pixelsPerUnit_(pixelsPerUnit) {}
 
-  void trace(GlyphId id) {
-    FT_Face face = Font::mathematics().face();
-    POINSOT_EXPECT(FT_Load_Glyph(face, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) == 0);
-    FT_Outline_Funcs calls{};
-    calls.move_to = [](const FT_Vector* to, void* self) { return cast(self).moveTo(*to); };
-    calls.line_to = [](const FT_Vector* to, void* self) { return cast(self).lineTo(*to); };
-    // CFF outlines are cubic; a quadratic piece would mean that another font has been put in.
-    calls.conic_to = [](const FT_Vector*, const FT_Vector*, void*) { return 1; };
-    calls.cubic_to = [](const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to, void* self) {
-      return cast(self).cubicTo(*c1, *c2, *to);
-    };
-    POINSOT_EXPECT(FT_Outline_Decompose(&face->glyph->outline, &calls, this) == 0);
-  }
+  void moveTo(Point to) override { tracer_.moveTo(pixel(to)); }
+  void lineTo(Point to) override { tracer_.lineTo(pixel(to)); }
+  void cubicTo(Point c1, Point c2, Point end) override { tracer_.cubicTo(pixel(c1), pixel(c2), pixel(end)); }
 
  private:
-  static GlyphTracer& cast(void* self) { return *static_cast<GlyphTracer*>(self); }
-
-  Point pixel(const FT_Vector& v) const {
-    return {origin_.x + pixelsPerUnit_ * static_cast<double>(v.x),
-            origin_.y - pixelsPerUnit_ * static_cast<double>(v.y)};
-  }
-  int moveTo(const FT_Vector& to) {
-    tracer_.moveTo(pixel(to));
-    return 0;
-  }
-  int lineTo(const FT_Vector& to) {
-    tracer_.lineTo(pixel(to));
-    return 0;
-  }
-  int cubicTo(const FT_Vector& c1, const FT_Vector& c2, const FT_Vector& to) {
-    tracer_.cubicTo(pixel(c1), pixel(c2), pixel(to));
-    return 0;
-  }
+  Point pixel(Point v) const { return {origin_.x + pixelsPerUnit_ * v.x, origin_.y - pixelsPerUnit_ * v.y}; }
 
   Tracer& tracer_;
   Point origin_;
@@ -107,7 +78,8 @@ std::vector<Segment> outlineSegments(const GlyphRun& run, double size_px, Point 
   Tracer tracer(segments, tolerance_px);
   for (const PlacedGlyph& glyph : run.glyphs) {
     const Point at = {origin.x + size_px * glyph.x_em, origin.y - size_px * glyph.y_em};
-    GlyphTracer(tracer, at, size_px * glyph.scale / Font::mathematics().unitsPerEm()).trace(glyph.id);
+    GlyphTracer scaled(tracer, at, size_px * glyph.scale / Font::mathematics().unitsPerEm());
+    traceGlyph(glyph.id, scaled);
   }
   for (const Rule& rule : run.rules) traceRule(tracer, rule, size_px, origin);
   return segments;

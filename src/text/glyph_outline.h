@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "text/glyph_run.h"
+#include "text/point.h"
+
+namespace poinsot::text {
+
+/// Takes the contours of a glyph, one after the other. Each ends where it began.
+class OutlineSink {
+ public:
+  virtual ~OutlineSink() = default;
+  virtual void moveTo(Point to) = 0;
+  virtual void lineTo(Point to) = 0;
+  virtual void cubicTo(Point c1, Point c2, Point end) = 0;
+
+ protected:
+  OutlineSink() = default;
+  OutlineSink(const OutlineSink&) = default;
+  OutlineSink& operator=(const OutlineSink&) = default;
+};
+
+/// The unhinted outline of one of Font::mathematics()' glyphs, in the font's own units, which are whole numbers.
+/// @throws std::bad_alloc; what the sink throws.
+void traceGlyph(GlyphId id, OutlineSink& sink);
+
+}  // namespace poinsot::text

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+namespace poinsot::text {
+
+/// In a plane of pixels, x right and y down, or of a font's units, x right and y up.
+struct Point {
+  double x = 0;
+  double y = 0;
+
+  friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+  friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+  friend Point operator*(Point a, double s) { return {a.x * s, a.y * s}; }
+};
+
+inline double distance(Point a, Point b) {
+  const Point d = b - a;
+  return std::sqrt(d.x * d.x + d.y * d.y);  // the one function here besides + - * /: IEEE 754 fixes its bits
+}
+
+}  // namespace poinsot::text
