@@ -63,6 +63,8 @@ int makeStill(const RenderOptions& options, const StillOptions& still, app::Pict
   const auto named = targetOf("SCENE");  // what is typed wrong is said first
   checkBits(form.bits, named);
   form = printed(form, still, named.kind);
+  if (form.print && !options.quality.empty())
+    refuse("-q: how many pixels a picture on paper has, --width and --dpi say");
   const auto asked_s = askedTime_s(still);
   RequestedScene requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;

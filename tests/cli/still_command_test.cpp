@@ -178,6 +178,7 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
       {{"--width", "5mm"}, "--width '5mm': less than 15 mm, and type keeps its size in points"},
       {{"--width", "1e300mm"}, "sides are from 16 to 8192 pixels"},
       {{"--dpi", "300"}, "--dpi needs --width"},
+      {{"--width", "86mm", "-q", "4k"}, "-q: how many pixels a picture on paper has, --width and --dpi say"},
       {{"--width", "86mm", "--dpi", "0"}, "not in range"},
       {{"--width", "86mm", "--dpi", "many"}, "--dpi"},
       {{"-o", "50%.tex"}, "50%-unlabelled.png: LaTeX cannot load a picture whose name has one of"},
