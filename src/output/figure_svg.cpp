@@ -99,7 +99,7 @@ class PathWriter final : public text::OutlineSink {
   void add(char command, std::initializer_list<text::Point> points) {
     data_ += command;
     for (const text::Point& p : points)
-      data_ += fmt::format("{}{:.0f} {:.0f}", data_.back() == command ? "" : " ", p.x, -p.y);
+      data_ += fmt::format("{}{:.0f} {:.0f}", data_.back() == command ? "" : " ", p.x, 0 - p.y);  // no "-0"
   }
 
   std::string data_;
