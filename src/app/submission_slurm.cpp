@@ -49,9 +49,10 @@ options=()  # of yours for sbatch: --account=physics --partition=short
 task() {{
   cat <<'TASK'
 #!/bin/bash
+late=
+trap 'late=yes; kill -TERM "$!"' USR1  # Slurm says so a minute before the time is over
 {place}{shard} &
-render=$! late=
-trap 'late=yes; kill -TERM "$render"' USR1  # Slurm says so a minute before the time is over
+render=$!
 wait "$render"
 code=$?
 [[ $late ]] && wait "$render"

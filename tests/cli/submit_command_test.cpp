@@ -95,13 +95,13 @@ TEST_F(Submit, OnlyTheTasksThatAreNamedAreSubmittedAgain) {
 /// Runs one task of a printed script with a program that ends with that code.
 class SubmitTask : public Submit {
  protected:
-  ShellResult task(const std::string& program, int restarts, const std::string& around = "bash ../job") {
+  ShellResult task(const std::string& program, int restarts) {
     executable("sbatch", "[[ -e ${0%/*}/job ]] && cat >/dev/null || cat >\"${0%/*}/job\"\necho 7\n");
     executable("scontrol", "echo \"$@\" >>\"${0%/*}/asked\"; kill $PPID\n");
     executable("poinsot", program);
     EXPECT_EQ(shell(std::string(kPrint) + "-o f.mp4 --retries 2 >../script && bash ../script").exitCode, 0);
     return shell("export SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=1 SLURM_JOB_ID=9 SLURM_RESTART_COUNT=" +
-                 std::to_string(restarts) + "\n" + around);
+                 std::to_string(restarts) + "\nbash ../job");
   }
 
   std::string requeues() const { return std::filesystem::exists(scratch_ / "asked") ? left("asked") : ""; }
@@ -123,13 +123,14 @@ TEST_F(SubmitTask, ThatIsDoneOrWouldFailAgainOrWasStoppedDoesNot) {
   }
 }
 
-// What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back.
+// What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back. It
+// is sent as early as can be here, when the task has hardly gone on from starting the program.
 TEST_F(SubmitTask, WhoseTimeIsOverStopsAndComesBack) {
   task(
       "trap 'sleep 0.2; echo stopped >\"${0%/*}/stopped\"; exit 143' TERM\n"
-      "touch \"${0%/*}/begun\"\n"
+      "kill -USR1 $PPID\n"
       "for ((k = 0; k < 100; ++k)); do sleep 0.1; done\n",
-      0, "bash ../job & while [[ ! -e ../begun ]]; do sleep 0.05; done; kill -USR1 $!; wait $!");
+      0);
   EXPECT_EQ(left("stopped"), "stopped\n");
   EXPECT_EQ(requeues(), "requeue 7_1\n");
 }
