@@ -110,7 +110,7 @@ void main() {
 
   vec4 solid = vec4(0.0);
 #if SOLIDS > 0
-  ivec2 texel = ivec2(p_px);
+  ivec2 texel = ivec2(p_px - layers_px);
   float depth = texelFetch(solidDepth, texel).r;
   vec2 slope = solidSlope(texel, depth);
   solid = texelFetch(solidColor, texel);

@@ -4,6 +4,7 @@
 // shaders read the uniforms and hand them on, as far as there are varyings. A division costs as much as ten sums: what
 // can be divided by beforehand is given as its reciprocal.
 #if VERTEX
+uniform vec2 pictureSize_px;
 uniform vec4 constants[CONSTANTS];
 flat out vec4 handedOn[HANDED_ON];
 
@@ -27,7 +28,7 @@ vec4 constantAt(int i) { return handedOn[i]; }
 #define opticalCentre_px constantAt(0).xy
 #define pixelAtOne constantAt(0).z           // length of a pixel's side at unit distance, or at any
 #define orthographic constantAt(0).w         // 1 with parallel rays, else 0: a factor, as llvmpipe runs both sides of an if
-#define pictureSize_px constantAt(1).xy
+#define layers_px constantAt(1).xy           // where in the picture the layers of the solids begin
 #define depthRange constantAt(1).zw          // nearest distance along the view, 1 / (farthest - nearest)
 #define lightDirection_C constantAt(2).xyz
 #define sharpness constantAt(2).w            // of edges: 1 for pictures; large for the reference renderer, whose many samples see hard ones

@@ -19,7 +19,7 @@ void main() {
   float t = acrossOut.w;
 #if TUBE
   float u = clamp(offset / max(halfWidth, 1e-6), -1.0, 1.0), front = sqrt(1.0 - u * u);
-  vec3 ray = normalize(rayThrough(gl_FragCoord.xy));
+  vec3 ray = normalize(rayThrough(place_px));
   vec3 side_C = normalize(cross(tangentOut_C.xyz, ray) + vec3(1e-9));
   vec3 n_C = normalize(u * side_C + front * normalize(cross(side_C, tangentOut_C.xyz) + vec3(0.0, 0.0, 1e-9)));
   if (dot(n_C, ray) > 0.0) n_C = u * side_C - front * ray;

@@ -8,7 +8,7 @@
 #include "emit.glsl"
 
 void main() {
-  vec2 p_px = gl_FragCoord.xy;
+  vec2 p_px = place_px;
   RayEllipsoid e = rayEllipsoid(0);
   float solid = own(9).x, gloss = own(9).y;
   vec3 color = own(10).rgb;

@@ -7,6 +7,9 @@
 #include "kept_edge.glsl"
 #endif
 out vec4 fragment;
+
+// Where a fragment of a solid is in the picture; textures of the layers begin where the layers do.
+#define place_px (gl_FragCoord.xy + layers_px)
 #if EDGES == 1
 uniform sampler2DRect edgeBefore;
 #elif EDGES == 2

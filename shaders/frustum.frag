@@ -21,7 +21,7 @@ vec3 endAt(ScreenEllipse disc, vec3 chord, vec2 p_px) {
 }
 
 void main() {
-  vec2 p_px = gl_FragCoord.xy;
+  vec2 p_px = place_px;
   vec3 from_C = own(0).xyz, axis_C = own(1).xyz;  // the axis unit, from the first disc to the second
   float solid = own(0).w, gloss = own(4).w;
   int visibleCap = int(own(1).w);                 // 0: none, 1: first disc, 2: second

@@ -48,6 +48,7 @@ ShaderProgram::ShaderProgram(const std::string& label, const std::string& vertex
 }
 
 void ShaderProgram::set(const char* name, int value) const { glUniform1i(location(name), value); }
+void ShaderProgram::set(const char* name, glm::vec2 value) const { glUniform2f(location(name), value.x, value.y); }
 void ShaderProgram::set(const char* name, const std::vector<glm::vec4>& values) const {
   if (!values.empty())
     glUniform4fv(location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));

@@ -22,6 +22,7 @@ class ShaderProgram {
   void use() const { glUseProgram(program_.id()); }
   // These act on the program, which must be in use.
   void set(const char* name, int value) const;
+  void set(const char* name, glm::vec2 value) const;
   void set(const char* name, const std::vector<glm::vec4>& values) const;
 
  private:

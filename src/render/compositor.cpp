@@ -16,12 +16,14 @@ namespace poinsot::render {
 namespace {
 
 void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
-  const std::array<std::pair<const char*, GLuint>, 6> textures{{{"solidColor", solids.full.color(0)},
-                                                                {"solidDepth", solids.full.depth()},
-                                                                {"edgeColor", solids.edge.color(0)},
-                                                                {"edgeDepth", solids.edge.depth()},
-                                                                {"nextEdgeColor", solids.nextEdge.color(0)},
-                                                                {"nextEdgeDepth", solids.nextEdge.depth()}}};
+  const gl::Framebuffer &full = solids[SolidLayer::kFull], &edge = solids[SolidLayer::kEdge],
+                        &nextEdge = solids[SolidLayer::kNextEdge];
+  const std::array<std::pair<const char*, GLuint>, 6> textures{{{"solidColor", full.color(0)},
+                                                                {"solidDepth", full.depth()},
+                                                                {"edgeColor", edge.color(0)},
+                                                                {"edgeDepth", edge.depth()},
+                                                                {"nextEdgeColor", nextEdge.color(0)},
+                                                                {"nextEdgeDepth", nextEdge.depth()}}};
   for (std::size_t i = 0; i < textures.size(); ++i) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
     glBindTexture(GL_TEXTURE_RECTANGLE, textures[i].second);
@@ -73,7 +75,7 @@ const gl::ShaderProgram& Compositor::program(const Variant& variant) {
 
 void Compositor::draw(const draw::DrawList& list, const SolidLayers& layers, const Sheets& sheets,
                       const Mosaic& mosaic, float sharpness, bool transparent) {
-  const Constants ofPicture = pictureConstants(list, sharpness);
+  const PictureConstants ofPicture = pictureConstants(list, sharpness, layers.begin_px());
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   floatAttribute(0, 3, sizeof(Square), 0);
@@ -84,7 +86,7 @@ void Compositor::draw(const draw::DrawList& list, const SolidLayers& layers, con
     const Constants ofSheets = sheets.constants(chosen);
     own.insert(own.end(), ofSheets.begin(), ofSheets.end());
     useWith(shader, ofPicture, own);
-    bindLayers(shader, layers);
+    if (content.solids != SolidReach::kNone) bindLayers(shader, layers);
     std::vector<Square> squares;
     for (const PixelBounds& part : parts) addSquares(squares, part);
     upload(GL_ARRAY_BUFFER, buffer_, squares, GL_STREAM_DRAW);

@@ -6,18 +6,11 @@
 #include <utility>
 
 #include "draw/draw_list.h"
-#include "gl/framebuffer.h"
 #include "gl/shader_program.h"
 #include "render/mosaic.h"
+#include "render/solid_layers.h"
 
 namespace poinsot::render {
-
-/// What the solid passes left: the nearest full fragment, and the two nearest edges.
-struct SolidLayers {
-  const gl::Framebuffer& full;
-  const gl::Framebuffer& edge;
-  const gl::Framebuffer& nextEdge;
-};
 
 /// Puts solids and translucent sheets together, pixel by pixel in order of depth (composite.frag). The picture is
 /// cut into rectangles (mosaic.h); each is drawn by a shader made for what is there, so that empty paper costs

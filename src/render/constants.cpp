@@ -17,11 +17,12 @@ constexpr std::size_t kOfPicture = 3;
 
 }  // namespace
 
-Constants pictureConstants(const draw::DrawList& list, float sharpness) {
+PictureConstants pictureConstants(const draw::DrawList& list, float sharpness, glm::vec2 layers_px) {
   const draw::Camera& camera = list.camera;
-  return {{camera.centre_px, 1 / camera.focal_px(), camera.orthographic ? 1 : 0},
-          {camera.size_px, camera.near, 1 / (camera.far - camera.near)},
-          {glm::normalize(list.lightDirection_C), sharpness}};
+  return {camera.size_px,
+          {{camera.centre_px, 1 / camera.focal_px(), camera.orthographic ? 1 : 0},
+           {layers_px, camera.near, 1 / (camera.far - camera.near)},
+           {glm::normalize(list.lightDirection_C), sharpness}}};
 }
 
 gl::ShaderProgram programWithConstants(const std::string& vertexFile, const std::string& fragmentFile,
@@ -34,10 +35,11 @@ gl::ShaderProgram programWithConstants(const std::string& vertexFile, const std:
   return {fragmentFile, shaderSource(vertexFile, stage(true)), shaderSource(fragmentFile, stage(false) + defines)};
 }
 
-void useWith(const gl::ShaderProgram& program, const Constants& ofPicture, const Constants& own) {
-  Constants all = ofPicture;
+void useWith(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own) {
+  Constants all = ofPicture.shared;
   all.insert(all.end(), own.begin(), own.end());
   program.use();
+  program.set("pictureSize_px", ofPicture.size_px);
   program.set("constants", all);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <glm/vec3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 #include <vector>
@@ -14,9 +14,15 @@ namespace poinsot::render {
 /// What all pixels of a draw call share, in the order in which shaders count it (constants.glsl).
 using Constants = std::vector<glm::vec4>;
 
-/// Those of the picture, which come first.
+/// Those of the picture.
+struct PictureConstants {
+  glm::vec2 size_px;  ///< which only vertex shaders ask for
+  Constants shared;   ///< which come first
+};
+
 /// @param sharpness  of edges (RenderOptions)
-Constants pictureConstants(const draw::DrawList& list, float sharpness);
+/// @param layers_px  where in the picture the layers of the solids begin
+PictureConstants pictureConstants(const draw::DrawList& list, float sharpness, glm::vec2 layers_px);
 
 /// A program whose draw calls have `own` constants beside those of the picture.
 /// @param defines  before the fragment shader
@@ -24,6 +30,6 @@ gl::ShaderProgram programWithConstants(const std::string& vertexFile, const std:
                                        std::size_t own, const std::string& defines);
 
 /// Takes the program into use for a draw call.
-void useWith(const gl::ShaderProgram& program, const Constants& ofPicture, const Constants& own);
+void useWith(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own);
 
 }  // namespace poinsot::render

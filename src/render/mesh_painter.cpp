@@ -107,7 +107,6 @@ const MeshPainter::Kept& MeshPainter::kept(const draw::Mesh& mesh) {
 std::vector<std::vector<draw::Curve>> MeshPainter::prepare(const draw::DrawList& list, float sharpness,
                                                            SolidCells& solidCells) {
   solidCells_ = &solidCells;
-  ofPicture_ = pictureConstants(list, sharpness);
   meshes_ = list.meshes;
   for (const draw::Box& box : list.boxes) meshes_.push_back(boxMesh(box));
   screens_.clear();
@@ -174,7 +173,7 @@ void MeshPainter::uploadPixels() {
   upload(GL_ARRAY_BUFFER, pixelBuffer_, all, GL_STREAM_DRAW);
 }
 
-void MeshPainter::drawFaces(SolidPass pass) const {
+void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) const {
   const bool full = pass == SolidPass::kFull;
   const gl::ShaderProgram& program = faces_[full ? 0 : 1];
   glActiveTexture(GL_TEXTURE0);
@@ -188,10 +187,11 @@ void MeshPainter::drawFaces(SolidPass pass) const {
       const PixelBounds part = solidCells_->sharedPart(screen.bounds);
       if (part.empty()) continue;
       glEnable(GL_SCISSOR_TEST);
-      glScissor(static_cast<GLint>(part.left), static_cast<GLint>(part.top),
+      const PixelBounds layers = solidCells_->part();
+      glScissor(static_cast<GLint>(part.left - layers.left), static_cast<GLint>(part.top - layers.top),
                 static_cast<GLsizei>(part.right - part.left), static_cast<GLsizei>(part.bottom - part.top));
     }
-    useForSolid(program, ofPicture_, constantsOf(screen, solids_[i]));
+    useForSolid(program, ofPicture, constantsOf(screen, solids_[i]));
     program.set("marks", 0);
     glBindVertexArray(screensKept_[i]->vertexArray.id());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * screen.front.size()), GL_UNSIGNED_INT, nullptr);
@@ -200,24 +200,24 @@ void MeshPainter::drawFaces(SolidPass pass) const {
   glDisable(GL_CULL_FACE);
 }
 
-void MeshPainter::drawPixels(SolidPass pass) const {
+void MeshPainter::drawPixels(SolidPass pass, const PictureConstants& ofPicture) const {
   const bool full = pass == SolidPass::kFull;
   const std::size_t first = full ? resolved_.partial.size() : 0;
   const std::size_t count = full ? resolved_.full.size() : resolved_.partial.size();
   if (count == 0) return;
   const gl::ShaderProgram& program = pixels_[static_cast<std::size_t>(pass)];
-  useForSolid(program, ofPicture_, {});
+  useForSolid(program, ofPicture, {});
   glBindVertexArray(pixelVertices_.id());
   glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void MeshPainter::draw(SolidPass pass, const PassInputs& inputs) const {
+void MeshPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const {
   if (screens_.empty()) return;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   bindInputs(inputs);
-  if (pass != SolidPass::kEdges) drawFaces(pass);
-  if (pass != SolidPass::kSeams) drawPixels(pass);
+  if (pass != SolidPass::kEdges) drawFaces(pass, ofPicture);
+  if (pass != SolidPass::kSeams) drawPixels(pass, ofPicture);
   glDisable(GL_DEPTH_TEST);
 }
 

@@ -34,7 +34,7 @@ class MeshPainter {
                                                 SolidCells& solidCells);
 
   /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
-  void draw(SolidPass pass, const PassInputs& inputs) const;
+  void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const;
 
  private:
   /// A mesh's own, made once and kept while pictures in a row show the mesh.
@@ -51,8 +51,8 @@ class MeshPainter {
   void resetMarks(glm::ivec2 size_px);
   void uploadMarks();
   void uploadPixels();
-  void drawFaces(SolidPass pass) const;
-  void drawPixels(SolidPass pass) const;
+  void drawFaces(SolidPass pass, const PictureConstants& ofPicture) const;
+  void drawPixels(SolidPass pass, const PictureConstants& ofPicture) const;
 
   std::array<gl::ShaderProgram, 2> faces_;   // in the full pass, in that of the seams
   std::array<gl::ShaderProgram, 2> pixels_;  // by SolidPass
@@ -62,7 +62,6 @@ class MeshPainter {
   PictureCache<Key, Kept> kept_;
 
   // Of the list last prepared.
-  Constants ofPicture_;
   std::vector<draw::Mesh> meshes_;  // boxes too
   std::vector<ScreenMesh> screens_;
   std::vector<const Kept*> screensKept_;

@@ -10,10 +10,10 @@
 #include "core/step_times.h"
 #include "gl/framebuffer.h"
 #include "render/compositor.h"
-#include "render/eraser.h"
 #include "render/flat_painter.h"
 #include "render/kept_panel.h"
 #include "render/mesh_painter.h"
+#include "render/solid_layers.h"
 #include "render/solid_painter.h"
 #include "render/text_painter.h"
 
@@ -35,36 +35,29 @@ constexpr const Formats& formatsOf() {
   return sizeof(Sample) == 1 ? kFormats : kDeepFormats;
 }
 
-/// The buffers of one picture size.
-struct Buffers {
-  const Formats* formats;
-  gl::Framebuffer full, edge, nextEdge, picture;
-  Buffers(glm::ivec2 size, const Formats& f)
-      : formats(&f),
-        full(size, {f.light}, GL_DEPTH_COMPONENT32F),
-        edge(size, {f.light}, GL_DEPTH_COMPONENT32F),
-        nextEdge(size, {f.light}, GL_DEPTH_COMPONENT32F),
-        picture(size, {f.picture}, 0) {}
-};
-
-/// The buffers of the sizes used of late: a picture's panels have few sizes, and the same ones in every frame.
-class BufferShelf {
+/// What pictures of the sizes used of late are drawn in: a picture's panels have few sizes, and the same ones in
+/// every frame.
+class TargetShelf {
  public:
-  const Buffers& of(glm::ivec2 size, const Formats& formats) {
+  const gl::Framebuffer& of(glm::ivec2 size, GLenum format) {
     const auto known = std::ranges::find_if(
-        shelf_, [&](const Buffers& b) { return b.picture.size() == size && b.formats == &formats; });
+        shelf_, [&](const Target& t) { return t.buffer.size() == size && t.format == format; });
     if (known != shelf_.end()) {
       std::rotate(shelf_.begin(), known, known + 1);
     } else {
       if (shelf_.size() == kSizes) shelf_.pop_back();  // before a new one needs its memory
-      shelf_.emplace_front(size, formats);
+      shelf_.push_front({format, {size, {format}, 0}});
     }
-    return shelf_.front();
+    return shelf_.front().buffer;
   }
 
  private:
+  struct Target {
+    GLenum format;
+    gl::Framebuffer buffer;
+  };
   static constexpr std::size_t kSizes = 4;
-  std::deque<Buffers> shelf_;  // the last used first
+  std::deque<Target> shelf_;  // the last used first
 };
 
 template <typename Sample>
@@ -76,11 +69,10 @@ void place(const image::BasicImage<Sample>& panel, glm::ivec2 origin_px, image::
 }  // namespace
 
 struct Renderer::Passes {
-  BufferShelf shelf;
-  const Buffers* buffers = nullptr;  // of the panel in progress
+  TargetShelf targets;
+  SolidLayers layers;
   SolidPainter solids;
   MeshPainter meshes;
-  Eraser eraser;
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
@@ -100,55 +92,54 @@ struct Renderer::Passes {
     text.beginPicture();
   }
 
-  void drawSolids(const SolidCells& cells) {
-    if (!cells.any()) return;
-    const auto begin = [&](const gl::Framebuffer& target, std::size_t layer) {
-      target.bind();
-      eraser.erase(layer);
+  void drawSolids(const SolidCells& cells, const PictureConstants& ofPicture) {
+    const auto drawPass = [&](SolidPass which, const PassInputs& inputs) {
+      solids.draw(which, inputs, ofPicture);
+      meshes.draw(which, inputs, ofPicture);
     };
-    begin(buffers->full, 0);
+    const gl::Framebuffer &full = layers[SolidLayer::kFull], &edge = layers[SolidLayer::kEdge];
+    layers.begin(SolidLayer::kFull);
     drawPass(SolidPass::kFull, {});
-    begin(buffers->edge, 1);
+    layers.begin(SolidLayer::kEdge);
     drawPass(SolidPass::kEdges, {});
     // A seam is like an edge. One behind an edge is left out: a second pass would cost more than it shows.
-    if (cells.anyShared()) drawPass(SolidPass::kSeams, {0, buffers->full.color(0), buffers->full.depth()});
-    begin(buffers->nextEdge, 2);
-    drawPass(SolidPass::kEdges, {buffers->edge.depth()});
-  }
-
-  void drawPass(SolidPass which, const PassInputs& inputs) {
-    solids.draw(which, inputs);
-    meshes.draw(which, inputs);
+    if (cells.anyShared()) drawPass(SolidPass::kSeams, {0, full.color(0), full.depth()});
+    layers.begin(SolidLayer::kNextEdge);
+    drawPass(SolidPass::kEdges, {edge.depth()});
   }
 
   /// Outlines, and what fills each pixel. Returns the cells that solids lie in.
-  SolidCells draw(const draw::DrawList& list, const RenderOptions& options) {
+  SolidCells draw(const draw::DrawList& list, const Formats& formats, const RenderOptions& options) {
     const core::StepScope timing(steps, core::Step::kDraw);
     SolidCells cells(list.camera.size_px);
     const auto meshEdges = meshes.prepare(list, options.sharpness, cells);
-    solids.prepare(list, meshEdges, options.sharpness, cells);
-    eraser.prepare(cells, pictureConstants(list, options.sharpness));
-    drawSolids(cells);
+    solids.prepare(list, meshEdges, cells);
+    if (!cells.any()) return cells;
+    const glm::ivec2 size(list.camera.size_px);
+    layers.fit(cells.part(), size, formats.light);
+    const glm::ivec2 begin(layers.begin_px());
+    glViewport(-begin.x, -begin.y, size.x, size.y);
+    drawSolids(cells, pictureConstants(list, options.sharpness, layers.begin_px()));
     glFinish();  // so that the passes count here
     return cells;
   }
 
-  /// Leaves the picture in its buffer where the mosaic that it returns was drawn.
-  Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const RenderOptions& options,
-                 TileMemory& tiles) {
+  /// Leaves the picture in the target where the mosaic that it returns was drawn.
+  Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const gl::Framebuffer& target,
+                 const RenderOptions& options, TileMemory& tiles) {
     const core::StepScope timing(steps, core::Step::kResolve);
     const Sheets sheets(list);
     Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, cells, tiles);
-    buffers->picture.bind();
-    compositor.draw(list, {buffers->full, buffers->edge, buffers->nextEdge}, sheets, mosaic, options.sharpness,
-                    options.transparent);
+    target.bind();
+    glViewport(0, 0, target.size().x, target.size().y);
+    compositor.draw(list, layers, sheets, mosaic, options.sharpness, options.transparent);
     glFinish();
     return mosaic;
   }
 
   /// All numbers beside the sheets' that decide what a picture looks like where no solid is.
   static Constants commonTo(const draw::DrawList& list, const RenderOptions& options) {
-    Constants common = pictureConstants(list, options.sharpness);
+    Constants common = pictureConstants(list, options.sharpness, glm::vec2(0)).shared;
     common.emplace_back(list.background, 0);
     return common;
   }
@@ -157,11 +148,11 @@ struct Renderer::Passes {
   template <typename Sample>
   void drawPanel(KeptPanel& panel, const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
-    buffers = &shelf.of(size, formatsOf<Sample>());
-    glViewport(0, 0, size.x, size.y);
+    const Formats& formats = formatsOf<Sample>();
+    const gl::Framebuffer& target = targets.of(size, formats.picture);
     TileMemory& tiles = panel.begin<Sample>({size.x, size.y}, options.transparent, commonTo(list, options));
-    const SolidCells cells = draw(list, options);
-    const Mosaic mosaic = resolve(list, cells, options, tiles);
+    const SolidCells cells = draw(list, formats, options);
+    const Mosaic mosaic = resolve(list, cells, target, options, tiles);
     {
       const core::StepScope timing(steps, core::Step::kRead);
       panel.read<Sample>(mosaic, list.background);

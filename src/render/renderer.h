@@ -30,7 +30,7 @@ class Renderer {
   /// @throws core::Error(kGraphics) when the back end cannot hold the picture.
   image::Image render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options = {});
 
-  /// Panels, and over them areas, strokes and type. Buffers are kept for four sizes of panel.
+  /// Panels, and over them areas, strokes and type. What panels are drawn in is kept for four sizes.
   /// @pre panels lie within the picture, points of areas and strokes are finite.
   /// @throws core::Error(kGraphics) when the back end cannot hold a panel, (kUsage) for TeX that cannot be set.
   image::Image render(const draw::Picture& picture, const RenderOptions& options = {});

@@ -129,27 +129,20 @@ std::array<SolidReach, 2> SolidCells::reach(const PixelBounds& bounds) const {
   return range;
 }
 
-SolidReach SolidCells::mostAround(int column, int row, int reach) const {
-  SolidReach most = SolidReach::kNone;
-  for (int y = std::max(row - reach, 0); y <= std::min(row + reach, rows_ - 1); ++y)
-    for (int x = std::max(column - reach, 0); x <= std::min(column + reach, columns_ - 1); ++x)
-      most = std::max(most, cells_[cellAt(x, y)].reach());
-  return most;
-}
-
-std::vector<PixelBounds> SolidCells::partsWith(SolidReach least, bool beside) const {
-  const auto wanted = [&](int column, int row) { return mostAround(column, row, beside ? 1 : 0) >= least; };
-  std::vector<PixelBounds> parts;
-  for (int row = 0; row < rows_; ++row) {
-    for (int column = 0; column < columns_; ++column) {
-      if (!wanted(column, row)) continue;
-      const int first = column;
-      while (column + 1 < columns_ && wanted(column + 1, row)) ++column;
-      const glm::vec2 from = kCell_px * glm::vec2(first, row), to = kCell_px * glm::vec2(column + 1, row + 1);
-      parts.push_back({from.x, from.y, std::min(to.x, size_px_.x), std::min(to.y, size_px_.y)});
-    }
-  }
-  return parts;
+PixelBounds SolidCells::part() const {
+  PixelBounds part;
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column)
+      if (cells_[cellAt(column, row)].reach() != SolidReach::kNone) {
+        part.include(kCell_px * glm::vec2(column - 1, row - 1));
+        part.include(kCell_px * glm::vec2(column + 2, row + 2));
+      }
+  if (part.empty()) return part;
+  part = part.clipped(size_px_);
+  const auto tileBegin = [](float p) { return static_cast<float>(kTile_px) * std::floor(p / kTile_px); };
+  part.left = tileBegin(part.left);
+  part.top = tileBegin(part.top);
+  return part;
 }
 
 }  // namespace poinsot::render

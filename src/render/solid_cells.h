@@ -61,9 +61,8 @@ class SolidCells {
   /// The least and the most that is in any cell of these pixels.
   std::array<SolidReach, 2> reach(const PixelBounds& bounds) const;
 
-  /// All cells that hold at least that much, as rectangles that do not overlap; with those next to them if asked
-  /// for.
-  std::vector<PixelBounds> partsWith(SolidReach least, bool beside) const;
+  /// What encloses all cells that hold anything, with those next to them; it begins where a tile does.
+  PixelBounds part() const;
 
  private:
   struct Solid {
@@ -86,7 +85,6 @@ class SolidCells {
   void forEachCell(const Triangle& triangle, Use use) const;
   void addSolid(Cell& cell, const DepthRange& depths);
   void addEdge(Cell& cell);
-  SolidReach mostAround(int column, int row, int reach) const;
   std::size_t cellAt(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }

@@ -39,9 +39,8 @@ SolidPainter::SolidPainter()
 }
 
 void SolidPainter::prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
-                           float sharpness, SolidCells& solidCells) {
+                           SolidCells& solidCells) {
   list_ = &list;
-  ofPicture_ = pictureConstants(list, sharpness);
   solidCells_ = &solidCells;
   items_.clear();
   cells_.clear();
@@ -179,7 +178,7 @@ void SolidPainter::markStrip(const std::vector<StripVertex>& triangles, bool tub
   }
 }
 
-void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
+void SolidPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const {
   const Programs& programs = programs_[static_cast<std::size_t>(pass)];
   bindInputs(inputs);
   glEnable(GL_DEPTH_TEST);
@@ -189,7 +188,7 @@ void SolidPainter::draw(SolidPass pass, const PassInputs& inputs) const {
     const Range range = rangeOf(item, pass, inputs);
     if (range.count == 0) continue;
     glBindVertexArray(isCurve(item.kind) ? curveVertices_.id() : cellVertices_.id());
-    useForSolid(programs[item.kind], ofPicture_, item.own);
+    useForSolid(programs[item.kind], ofPicture, item.own);
     glDrawArrays(isCurve(item.kind) ? GL_TRIANGLES : GL_POINTS, range.first, range.count);
   }
   glDisable(GL_DEPTH_TEST);

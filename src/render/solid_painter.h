@@ -21,13 +21,13 @@ class SolidPainter {
   /// Works out outlines and strips of this list, once for all passes, and marks the cells that they may
   /// touch. The solids that are not drawn here are marked already.
   /// @param meshEdges  drawn with the list's own curves; those of one mesh are alike but for their points
-  void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges, float sharpness,
+  void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
                SolidCells& solidCells);
 
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
   /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a
   /// seam.
-  void draw(SolidPass pass, const PassInputs& inputs) const;
+  void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const;
 
  private:
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
@@ -72,7 +72,6 @@ class SolidPainter {
 
   // Of the list last prepared.
   const draw::DrawList* list_ = nullptr;
-  Constants ofPicture_;
   SolidCells* solidCells_ = nullptr;
   std::vector<Item> items_;
   std::vector<Square> cells_;

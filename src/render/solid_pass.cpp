@@ -9,7 +9,7 @@ gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fra
   return programWithConstants(vertex, fragment, ownConstants, passDefine + defines);
 }
 
-void useForSolid(const gl::ShaderProgram& program, const Constants& ofPicture, const Constants& own) {
+void useForSolid(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own) {
   useWith(program, ofPicture, own);
   program.set("edgeBefore", 1);
   program.set("fullColor", 2);

@@ -29,7 +29,7 @@ gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fra
                                std::size_t ownConstants, const std::string& defines = "");
 
 /// Takes it into use for a draw call whose inputs are bound.
-void useForSolid(const gl::ShaderProgram& program, const Constants& ofPicture, const Constants& own);
+void useForSolid(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own);
 
 /// Describes `components` floats of each vertex in the bound buffer.
 void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset);

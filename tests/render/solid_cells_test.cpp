@@ -116,22 +116,14 @@ TEST(SolidCellsTest, TellInsidesFromEdgesAndTheseFromTwo) {
   EXPECT_EQ(range[1], SolidReach::kTwoEdges);
 }
 
-TEST(SolidCellsTest, PartsAreTheCellsThatHoldEnoughAndThoseBeside) {
-  SolidCells cells({100, 60});
+TEST(SolidCellsTest, ThePartEnclosesWhatIsThereAndWhatIsBeside) {
+  SolidCells cells({500, 300});
+  EXPECT_TRUE(cells.part().empty());
   cells.nextSolid();
-  cells.markSolid(PixelBounds{33, 17, 60, 20}, kNear);
-  cells.markEdge(PixelBounds{33, 17, 36, 20});
-  const auto solid = cells.partsWith(SolidReach::kInside, false);
-  ASSERT_EQ(solid.size(), 1u);
-  EXPECT_EQ(solid[0].asVec4(), glm::vec4(32, 16, 64, 32));
-  const auto edges = cells.partsWith(SolidReach::kOneEdge, false);
-  ASSERT_EQ(edges.size(), 1u);
-  EXPECT_EQ(edges[0].asVec4(), cell(2, 1).asVec4());
-  EXPECT_TRUE(cells.partsWith(SolidReach::kTwoEdges, true).empty());
-  const auto beside = cells.partsWith(SolidReach::kInside, true);
-  ASSERT_EQ(beside.size(), 3u);
-  EXPECT_EQ(beside[0].asVec4(), glm::vec4(16, 0, 80, 16));
-  EXPECT_EQ(beside[2].asVec4(), glm::vec4(16, 32, 80, 48));
+  cells.markSolid(PixelBounds{145, 100, 170, 110}, kNear);  // in columns 9 and 10 of row 6
+  EXPECT_EQ(cells.part().asVec4(), glm::vec4(128, 64, 192, 128));
+  cells.markEdge(PixelBounds{490, 128, 495, 140});
+  EXPECT_EQ(cells.part().asVec4(), glm::vec4(128, 64, 500, 160)) << "no farther than the picture";
 }
 
 }  // namespace

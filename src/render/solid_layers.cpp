@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/solid_layers.h"
+
+#include <glm/common.hpp>
+#include <utility>
+
+#include "render/cells.h"
+
+namespace poinsot::render {
+namespace {
+
+// A body that turns should not need new layers in every frame.
+constexpr int kStep_px = 2 * kTile_px;
+
+glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 picture_px) {
+  const glm::vec2 size_px(part.right - part.left, part.bottom - part.top);
+  return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), picture_px);
+}
+
+}  // namespace
+
+void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light) {
+  begin_px_ = {part.left, part.top};
+  glm::ivec2 size = sizeFor(part, picture_px);
+  if (!layers_.empty() && light == light_) {
+    const glm::ivec2 old = layers_.front().size();
+    size = glm::max(size, old);
+    if (size == old) return;
+  }
+  layers_.clear();  // before new ones need their memory
+  std::vector<gl::Framebuffer> made;
+  for (int i = 0; i < 3; ++i) made.emplace_back(size, std::vector{light}, GL_DEPTH_COMPONENT32F);
+  layers_ = std::move(made);
+  light_ = light;
+}
+
+void SolidLayers::begin(SolidLayer layer) const {
+  (*this)[layer].bind();
+  glClear(GL_DEPTH_BUFFER_BIT);  // where it is 1 nobody looks at the colour
+}
+
+}  // namespace poinsot::render

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "gl/framebuffer.h"
+#include "render/screen_outline.h"
+
+namespace poinsot::render {
+
+/// What the passes over the solids leave, each in a layer: the nearest full fragment, and the two nearest edges.
+enum class SolidLayer : std::uint8_t { kFull, kEdge, kNextEdge };
+
+/// The layers of one picture after another. They are of the part of it that solids are in, as new memory costs
+/// more time than what is drawn there, and are kept while they are large enough.
+class SolidLayers {
+ public:
+  /// Makes room for a part of a picture of that size. What was in the layers is lost.
+  /// @param light  format of the linear light
+  /// @throws core::Error(kGraphics) when the back end cannot hold them.
+  void fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light);
+  /// Makes ready to draw into a layer: nothing is in it.
+  void begin(SolidLayer layer) const;
+
+  /// Where in the picture they begin.
+  glm::vec2 begin_px() const { return begin_px_; }
+  /// @pre fit() was called.
+  const gl::Framebuffer& operator[](SolidLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }
+
+ private:
+  glm::vec2 begin_px_{0};
+  GLenum light_ = 0;
+  std::vector<gl::Framebuffer> layers_;
+};
+
+}  // namespace poinsot::render
