@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
 
 namespace poinsot::render {
 namespace {
 
 constexpr float kRamp_px = 1.0f;       // room for the soft edge on either side
 constexpr float kShortest_px = 0.25f;  // closer points are one point in the picture
-constexpr float kFoldCosine = 0.0f;    // a bend above 90 degrees is a fold: the strip ends and a new one begins
-constexpr float kEndless = 1e4f;       // distance to the end, where there is none near
+// Points are left out where the curve stays that near to the straight line between others: triangles are dear.
+constexpr float kOff_px = 0.02f;
+constexpr float kOffAlongView_px = 0.05f;
+constexpr std::size_t kMostLeftOut = 15;
+constexpr float kFoldCosine = 0.0f;  // a bend above 90 degrees is a fold: the strip ends and a new one begins
+constexpr float kEndless = 1e4f;     // distance to the end, where there is none near
 
 struct ScreenPoint {
   glm::vec2 p_px;
@@ -46,6 +52,35 @@ std::vector<Run> visibleRuns(const draw::Camera& camera, const draw::Curve& curv
     run.push_back(point);
   }
   return runs;
+}
+
+bool isStraight(const draw::Camera& camera, const ScreenPoint& from, std::span<const ScreenPoint> between,
+                const ScreenPoint& to) {
+  const glm::vec2 way = to.p_px - from.p_px;
+  const float length2 = glm::dot(way, way);
+  return std::ranges::all_of(between, [&](const ScreenPoint& point) {
+    const float s = length2 > 0 ? std::clamp(glm::dot(point.p_px - from.p_px, way) / length2, 0.0f, 1.0f) : 0.0f;
+    const float behind = point.depth - glm::mix(from.depth, to.depth, s);
+    return glm::distance(point.p_px, from.p_px + s * way) <= kOff_px &&
+           std::abs(point.halfWidth_px - glm::mix(from.halfWidth_px, to.halfWidth_px, s)) <= kOff_px &&
+           std::abs(behind) * camera.scale_px(point.depth) <= kOffAlongView_px;
+  });
+}
+
+// Without the points that nobody would miss.
+Run thinned(const draw::Camera& camera, const Run& run) {
+  if (run.size() < 3) return run;
+  const std::span<const ScreenPoint> all(run);
+  Run kept{run.front()};
+  std::size_t last = 0;  // that was kept
+  for (std::size_t i = 1; i + 1 < run.size(); ++i) {
+    const auto between = all.subspan(last + 1, i - last);
+    if (between.size() <= kMostLeftOut && isStraight(camera, run[last], between, run[i + 1])) continue;
+    kept.push_back(run[i]);
+    last = i;
+  }
+  kept.push_back(run.back());
+  return kept;
 }
 
 glm::vec2 direction(const ScreenPoint& a, const ScreenPoint& b) {
@@ -150,7 +185,7 @@ CurveStrip makeCurveStrip(const draw::Camera& camera, const draw::Curve& curve) 
   StripBuilder builder(strip);
   const auto runs = visibleRuns(camera, curve);
   for (const Run& run : runs) {
-    const auto pieces = splitAtFolds(run);
+    const auto pieces = splitAtFolds(thinned(camera, run));
     const bool whole = curve.closed && runs.size() == 1 && pieces.size() == 1;
     for (const Run& piece : pieces) builder.add(piece, whole);
   }

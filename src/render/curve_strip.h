@@ -23,7 +23,8 @@ struct CurveStrip {
   PixelBounds bounds;
 };
 
-/// Widens a curve to its width in pixels, mitred at bends; parts behind the camera are left out.
+/// Widens a curve to its width in pixels, mitred at bends; parts behind the camera are left out, and points within
+/// a fiftieth of a pixel of the line between others.
 CurveStrip makeCurveStrip(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::render
