@@ -59,7 +59,7 @@ bool failOwnOnly = false;
 [[gnu::noinline]] void allocationFails() { errno = ENOMEM; }
 
 /// Whether the one that is asked for from there fails.
-bool fails(const void* caller) {
+[[maybe_unused]] bool fails(const void* caller) {
   if (!watching || (failOwnOnly && !program.holds(caller) && !standardLibrary.holds(caller))) return false;
   ++count;
   if (failAtCount == 0 || count < failAtCount || (count > failAtCount && !failOnwards)) return false;
@@ -67,17 +67,19 @@ bool fails(const void* caller) {
   return true;
 }
 
-void* noted(void* block) {
+[[maybe_unused]] void* noted(void* block) {
   if (watching && block != nullptr) ++keptBlocks;
   return block;
 }
 
-void forget(void* block) {
+[[maybe_unused]] void forget(void* block) {
   if (watching && block != nullptr) --keptBlocks;
 }
 
 }  // namespace
 
+// Sanitizers have functions of their own here, and ask for memory before a thread has its variables.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 extern "C" {
 
 void* malloc(std::size_t size) {
@@ -113,6 +115,7 @@ void free(void* block) {
 }
 
 }  // extern "C"
+#endif
 
 namespace poinsot {
 
