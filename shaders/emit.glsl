@@ -7,14 +7,14 @@
 #include "kept_edge.glsl"
 #endif
 out vec4 fragment;
-
-// Where a fragment of a solid is in the picture; textures of the layers begin where the layers do.
-#define place_px (gl_FragCoord.xy + layers_px)
 #if EDGES == 1
 uniform sampler2DRect edgeBefore;
 #elif EDGES == 2
 uniform sampler2DRect fullColor, fullDepth;  // alpha: the solid's number
 #endif
+
+// Where a solid's fragment is in the picture. Texels of the layers themselves are at gl_FragCoord.
+#define place_px (gl_FragCoord.xy + layers_px)
 
 // An edge must be this much farther to be another edge and not the same one again.
 const float kSameDepth = 1e-6;

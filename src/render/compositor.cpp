@@ -75,7 +75,7 @@ const gl::ShaderProgram& Compositor::program(const Variant& variant) {
 
 void Compositor::draw(const draw::DrawList& list, const SolidLayers& layers, const Sheets& sheets,
                       const Mosaic& mosaic, float sharpness, bool transparent) {
-  const PictureConstants ofPicture = pictureConstants(list, sharpness, layers.begin_px());
+  const PictureConstants ofPicture = pictureConstants(list, sharpness, layers.origin_px());
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   floatAttribute(0, 3, sizeof(Square), 0);

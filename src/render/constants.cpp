@@ -20,6 +20,7 @@ constexpr std::size_t kOfPicture = 3;
 PictureConstants pictureConstants(const draw::DrawList& list, float sharpness, glm::vec2 layers_px) {
   const draw::Camera& camera = list.camera;
   return {camera.size_px,
+          layers_px,
           {{camera.centre_px, 1 / camera.focal_px(), camera.orthographic ? 1 : 0},
            {layers_px, camera.near, 1 / (camera.far - camera.near)},
            {glm::normalize(list.lightDirection_C), sharpness}}};

@@ -16,12 +16,12 @@ using Constants = std::vector<glm::vec4>;
 
 /// Those of the picture.
 struct PictureConstants {
-  glm::vec2 size_px;  ///< which only vertex shaders ask for
-  Constants shared;   ///< which come first
+  glm::vec2 size_px;    ///< which only vertex shaders ask for
+  glm::vec2 layers_px;  ///< where in it the layers of the solids begin
+  Constants shared;     ///< which come first
 };
 
 /// @param sharpness  of edges (RenderOptions)
-/// @param layers_px  where in the picture the layers of the solids begin
 PictureConstants pictureConstants(const draw::DrawList& list, float sharpness, glm::vec2 layers_px);
 
 /// A program whose draw calls have `own` constants beside those of the picture.

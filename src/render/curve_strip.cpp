@@ -12,12 +12,13 @@ namespace {
 
 constexpr float kRamp_px = 1.0f;       // room for the soft edge on either side
 constexpr float kShortest_px = 0.25f;  // closer points are one point in the picture
-// Points are left out where the curve stays that near to the straight line between others: triangles are dear.
+// Points are left out where the curve stays that near to the straight line between others, as triangles are dear;
+// along the view, too, so that it stays before what it lies on.
 constexpr float kOff_px = 0.02f;
 constexpr float kOffAlongView_px = 0.05f;
-constexpr std::size_t kMostLeftOut = 15;
-constexpr float kFoldCosine = 0.0f;  // a bend above 90 degrees is a fold: the strip ends and a new one begins
-constexpr float kEndless = 1e4f;     // distance to the end, where there is none near
+constexpr std::size_t kMostLeftOut = 15;  // in a row: for each point all of them are looked at again
+constexpr float kFoldCosine = 0.0f;       // a bend above 90 degrees is a fold: the strip ends and a new one begins
+constexpr float kEndless = 1e4f;          // distance to the end, where there is none near
 
 struct ScreenPoint {
   glm::vec2 p_px;
@@ -124,7 +125,7 @@ class StripBuilder {
 
   static ScreenPoint midpoint(const ScreenPoint& a, const ScreenPoint& b) {
     return {0.5f * (a.p_px + b.p_px), 0.5f * (a.halfWidth_px + b.halfWidth_px), 0.5f * (a.depth + b.depth),
-            a.tangent_C};
+            0.5f * (a.tangent_C + b.tangent_C)};
   }
 
   void addPair(const ScreenPoint& point, glm::vec2 centre_px, glm::vec2 mitre, float toEnd_px) {

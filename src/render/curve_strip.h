@@ -23,8 +23,8 @@ struct CurveStrip {
   PixelBounds bounds;
 };
 
-/// Widens a curve to its width in pixels, mitred at bends; parts behind the camera are left out, and points within
-/// a fiftieth of a pixel of the line between others.
+/// Widens a curve to its width in pixels, mitred at bends; parts behind the camera are left out, and points
+/// within a fiftieth of a pixel of the line between others, along the view a twentieth.
 CurveStrip makeCurveStrip(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::render

@@ -187,9 +187,9 @@ void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) c
       const PixelBounds part = solidCells_->sharedPart(screen.bounds);
       if (part.empty()) continue;
       glEnable(GL_SCISSOR_TEST);
-      const PixelBounds layers = solidCells_->part();
-      glScissor(static_cast<GLint>(part.left - layers.left), static_cast<GLint>(part.top - layers.top),
-                static_cast<GLsizei>(part.right - part.left), static_cast<GLsizei>(part.bottom - part.top));
+      const glm::ivec2 from(glm::vec2(part.left, part.top) - ofPicture.layers_px);
+      glScissor(from.x, from.y, static_cast<GLsizei>(part.right - part.left),
+                static_cast<GLsizei>(part.bottom - part.top));
     }
     useForSolid(program, ofPicture, constantsOf(screen, solids_[i]));
     program.set("marks", 0);

@@ -117,9 +117,9 @@ struct Renderer::Passes {
     if (!cells.any()) return cells;
     const glm::ivec2 size(list.camera.size_px);
     layers.fit(cells.part(), size, formats.light);
-    const glm::ivec2 begin(layers.begin_px());
-    glViewport(-begin.x, -begin.y, size.x, size.y);
-    drawSolids(cells, pictureConstants(list, options.sharpness, layers.begin_px()));
+    const glm::ivec2 origin(layers.origin_px());
+    glViewport(-origin.x, -origin.y, size.x, size.y);
+    drawSolids(cells, pictureConstants(list, options.sharpness, layers.origin_px()));
     glFinish();  // so that the passes count here
     return cells;
   }

@@ -61,7 +61,8 @@ class SolidCells {
   /// The least and the most that is in any cell of these pixels.
   std::array<SolidReach, 2> reach(const PixelBounds& bounds) const;
 
-  /// What encloses all cells that hold anything, with those next to them; it begins where a tile does.
+  /// What encloses all cells that hold anything, with those next to them. It begins where a tile does: blocks of
+  /// pixels that are shaded together are the same wherever the solids are.
   PixelBounds part() const;
 
  private:

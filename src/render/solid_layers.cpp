@@ -2,6 +2,7 @@
 #include "render/solid_layers.h"
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 #include "render/cells.h"
@@ -12,20 +13,22 @@ namespace {
 // A body that turns should not need new layers in every frame.
 constexpr int kStep_px = 2 * kTile_px;
 
-glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 picture_px) {
-  const glm::vec2 size_px(part.right - part.left, part.bottom - part.top);
-  return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), picture_px);
+glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
+  const glm::vec2 size_px(part.right - part.left + 1, part.bottom - part.top + 1);
+  return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), most);
 }
 
 }  // namespace
 
 void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light) {
-  begin_px_ = {part.left, part.top};
-  glm::ivec2 size = sizeFor(part, picture_px);
+  origin_px_ = {part.left, part.top};
+  // The composite looks beside each pixel: beyond the picture there is nothing, whatever OpenGL says of no texel.
+  const glm::ivec2 most = picture_px + 1;
+  glm::ivec2 size = sizeFor(part, most);
   if (!layers_.empty() && light == light_) {
     const glm::ivec2 old = layers_.front().size();
-    size = glm::max(size, old);
-    if (size == old) return;
+    if (glm::all(glm::lessThanEqual(size, old))) return;
+    size = glm::max(size, glm::min(old, most));
   }
   layers_.clear();  // before new ones need their memory
   std::vector<gl::Framebuffer> made;

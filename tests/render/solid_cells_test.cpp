@@ -124,6 +124,10 @@ TEST(SolidCellsTest, ThePartEnclosesWhatIsThereAndWhatIsBeside) {
   EXPECT_EQ(cells.part().asVec4(), glm::vec4(128, 64, 192, 128));
   cells.markEdge(PixelBounds{490, 128, 495, 140});
   EXPECT_EQ(cells.part().asVec4(), glm::vec4(128, 64, 500, 160)) << "no farther than the picture";
+  cells.markEdge(PixelBounds{110, 100, 111, 101});
+  EXPECT_EQ(cells.part().asVec4(), glm::vec4(64, 64, 500, 160));
+  cells.markEdge(PixelBounds{3, 3, 5, 5});
+  EXPECT_EQ(cells.part().asVec4(), glm::vec4(0, 0, 500, 160));
 }
 
 }  // namespace
