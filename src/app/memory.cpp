@@ -90,9 +90,9 @@ double encoderMemory_bytes(const output::FilmFormat& format) {
 }  // namespace
 
 // Peak memory of a worker over the size of its pictures is a straight line: at nothing are the libraries and the
-// driver's shaders; each pixel then takes 40 bytes of the renderer's buffers, 68 for 16 bits (renderer.cpp), its
-// picture, and what the encoder keeps of the frames it looks at. Measured from 640x360 to 8192x8192, see
-// tests/faults/memory_nightly_test.cpp.
+// driver's shaders; each pixel then takes 4 bytes of what pictures are drawn in, 8 for 16 bits (renderer.cpp), up
+// to 36 and 60 of layers, where solids fill the picture (solid_layers.h), its picture, and what the encoder keeps
+// of the frames it looks at. Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
   constexpr double kStart_bytes = 148e6;
   const double picture_bytes = bits == 8 ? 46 : 80;

@@ -60,10 +60,13 @@ using output::Chroma, output::Effort, output::FilmCodec, output::FilmContainer;
 
 class Estimate : public testing::TestWithParam<Measured> {};
 
+/// A body that fills the picture: what is drawn of solids takes the most memory then.
+const std::string kFullScene = std::string(kTinyScene) + "[camera]\nzoom = 6\n";
+
 TEST_P(Estimate, IsWithinAFifthOfThePeak) {
   const Measured& m = GetParam();
   const ScratchFolder folder;
-  folder.put("tiny.toml", kTinyScene);
+  folder.put("tiny.toml", kFullScene);
   auto words = arguments(m.target, m.size, m.frames, "30");
   words.insert(words.end(), m.more.begin(), m.more.end());
   const MemoryWatch watch(folder, words);
