@@ -8,6 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -26,7 +27,8 @@ constexpr std::int64_t kSameWish_ms = 500;
 
 constexpr int kNoted[] = {SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t firstSignal = 0;
+std::atomic<int> firstSignal = 0;  // threads of the preview look at it, too
+static_assert(std::atomic<int>::is_always_lock_free, "a handler may touch no other");
 std::int64_t firstAt_ms = 0;  // touched only in the handler, which the signals never interrupt
 int wakePipe[2] = {-1, -1};
 volatile std::sig_atomic_t watching = 0;
