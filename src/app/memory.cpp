@@ -94,10 +94,10 @@ double encoderMemory_bytes(const output::FilmFormat& format) {
 // to 36 and 60 of layers, where solids fill the picture (solid_layers.h), its picture, and what the encoder keeps
 // of the frames it looks at. Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
-  constexpr double kStart_bytes = 148e6;
+  const double start_bytes = film ? 148e6 : 115e6;  // FFmpeg's libraries are opened for films only
   const double picture_bytes = bits == 8 ? 46 : 80;
   const double encoder_bytes = film ? encoderMemory_bytes(*film) : 0;
-  return kStart_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
+  return start_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
 }
 
 double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form) {

@@ -5,6 +5,7 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
+#include "gl/shader_program.h"
 #include "render/cells.h"
 
 namespace poinsot::render {
@@ -30,11 +31,36 @@ void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum lig
     if (glm::all(glm::lessThanEqual(size, old))) return;
     size = glm::max(size, glm::min(old, most));
   }
-  layers_.clear();  // before new ones need their memory
+  if (!layers_.empty()) letGo();  // before new ones need their memory
   std::vector<gl::Framebuffer> made;
   for (int i = 0; i < 3; ++i) made.emplace_back(size, std::vector{light}, GL_DEPTH_COMPONENT32F);
   layers_ = std::move(made);
   light_ = light;
+}
+
+// Mesa keeps the textures that a shader has read until another reads from their units, in a pixel at least: here
+// one does, and writes nothing.
+void SolidLayers::letGo() {
+  layers_.clear();
+  const auto vertices = gl::VertexArrayName::make();
+  const gl::ShaderProgram reader("reader of nothing", "void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }",
+                                 R"(
+uniform sampler2DRect a, b, c, d, e, f;
+out vec4 pixel;
+vec4 texel(sampler2DRect layer) { return texelFetch(layer, ivec2(0)); }
+void main() { pixel = texel(a) + texel(b) + texel(c) + texel(d) + texel(e) + texel(f); })");
+  reader.use();
+  int unit = 0;
+  for (const char* name : {"a", "b", "c", "d", "e", "f"}) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_RECTANGLE, 0);
+    reader.set(name, unit++);
+  }
+  glBindVertexArray(vertices.id());
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDrawArrays(GL_POINTS, 0, 1);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glFinish();
 }
 
 void SolidLayers::begin(SolidLayer layer) const {

@@ -31,6 +31,8 @@ class SolidLayers {
   const gl::Framebuffer& operator[](SolidLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }
 
  private:
+  void letGo();
+
   glm::vec2 origin_px_{0};
   GLenum light_ = 0;
   std::vector<gl::Framebuffer> layers_;

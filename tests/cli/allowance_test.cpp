@@ -187,13 +187,13 @@ TEST_F(Allowance, OfPicturesAndFilms) {
 }
 
 TEST_F(Allowance, OfMemory) {
-  // 148 MB and 46 bytes a pixel (app/memory.cpp).
+  // 115 MB and 46 bytes a pixel (app/memory.cpp).
   const std::string still = "still s.toml -o t.png --dry-run --size ";
   expectRefused(still + "8192x8192",
                 "a worker that makes pictures of 8192x8192: about 3.0 GiB of memory, more than "
                 "the 2 GiB that it may take",
                 Limit::kMemory);
-  const std::int64_t takes = 148'000'000 + 46 * 64 * 32;
+  const std::int64_t takes = 115'000'000 + 46 * 64 * 32;
   expectAccepted(still + fmt::format("64x32 --max-memory {}", takes));
   expectRefused(still + fmt::format("64x32 --max-memory {}", takes - 1), "pictures of 64x32", Limit::kMemory);
   expectRefused("submit s.toml -o t.mp4 --size 8192x8192", "pictures of 8192x8192", Limit::kMemory);

@@ -127,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Measured{"Picture", "t_{frame}.png", kHd, {}, {}, 2},
         Measured{"SmallPicture", "t_{frame}.png", {640, 360}, {}, {}, 2},
+        Measured{"PicturesThatFillUp", "t_{frame}.png", k4k, {}, {}, 18},
         Measured{"LargestPicture", "t_{frame}.png", kLargest, {}, {}, 2}, Measured{"Film", "t.mp4", kHd, {}},
         Measured{"SmallFilm", "t.mp4", {640, 360}, {}}, Measured{"Film4k", "t.mp4", k4k, {}},
         Measured{"LargestFilm", "t.mp4", kLargest, {}, {}, 10},
