@@ -84,8 +84,8 @@ TEST(WorkerMemory, GrowsWithThePictureAndTheEncoder) {
   output::FilmFormat fine;
   fine.chroma = output::Chroma::k444;
   EXPECT_LT(workerMemory_bytes(small, {}), workerMemory_bytes(small, output::FilmFormat()));
-  // Measured of 16 bits at 3840x2160: 752 MiB, 772 without paper.
-  EXPECT_NEAR(workerMemory_bytes(large, {}, 16), 772 * kMib, 10 * kMib);
+  // Measured of 16 bits at 3840x2160: 768 MiB; 858 where solids come to fill the picture.
+  EXPECT_NEAR(workerMemory_bytes(large, {}, 16), 768 * kMib, 30 * kMib);
   const OutputTarget sequence{OutputKind::kSequence, "{frame:05}.png"};
   scene::Output asked;
   asked.width = large.width;
