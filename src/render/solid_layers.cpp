@@ -39,11 +39,13 @@ void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum lig
 }
 
 // Mesa keeps the textures that a shader has read until another reads from their units, in a pixel at least: here
-// one does, and writes nothing.
+// one does, into a pixel of its own, as what was bound before may have gone with the layers.
 void SolidLayers::letGo() {
   layers_.clear();
+  const gl::Framebuffer pixel(glm::ivec2(1), {GL_RGBA8}, 0);
   const auto vertices = gl::VertexArrayName::make();
-  const gl::ShaderProgram reader("reader of nothing", "void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }",
+  const gl::ShaderProgram reader("reader of nothing",
+                                 "void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); gl_PointSize = 1.0; }",
                                  R"(
 uniform sampler2DRect a, b, c, d, e, f;
 out vec4 pixel;
@@ -57,9 +59,8 @@ void main() { pixel = texel(a) + texel(b) + texel(c) + texel(d) + texel(e) + tex
     reader.set(name, unit++);
   }
   glBindVertexArray(vertices.id());
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glViewport(0, 0, 1, 1);
   glDrawArrays(GL_POINTS, 0, 1);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glFinish();
 }
 
