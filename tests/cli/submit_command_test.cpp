@@ -123,8 +123,8 @@ TEST_F(SubmitTask, ThatIsDoneOrWouldFailAgainOrWasStoppedDoesNot) {
   }
 }
 
-// What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back. It
-// is sent as early as can be here, when the task has hardly gone on from starting the program.
+// What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back.
+// It is sent as early as can be here, when the task has hardly gone on from starting the program.
 TEST_F(SubmitTask, WhoseTimeIsOverStopsAndComesBack) {
   task(
       "trap 'sleep 0.2; echo stopped >\"${0%/*}/stopped\"; exit 143' TERM\n"
