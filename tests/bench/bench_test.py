@@ -39,8 +39,10 @@ class Bench(unittest.TestCase):
         for job in ('J1', 'J2', 'J3', 'J3 cold', 'J4', 'J5', 'T', 'S', 'S check'):
             figures = [float(cell.split()[0]) for cell in found[job]]
             self.assertEqual(len(figures), 5)
-            del figures[2]  # frames/s, which is rounded to nothing where a frame takes half a minute
-            self.assertTrue(all(figure > 0 for figure in figures), (job, figures))
+            count, wall, rate, *others = figures
+            self.assertTrue(all(figure > 0 for figure in (count, wall, *others)), (job, figures))
+            # A frame of over 20 s, as under a sanitizer, is rounded to 0.0 a second.
+            self.assertTrue(rate > 0 or wall > 20 * count, (job, figures))
         for step in ('simulate', 'compose', 'draw', 'resolve', 'read', 'text', 'convert', 'encode'):
             spent = float(found[f'{step}, per frame'][0])
             self.assertTrue(spent > 0, (step, spent))
