@@ -163,7 +163,6 @@ Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, cons
       reportReused(segment, reports);
     else
       maker.make(segment, *sinkOf(segment));
-    malloc_trim(0);  // an encoder's large blocks leave holes that the next one does not fit into
     steps.add({"segment", begin_ns, core::monotonic_ns(), segment.first});
     reportSpans(steps, reports);
     report(reports, SegmentDone{segment});
