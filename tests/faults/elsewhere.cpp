@@ -3,6 +3,7 @@
 //   ELSEWHERE_DAYS  the clock runs so many days ahead
 //   ELSEWHERE_HOST  the machine's name
 //   ELSEWHERE_ASM   the instructions that x264 may use, in its words: "SSE2", "SSSE3", "AVX2"
+//   ELSEWHERE_WAYS  set: x264 may choose its ways by them, and so its stream
 //   ELSEWHERE_MARK  a file to create when x264 was told
 //   ELSEWHERE_LACKS encoders that libavcodec lacks, by its own names: "libx264,gif"
 //   ELSEWHERE_HIDES libraries that are not to be opened at run time, by the start of their names: "libav"
@@ -51,6 +52,7 @@ void* open(const char* library, const char* opener, void* parameters) {
   const auto parse = reinterpret_cast<ParseParameter*>(realFindSymbol()(x264, "x264_param_parse"));
   const char* words = setting("ELSEWHERE_ASM");
   const char* mark = setting("ELSEWHERE_MARK");
+  if (setting("ELSEWHERE_WAYS") && parse) parse(parameters, "cpu-independent", "0");
   if (words && parse && parse(parameters, "asm", words) == 0 && mark)
     if (std::FILE* file = std::fopen(mark, "w")) std::fclose(file);
   return reinterpret_cast<OpenEncoder*>(realFindSymbol()(x264, opener))(parameters);
