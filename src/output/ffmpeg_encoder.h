@@ -26,8 +26,9 @@ const char* missingEncoder(FilmCodec codec);
 
 /// An encoder set so that the same frames give the same bytes with any number of workers, and, of H.264, on every
 /// machine: one thread, nothing that depends on the processor, closed groups of pictures, no note about itself in
-/// the stream. Macroblock trees are left out, as within segments of 30 frames they would save 3 to 12 % of the size
-/// for half as much memory again. For a film that is made whole (isMadeWhole()) it keeps every pixel as it is.
+/// the stream. Macroblock trees are left out, as within segments of 30 frames they would save 3 to 12 % of the
+/// size for half as much memory again. For a film that is made whole (isMadeWhole()) it keeps every pixel as it
+/// is.
 class FilmEncoder {
  public:
   /// Gets each packet in decoding order; pts is the frame's number in the stream, from 0.
