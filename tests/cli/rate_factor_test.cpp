@@ -53,10 +53,10 @@ class RateFactor : public ::testing::Test {
 
 // Measured: H.264 0.4 below at most, HEVC 0.5, VP9 0.8, AV1 0.3 away; a step of the factor is 0.8 dB.
 TEST_F(RateFactor, MeansToEachEncoderWhatItMeansToX264) {
-  if (!isInstalled("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   for (const std::string crf : {"12", "18", "26"}) {
-    runShell(folder_.path(),
-             "ffmpeg -v error -y -i exact.mp4 -c:v libx264 -preset medium -crf " + crf + " usual.mp4");
+    const ShellResult usual = runShell(
+        folder_.path(), "ffmpeg -v error -y -i exact.mp4 -c:v libx264 -preset medium -crf " + crf + " usual.mp4");
+    ASSERT_EQ(usual.exitCode, 0) << usual.out;
     const double usual_dB = psnr_dB("usual.mp4");
     for (const auto& [name, codec] : std::vector<std::pair<std::string, std::string>>{
              {"a.mp4", "h264"}, {"b.mp4", "hevc"}, {"c.webm", "vp9"}, {"d.webm", "av1"}}) {

@@ -46,11 +46,11 @@ struct Format {
   const char* name;
   FilmFormat format;
   std::map<std::string, std::string> facts;  ///< what ffprobe has to say
-  int tolerance;  ///< of a colour in the middle of a square, in levels; measured 1, VP9 with alpha 2, AV1 3
+  int tolerance;  ///< of a colour in the middle of a square, in levels; measured 1, VP9 with alpha and AV1 2
 };
 
 FilmFormat of(FilmContainer container, FilmCodec codec, Chroma chroma = Chroma::k420, bool transparent = false,
-              double crf = 12) {
+              double crf = 9) {
   return {container, codec, chroma, Effort::kFast, transparent, crf};
 }
 
@@ -81,7 +81,7 @@ std::vector<Format> formats() {
       {"Vp9Lossless", of(Box::kWebm, Codec::kVp9, Chroma::k444, false, 0), with({{"codec_name", "vp9"}}), 2},
       {"Vp9Transparent", of(Box::kWebm, Codec::kVp9, Chroma::k420, true),
        with({{"codec_name", "vp9"}, {"TAG:ALPHA_MODE", "1"}}), 2},
-      {"Av1", of(Box::kWebm, Codec::kAv1), with({{"codec_name", "av1"}, {"pix_fmt", "yuv420p"}}), 3},
+      {"Av1", of(Box::kWebm, Codec::kAv1), with({{"codec_name", "av1"}, {"pix_fmt", "yuv420p"}}), 2},
       {"ProRes", of(Box::kMov, Codec::kProRes),
        with({{"codec_name", "prores"}, {"profile", "4444"}, {"codec_tag_string", "ap4h"}, {"nb_frames", "17"}}),
        2},
