@@ -44,7 +44,7 @@ def raw_frames(program, frames, folder):
 
 
 def encoder(raw, pixels):
-    """Of ffmpeg's command line, with the settings of the program's films and all cores."""
+    """Of ffmpeg's command line, with the preset and rate factor of the program's films and all cores."""
     return lambda frames: [*FFMPEG, '-f', 'rawvideo', '-pix_fmt', pixels, '-s', f'{WIDTH}x{HEIGHT}', '-r', FPS,
                            '-i', raw, '-frames:v', frames, '-c:v', 'libx264', '-crf', '18', '-preset', 'medium',
                            '-pix_fmt', 'yuv420p', 'film.mp4']
