@@ -15,6 +15,7 @@
 #include "app/memory.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "gl/offscreen_context.h"
 
 namespace poinsot::app {
 namespace {
@@ -123,6 +124,7 @@ void RenderJob::startWorkers() {
   job.resume = request_.resume || request_.shard;
   if (request_.job) job.job = request_.job->job;
   job.trace = trace_.has_value();
+  if (count > 1) gl::preload(request_.backend);
   for (int i = 0; i < count; ++i) {
     throwIfInterrupted();
     workers_.push_back(std::make_unique<WorkerProcess>(job, i + 1));

@@ -28,8 +28,8 @@ using FrameListener = std::function<void(std::int64_t done, std::int64_t reused,
 int availableCpus();
 
 /// Hands the segments of a film to worker processes and joins what they made. The bytes of the result do not
-/// depend on how many there are. Opens no GL itself. A render that throws leaves no target behind, and of its work
-/// the segments that were complete, for another to go on with.
+/// depend on how many there are. Opens no context itself. A render that throws leaves no target behind, and of its
+/// work the segments that were complete, for another to go on with.
 class RenderJob {
  public:
   /// @throws core::Error(kIo) if the work folder cannot be made.

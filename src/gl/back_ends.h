@@ -15,6 +15,8 @@ void loadFunctions(FunctionLoader loader);
 
 // Each is made in the one file that knows its library. Current on return, functions loaded.
 std::unique_ptr<OffscreenContext> openOsMesaContext();
+// @throws core::Error(kGraphics)
+void openOsMesaLibrary();
 std::unique_ptr<OffscreenContext> openEglContext();
 
 }  // namespace poinsot::gl

@@ -51,6 +51,14 @@ std::unique_ptr<OffscreenContext> openContext(Backend backend) {
   }
 }
 
+void preload(Backend backend) {
+  if (backend == Backend::kEgl) return;
+  try {
+    openOsMesaLibrary();
+  } catch (const Error&) {  // told where it is wanted
+  }
+}
+
 std::vector<BackendReport> probeBackends() {
   return {probe("osmesa", openOsMesaContext), probe("egl", openEglContext)};
 }

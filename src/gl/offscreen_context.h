@@ -22,6 +22,10 @@ class OffscreenContext {
 /// @throws core::Error(kGraphics) saying what to install, when none works.
 std::unique_ptr<OffscreenContext> openContext(Backend backend);
 
+/// Opens what openContext() would look for first, but no context: processes that are forked then share the library
+/// as it is bound, an eighth of their start. Failing is left to openContext().
+void preload(Backend backend);
+
 /// What `poinsot backends` prints.
 struct BackendReport {
   std::string name;

@@ -69,6 +69,8 @@ class OsMesaContext final : public OffscreenContext {
 
 }  // namespace
 
+void openOsMesaLibrary() { osMesa(); }
+
 std::unique_ptr<OffscreenContext> openOsMesaContext() {
   auto context = std::make_unique<OsMesaContext>();
   loadFunctions(reinterpret_cast<FunctionLoader>(osMesa().getProcAddress));

@@ -70,10 +70,10 @@ Constants constantsOf(const ScreenMesh& screen, float solid) {
 }  // namespace
 
 MeshPainter::MeshPainter()
-    : faces_{solidProgram("mesh.vert", "mesh.frag", SolidPass::kFull, 8),
-             solidProgram("mesh.vert", "mesh.frag", SolidPass::kSeams, 8)},
-      pixels_{solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kFull, 0),
-              solidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kEdges, 0)} {
+    : faces_{SolidProgram("mesh.vert", "mesh.frag", SolidPass::kFull, 8),
+             SolidProgram("mesh.vert", "mesh.frag", SolidPass::kSeams, 8)},
+      pixels_{SolidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kFull, 0),
+              SolidProgram("mesh_pixel.vert", "mesh_pixel.frag", SolidPass::kEdges, 0)} {
   glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
   glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -173,9 +173,9 @@ void MeshPainter::uploadPixels() {
   upload(GL_ARRAY_BUFFER, pixelBuffer_, all, GL_STREAM_DRAW);
 }
 
-void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) const {
+void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) {
   const bool full = pass == SolidPass::kFull;
-  const gl::ShaderProgram& program = faces_[full ? 0 : 1];
+  SolidProgram& program = faces_[full ? 0 : 1];
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
   // Rows count downwards, so what is counter-clockwise to the eye is clockwise to OpenGL.
@@ -191,8 +191,7 @@ void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) c
       glScissor(from.x, from.y, static_cast<GLsizei>(part.right - part.left),
                 static_cast<GLsizei>(part.bottom - part.top));
     }
-    useForSolid(program, ofPicture, constantsOf(screen, solids_[i]));
-    program.set("marks", 0);
+    program.use(ofPicture, constantsOf(screen, solids_[i])).set("marks", 0);
     glBindVertexArray(screensKept_[i]->vertexArray.id());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * screen.front.size()), GL_UNSIGNED_INT, nullptr);
   }
@@ -200,18 +199,17 @@ void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) c
   glDisable(GL_CULL_FACE);
 }
 
-void MeshPainter::drawPixels(SolidPass pass, const PictureConstants& ofPicture) const {
+void MeshPainter::drawPixels(SolidPass pass, const PictureConstants& ofPicture) {
   const bool full = pass == SolidPass::kFull;
   const std::size_t first = full ? resolved_.partial.size() : 0;
   const std::size_t count = full ? resolved_.full.size() : resolved_.partial.size();
   if (count == 0) return;
-  const gl::ShaderProgram& program = pixels_[static_cast<std::size_t>(pass)];
-  useForSolid(program, ofPicture, {});
+  pixels_[static_cast<std::size_t>(pass)].use(ofPicture, {});
   glBindVertexArray(pixelVertices_.id());
   glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void MeshPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const {
+void MeshPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) {
   if (screens_.empty()) return;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);

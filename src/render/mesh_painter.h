@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "draw/draw_list.h"
-#include "gl/shader_program.h"
 #include "render/mesh_resolver.h"
 #include "render/mesh_topology.h"
 #include "render/picture_cache.h"
@@ -15,6 +14,7 @@
 #include "render/screen_mesh.h"
 #include "render/solid_cells.h"
 #include "render/solid_pass.h"
+#include "render/solid_program.h"
 
 namespace poinsot::render {
 
@@ -34,7 +34,7 @@ class MeshPainter {
                                                 SolidCells& solidCells);
 
   /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
-  void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const;
+  void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture);
 
  private:
   /// A mesh's own, made once and kept while pictures in a row show the mesh.
@@ -51,11 +51,11 @@ class MeshPainter {
   void resetMarks(glm::ivec2 size_px);
   void uploadMarks();
   void uploadPixels();
-  void drawFaces(SolidPass pass, const PictureConstants& ofPicture) const;
-  void drawPixels(SolidPass pass, const PictureConstants& ofPicture) const;
+  void drawFaces(SolidPass pass, const PictureConstants& ofPicture);
+  void drawPixels(SolidPass pass, const PictureConstants& ofPicture);
 
-  std::array<gl::ShaderProgram, 2> faces_;   // in the full pass, in that of the seams
-  std::array<gl::ShaderProgram, 2> pixels_;  // by SolidPass
+  std::array<SolidProgram, 2> faces_;   // in the full pass, in that of the seams
+  std::array<SolidProgram, 2> pixels_;  // by SolidPass
   gl::TextureName marksTexture_ = gl::TextureName::make();
   gl::VertexArrayName pixelVertices_ = gl::VertexArrayName::make();
   gl::BufferName pixelBuffer_ = gl::BufferName::make();

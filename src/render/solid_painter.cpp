@@ -19,10 +19,10 @@ void include(const StripVertex& vertex, PixelBounds& bounds) { bounds.include(ve
 
 SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
   Programs programs;  // in the order of Kind
-  programs.push_back(solidProgram("squares.vert", "ellipsoid.frag", pass, 12));
-  programs.push_back(solidProgram("squares.vert", "frustum.frag", pass, 11));
-  programs.push_back(solidProgram("curve.vert", "curve.frag", pass, 2, "#define TUBE 0\n"));
-  programs.push_back(solidProgram("curve.vert", "curve.frag", pass, 2, "#define TUBE 1\n"));
+  programs.emplace_back("squares.vert", "ellipsoid.frag", pass, 12);
+  programs.emplace_back("squares.vert", "frustum.frag", pass, 11);
+  programs.emplace_back("curve.vert", "curve.frag", pass, 2, "#define TUBE 0\n");
+  programs.emplace_back("curve.vert", "curve.frag", pass, 2, "#define TUBE 1\n");
   return programs;
 }
 
@@ -178,8 +178,8 @@ void SolidPainter::markStrip(const std::vector<StripVertex>& triangles, bool tub
   }
 }
 
-void SolidPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const {
-  const Programs& programs = programs_[static_cast<std::size_t>(pass)];
+void SolidPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) {
+  Programs& programs = programs_[static_cast<std::size_t>(pass)];
   bindInputs(inputs);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -188,7 +188,7 @@ void SolidPainter::draw(SolidPass pass, const PassInputs& inputs, const PictureC
     const Range range = rangeOf(item, pass, inputs);
     if (range.count == 0) continue;
     glBindVertexArray(isCurve(item.kind) ? curveVertices_.id() : cellVertices_.id());
-    useForSolid(programs[item.kind], ofPicture, item.own);
+    programs[item.kind].use(ofPicture, item.own);
     glDrawArrays(isCurve(item.kind) ? GL_TRIANGLES : GL_POINTS, range.first, range.count);
   }
   glDisable(GL_DEPTH_TEST);

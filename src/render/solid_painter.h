@@ -5,11 +5,11 @@
 #include <span>
 
 #include "draw/draw_list.h"
-#include "gl/shader_program.h"
 #include "render/cells.h"
 #include "render/curve_strip.h"
 #include "render/solid_cells.h"
 #include "render/solid_pass.h"
+#include "render/solid_program.h"
 
 namespace poinsot::render {
 
@@ -27,11 +27,11 @@ class SolidPainter {
   /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
   /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a
   /// seam.
-  void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture) const;
+  void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture);
 
  private:
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
-  using Programs = std::vector<gl::ShaderProgram>;  // by Kind
+  using Programs = std::vector<SolidProgram>;  // by Kind
 
   /// Of vertices.
   struct Range {

@@ -3,19 +3,6 @@
 
 namespace poinsot::render {
 
-gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
-                               std::size_t ownConstants, const std::string& defines) {
-  const std::string passDefine = "#define EDGES " + std::to_string(static_cast<int>(pass)) + "\n";
-  return programWithConstants(vertex, fragment, ownConstants, passDefine + defines);
-}
-
-void useForSolid(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own) {
-  useWith(program, ofPicture, own);
-  program.set("edgeBefore", 1);
-  program.set("fullColor", 2);
-  program.set("fullDepth", 3);
-}
-
 void bindInputs(const PassInputs& inputs) {
   GLenum unit = GL_TEXTURE1;
   for (const GLuint texture : {inputs.edgeBefore, inputs.fullColor, inputs.fullDepth}) {

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
-#include "gl/shader_program.h"
 #include "gl/storage.h"
-#include "render/constants.h"
+#include "gl/unique_name.h"
 
 /// What the painters of solids share.
 namespace poinsot::render {
@@ -23,13 +21,6 @@ struct PassInputs {
 
 /// Binds them to units 1 to 3; unit 0 is the painter's own.
 void bindInputs(const PassInputs& inputs);
-
-/// A program for one pass, from files of shaders/.
-gl::ShaderProgram solidProgram(const std::string& vertex, const std::string& fragment, SolidPass pass,
-                               std::size_t ownConstants, const std::string& defines = "");
-
-/// Takes it into use for a draw call whose inputs are bound.
-void useForSolid(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own);
 
 /// Describes `components` floats of each vertex in the bound buffer.
 void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset);
