@@ -26,8 +26,8 @@ struct Output {
 inline const Output kFilm{"t.mp4"}, kSequence{"t_{frame:03}.png"};
 /// Of two segments.
 inline const Output kShortFilm{"t.mp4", 0.6}, kShortSequence{"t_{frame:03}.png", 0.6};
-/// Of which more than half of the time goes into frames: 600 in 60 segments.
-inline const Output kLongFilm{"t.mp4", 60, "160x90", 10}, kLongSequence{"t_{frame:03}.png", 60, "160x90", 10};
+/// Of which more than half of the time goes into frames: 900 in 90 segments.
+inline const Output kLongFilm{"t.mp4", 90, "160x90", 10}, kLongSequence{"t_{frame:03}.png", 90, "160x90", 10};
 
 /// For the names of parametrised tests.
 std::string kindOf(const testing::TestParamInfo<Output>& info);
