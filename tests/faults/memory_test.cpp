@@ -28,6 +28,9 @@ double refusal_s(const std::string& command, const std::string& says) {
 }
 
 // Measured 0.03 to 0.05 s.
+// Measured 0.05 s, and 0.12 s on a virtual machine where a page fault takes 11 us.
+constexpr double kAtOnce_s = 0.25;
+
 TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
   POINSOT_NOT_SANITIZED("it takes more memory than is given");
   const std::string program = "exec " POINSOT_PROGRAM;
@@ -36,13 +39,13 @@ TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
   EXPECT_LE(
       refusal_s("ulimit -v 1048576; " + program + " still tiny.toml --max-memory 64GiB --size 8192x8192 -o t.png",
                 figures + "1.0 GiB are free"),
-      0.1);
+      kAtOnce_s);
   // No machine that runs this has 6 TiB. A default number of workers would be lowered, one that is asked for is
   // not.
   EXPECT_LE(refusal_s(program + " render tiny.toml --size 8192x8192 -o t.mp4 -j 1024 --segment 1 "
                                 "-D time.duration=1000 --fps 30 --max-memory 64GiB",
                       "-j 1024: " + figures),
-            0.1);
+            kAtOnce_s);
 }
 
 /// How a render ends for which the kernel gives a process so much address space.
