@@ -27,8 +27,7 @@ double refusal_s(const std::string& command, const std::string& says) {
   return least_s;
 }
 
-// Measured 0.03 to 0.05 s.
-// Measured 0.05 s, and 0.12 s on a virtual machine where a page fault takes 11 us.
+// Measured 0.03 to 0.05 s, and 0.12 on a virtual machine where a page fault takes 11 us.
 constexpr double kAtOnce_s = 0.25;
 
 TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
