@@ -50,10 +50,10 @@ std::string rateFactor(double factor, double offset, double slope) {
   return fmt::format("{}", std::clamp(std::lround(offset + slope * factor), 1L, 63L));
 }
 
-/// What x264's preset has for camera film and these pictures of edges and flat colours do not need: decisions by
-/// trial encoding are two fifths of its time. Without them, but with a wider search for where an edge has turned
-/// to, and colours as fine as with them, eleven films (1080p, 720p) have the size and the error that they had.
-constexpr const char* kAnalysis = ":subme=2:me=umh:b-adapt=0:chroma-qp-offset=-2";
+/// What effort medium changes of x264's preset, which decides by trial encoding as camera film needs it. Without
+/// that, but with a wider search for where an edge has turned to, and colours as fine, eleven films take two
+/// thirds of the time for the same size at the same error (docs/performance.md).
+constexpr const char* kMediumAnalysis = ":subme=2:me=umh:b-adapt=0:chroma-qp-offset=-2";
 
 void setX264(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
   options.set("preset", wordFor(format.effort, {"veryfast", "medium", "slower"}));
@@ -64,7 +64,7 @@ void setX264(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
   options.set("x264-params",
               fmt::format("threads=1:lookahead-threads=1:cpu-independent=1:mbtree=0:scenecut=0:weightp=0:"
                           "open-gop=0:bframes=3:b-pyramid=normal:keyint={}{}",
-                          kMostFramesToKey, format.effort == Effort::kMedium ? kAnalysis : ""));
+                          kMostFramesToKey, format.effort == Effort::kMedium ? kMediumAnalysis : ""));
 }
 
 void setX265(const FilmFormat& format, AVCodecContext& context, AvOptions& options) {

@@ -46,23 +46,23 @@ class Allowance : public testing::Test {
     EXPECT_EQ(result.exitCode, 0) << words.substr(0, 200) << "\n" << result.out.substr(0, 500);
   }
 
-  /// At once: the least of three runs, as others use the machine. Measured: 0.03 to 0.05 s, 27 to 45 MiB; up to
-  /// 0.16 s on a virtual machine where a page fault takes 11 us.
+  /// At once: the least of three runs, as others use the machine. Measured: 0.03 to 0.05 s, 27 to 45 MiB;
+  /// the pages that the kernel gives are counted, not timed.
   void expectRefused(const std::string& words, const std::string& says, Limit limit) const {
-    double cpu_s = 1e9, peak_MiB = 0;
+    double user_s = 1e9, peak_MiB = 0;
     std::string out;
     for (int i = 0; i < 3; ++i) {
       const ShellResult result = shell(words);
       EXPECT_EQ(result.exitCode, 2) << words.substr(0, 200);
-      cpu_s = std::min(cpu_s, result.cpu_s);
+      user_s = std::min(user_s, result.user_s);
       peak_MiB = std::max(peak_MiB, result.peak_MiB);
       out = result.out;
     }
     EXPECT_THAT(out.substr(0, 2000), HasSubstr(says));
     EXPECT_THAT(out.substr(0, 2000), HasSubstr(howToRaise(limit)));
-    std::printf("%-13s %.3f s %.0f MiB\n", std::string(rowOf(limit).name).c_str(), cpu_s, peak_MiB);
+    std::printf("%-13s %.3f s %.0f MiB\n", std::string(rowOf(limit).name).c_str(), user_s, peak_MiB);
     if (kSanitized) return;
-    EXPECT_LE(cpu_s, 0.25) << rowOf(limit).name;
+    EXPECT_LE(user_s, 0.1) << rowOf(limit).name;
     EXPECT_LE(peak_MiB, 64) << rowOf(limit).name;
   }
 

@@ -50,7 +50,8 @@ ShellResult runShell(const std::filesystem::path& folder, const std::string& scr
   rusage spent{};
   if (pid < 0 || wait4(pid, &status, 0, &spent) < 0) throw std::runtime_error("no process");
   result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  result.cpu_s = seconds(spent.ru_utime) + seconds(spent.ru_stime);
+  result.user_s = seconds(spent.ru_utime);
+  result.cpu_s = result.user_s + seconds(spent.ru_stime);
   result.peak_MiB = static_cast<double>(spent.ru_maxrss) / 1024;
   return result;
 }

@@ -13,6 +13,7 @@ struct ShellResult {
   std::string out;      ///< stdout and stderr together
   double peak_MiB = 0;  ///< resident, of the largest of those processes
   double cpu_s = 0;     ///< of it and of all that it waited for; others that use the machine do not lengthen it
+  double user_s = 0;  ///< of that, what is not the kernel's: the price of a page differs tenfold between machines
 };
 
 /// Runs `script` with bash in `folder` to its end. `environment`: "NAME=value", on top of this process's own.
