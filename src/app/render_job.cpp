@@ -124,6 +124,7 @@ void RenderJob::startWorkers() {
   job.resume = request_.resume || request_.shard;
   if (request_.job) job.job = request_.job->job;
   job.trace = trace_.has_value();
+  job.expected_bytes = request_.worker_bytes;
   if (count > 1) gl::preload(request_.backend);
   for (int i = 0; i < count; ++i) {
     throwIfInterrupted();

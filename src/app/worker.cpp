@@ -2,7 +2,6 @@
 #include "app/worker.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
 #include <signal.h>
 
 #include <cstdlib>
@@ -16,6 +15,7 @@
 #include "app/scene_composer.h"
 #include "app/scene_frames.h"
 #include "app/segment_sink.h"
+#include "app/worker_heap.h"
 #include "app/worker_protocol.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -98,20 +98,13 @@ void expectSameScene(const WorkerJob& job, const scene::Scene& scene, const std:
                                 core::printable(job.scene.fileName)));
 }
 
-/// Every PNG asks for the same few blocks as large as a picture: they are kept, or the kernel would take them back
-/// and clear them anew each time, a fifth of the time of encoding. An encoder's blocks are others each time.
-void keepLargeBlocks() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 128 << 20);
-}
-
 void work(LineReader& jobs, int reports) {
   forbidProcessesInSandbox();
   const auto line = jobs.wait();
   if (!line) return;
   const WorkerJob job = jobFromLine(*line);
   pin(job);
-  if (job.target.kind == OutputKind::kSequence) keepLargeBlocks();
+  beginHeap(job.expected_bytes);
   const scene::Scene scene = loadRequested(job.scene);
   const std::string settings = renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, scene);
   expectSameScene(job, scene, settings);

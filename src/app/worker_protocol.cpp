@@ -134,6 +134,7 @@ std::string toLine(const WorkerJob& job) {
       {"resume", job.resume},
       {"job", job.job},
       {"trace", job.trace},
+      {"expected_bytes", job.expected_bytes},
       {"form", toJson(job.form)}}
       .dump();
 }
@@ -153,7 +154,8 @@ WorkerJob jobFromLine(std::string_view line) {
           json.at("segment_frames").get<std::int64_t>(),
           json.at("resume").get<bool>(),
           json.at("job").get<std::string>(),
-          json.at("trace").get<bool>()};
+          json.at("trace").get<bool>(),
+          json.at("expected_bytes").get<double>()};
 }
 
 std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }

@@ -33,9 +33,10 @@ struct WorkerJob {
   int rasterThreads = 0;  ///< llvmpipe's; 0 rasterises in the worker itself
   PictureForm form = {};
   std::int64_t segmentFrames = kSegmentFrames;
-  bool resume = false;   ///< what is there and is the same is not made again
-  std::string job = {};  ///< jobDigest() of a film or a sequence, of the scene as the render read it
-  bool trace = false;    ///< reports spans
+  bool resume = false;        ///< what is there and is the same is not made again
+  std::string job = {};       ///< jobDigest() of a film or a sequence, of the scene as the render read it
+  bool trace = false;         ///< reports spans
+  double expected_bytes = 0;  ///< of memory (memory.h)
 };
 
 struct FrameDone {

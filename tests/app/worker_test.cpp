@@ -145,7 +145,8 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
                       7,
                       true,
                       "0123",
-                      true};
+                      true,
+                      2.5e8};
   const std::string line = toLine(job);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const WorkerJob read = jobFromLine(line);
@@ -172,6 +173,7 @@ TEST(WorkerProtocol, CarriesAJobUnchanged) {
   EXPECT_TRUE(read.resume);
   EXPECT_EQ(read.job, job.job);
   EXPECT_TRUE(read.trace);
+  EXPECT_EQ(read.expected_bytes, 2.5e8);
 }
 
 TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
