@@ -43,7 +43,7 @@ void beginHeap(double expected_bytes) {
   mallopt(M_TRIM_THRESHOLD, bytes + 128 * kMiB);
   mallopt(M_TOP_PAD, bytes);  // of the one growth that follows
   const auto* before = static_cast<const char*>(sbrk(0));
-  void* grows = std::malloc(kMiB);
+  void* volatile grows = std::malloc(kMiB);  // volatile: or a block that nobody uses would not be asked for
   adviseLargePages(before, static_cast<const char*>(sbrk(0)));
   std::free(grows);
   mallopt(M_TOP_PAD, kMiB);

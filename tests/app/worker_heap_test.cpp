@@ -53,9 +53,11 @@ bool inAProcess(Check check, rlim_t limit_bytes = RLIM_INFINITY) {
 
 bool isOwnMalloc() {  // sanitizers have one that has no heap
   const void* before = ::sbrk(0);
-  ::mallopt(M_TOP_PAD, 64 * kMiB);
-  std::free(std::malloc(kMiB / 16));
-  return before != ::sbrk(0);
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
+  void* volatile block = std::malloc(16 * kMiB);  // volatile: or it would not be asked for
+  const void* after = ::sbrk(0);
+  std::free(block);
+  return before != after;
 }
 
 class WorkerHeap : public testing::Test {
