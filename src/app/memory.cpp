@@ -92,11 +92,10 @@ double encoderMemory_bytes(const output::FilmFormat& format) {
 // Peak memory of a worker over the size of its pictures is a straight line: at nothing are the libraries and the
 // driver's shaders; each pixel then takes 4 bytes of what pictures are drawn in, 8 for 16 bits (renderer.cpp), up
 // to 36 and 60 of layers, where solids fill the picture (solid_layers.h), its picture, and what the encoder keeps
-// of the frames it looks at. Those of a sequence leave holes in the heap besides, 10 bytes, as layers grow.
-// Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
+// of the frames it looks at. Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
   const double start_bytes = film ? 148e6 : 115e6;  // FFmpeg's libraries are opened for films only
-  const double picture_bytes = bits == 16 ? 80 : film ? 46 : 56;
+  const double picture_bytes = bits == 8 ? 46 : 80;
   const double encoder_bytes = film ? encoderMemory_bytes(*film) : 0;
   return start_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
 }

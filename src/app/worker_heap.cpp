@@ -25,12 +25,12 @@ void adviseLargePages(const char* begin, const char* end) {
   if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);  // no is an answer, too
 }
 
-/// How much the heap may begin with. Pages that are never written count where a process may only have so much of
-/// addresses (ulimit -v), and libraries take most of those.
+/// How much the heap begins with; 0: as it is. Pictures of 4K leave holes as their layers grow, which large pages
+/// would hold: 100 MiB more. And what is never written counts where a process may only have so much of addresses
+/// (ulimit -v), of which libraries take most.
 int beginning(double expected_bytes) {
-  constexpr double kMost = 512.0 * kMiB;  // larger pictures have blocks that do not lie in the heap
-  const double bytes = std::min(expected_bytes, kMost);
-  return bytes < freeMemory().process_bytes / 4 ? static_cast<int>(bytes) : 0;
+  constexpr double kMost = 400.0 * kMiB;
+  return expected_bytes < std::min(kMost, freeMemory().process_bytes / 4) ? static_cast<int>(expected_bytes) : 0;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ int beginning(double expected_bytes) {
 void beginHeap(double expected_bytes) {
   const int bytes = beginning(expected_bytes);
   mallopt(M_MMAP_THRESHOLD, kLargestBlock);
-  mallopt(M_TRIM_THRESHOLD, bytes + 128 * kMiB);
+  mallopt(M_TRIM_THRESHOLD, std::max(bytes + kLargestBlock, 128 * kMiB));
   if (bytes < kLargestBlock) return;
   constexpr int kGrows = kLargestBlock / 2;  // does not lie in what the parent has left of its heap
   mallopt(M_TOP_PAD, bytes - kGrows);

@@ -93,6 +93,13 @@ TEST_F(WorkerHeap, KeepsWhatIsGivenBack) {
   }));
 }
 
+TEST_F(WorkerHeap, StaysSmallForPicturesThatLeaveHoles) {
+  EXPECT_TRUE(inAProcess([] {
+    beginHeap(500.0 * kMiB);
+    return advised_KiB() == 0;
+  }));
+}
+
 TEST_F(WorkerHeap, AsksForNothingWhereAddressesAreFew) {
   EXPECT_TRUE(inAProcess(
       [] {
