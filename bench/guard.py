@@ -21,7 +21,7 @@ CHEAPEST = PARTS[:1]
 TOLERANCE = 0.05
 COUNTED = 'poinsotGuardCounted'  # the function in guard.cpp between whose start and end instructions count
 # Those with instructions of their own in the counts; Debian names their files by their versions.
-LIBRARIES = ('libc', 'libdeflate', 'libfmt', 'libfreetype', 'libharfbuzz', 'libpng16', 'libstdc++', 'libz')
+LIBRARIES = ('libc', 'libfmt', 'libfreetype', 'libharfbuzz', 'libisal', 'libpng16', 'libstdc++', 'libz')
 # Nothing of the caller's, such as VALGRIND_OPTS. Symbols are bound at the start: it would count on their first calls.
 ENVIRONMENT = {'PATH': os.defpath, 'LC_ALL': 'C', 'LD_BIND_NOW': '1'}
 

@@ -1,75 +1,100 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only file that includes libdeflate.h.
+// The only file that includes ISA-L.
 #include "image/deflated_pixels.h"
 
-#include <libdeflate.h>
+#include <isa-l/igzip_lib.h>
 
 #include <algorithm>
-#include <memory>
-#include <new>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/expect.h"
+#include "image/row_filter.h"
 
 namespace poinsot::image {
 namespace {
 
-// Flat areas and repeated lines are what deflate is good at; a filter only helps photographs, and 16-bit
-// gradients, which never repeat: there each byte is the difference to the pixel on the left.
-enum RowFilter : std::uint8_t { kNone = 0, kSub = 1 };
+// Filtered, a row seldom repeats more than its last pixels: with a window of 8 bytes files are a tenth smaller than
+// with the usual 32 KiB, whose matches are shorter than what it takes to say how far away they are. Measured on eight
+// pictures of 1920x1080 (ISA-L 2.30, one core of an AMD EPYC, virtual), filters and all: 3 to 7 ms and 122 to 421 kB;
+// libdeflate 1.14 at level 4 without filters: 17 to 21 ms, files 8 % smaller as a mean.
+constexpr std::uint16_t kWindowBits = 3;
+constexpr std::uint32_t kTableBytes = ISAL_DEF_LVL1_DEFAULT;
+// What ISA-L is given at once. It copies what is less, and what is much more leaves the CPU's caches in between.
+constexpr std::size_t kBatchBytes = 1 << 16;
+constexpr std::size_t kPieceBytes = 1 << 16;  // what is made room for at once
 
-void appendRow(const std::uint8_t* samples, std::size_t count, int, std::uint8_t* to) {
-  to[0] = kNone;
-  std::copy_n(samples, count, to + 1);
+/// One zlib stream.
+class Deflater {
+ public:
+  Deflater() : tables_(kTableBytes) {
+    isal_deflate_init(&stream_);
+    stream_.level = 1;
+    stream_.level_buf = tables_.data();
+    stream_.level_buf_size = kTableBytes;
+    stream_.gzip_flag = IGZIP_ZLIB;
+    stream_.hist_bits = kWindowBits;
+    batch_.reserve(2 * kBatchBytes);
+  }
+
+  void add(std::span<const std::uint8_t> bytes) {
+    batch_.insert(batch_.end(), bytes.begin(), bytes.end());
+    if (batch_.size() >= kBatchBytes) deflateBatch();
+  }
+
+  std::vector<std::uint8_t> finish() {
+    stream_.end_of_stream = 1;
+    deflateBatch();
+    POINSOT_EXPECT(stream_.internal_state.state == ZSTATE_END);
+    return std::move(out_);
+  }
+
+ private:
+  void deflateBatch() {
+    stream_.next_in = batch_.data();
+    stream_.avail_in = static_cast<std::uint32_t>(batch_.size());
+    do {
+      const std::size_t size = out_.size();
+      out_.resize(size + kPieceBytes);
+      stream_.next_out = out_.data() + size;
+      stream_.avail_out = kPieceBytes;
+      const int result = isal_deflate(&stream_);
+      POINSOT_EXPECT(result == COMP_OK);  // all that it could complain of is set above
+      out_.resize(out_.size() - stream_.avail_out);
+    } while (stream_.avail_out == 0);
+    batch_.clear();
+  }
+
+  std::vector<std::uint8_t> tables_, batch_, out_;
+  isal_zstream stream_{};
+};
+
+void copyBigEndian(const std::uint8_t* samples, std::size_t count, std::uint8_t* to) {
+  std::copy_n(samples, count, to);
 }
 
-void appendRow(const std::uint16_t* samples, std::size_t count, int channels, std::uint8_t* to) {
-  *to++ = kSub;
-  const auto left = static_cast<std::size_t>(channels);
+void copyBigEndian(const std::uint16_t* samples, std::size_t count, std::uint8_t* to) {
   for (std::size_t i = 0; i < count; ++i, to += 2) {
-    const unsigned here = samples[i], before = i < left ? 0u : samples[i - left];
-    to[0] = static_cast<std::uint8_t>((here >> 8) - (before >> 8));
-    to[1] = static_cast<std::uint8_t>((here & 0xFF) - (before & 0xFF));
+    to[0] = static_cast<std::uint8_t>(samples[i] >> 8);
+    to[1] = static_cast<std::uint8_t>(samples[i] & 0xFF);
   }
 }
 
-/// Bytes that are all written before they are read: a vector would clear them first.
-struct Bytes {
-  explicit Bytes(std::size_t n) : size(n), data(std::make_unique_for_overwrite<std::uint8_t[]>(n)) {}
-  std::size_t size;
-  std::unique_ptr<std::uint8_t[]> data;
-};
-
 template <typename Sample>
-Bytes filteredRows(const BasicImage<Sample>& picture) {
-  const std::size_t rowBytes = 1 + picture.rowBytes();
-  Bytes rows(rowBytes * static_cast<std::size_t>(picture.size.height));
-  for (int y = 0; y < picture.size.height; ++y)
-    appendRow(picture.at(0, y), picture.rowSamples(), picture.channels,
-              rows.data.get() + rowBytes * static_cast<std::size_t>(y));
-  return rows;
-}
-
-// Measured on 1920x1080 line art with shaded bodies (libdeflate 1.14, one core), ms and kB: level 2 11/361,
-// 4 12/351, 6 13/339, 7 16/336; zlib 1.2.13 in libpng: 3 14/388, 4 23/356, 6 28/342.
-constexpr int kLevel = 4;
-
-struct Free {
-  void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
-};
-
-std::vector<std::uint8_t> deflated(const Bytes& from) {
-  const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(kLevel));
-  if (!compressor) throw std::bad_alloc();
-  const Bytes to(libdeflate_zlib_compress_bound(compressor.get(), from.size));
-  const std::size_t size =
-      libdeflate_zlib_compress(compressor.get(), from.data.get(), from.size, to.data.get(), to.size);
-  POINSOT_EXPECT(size > 0);  // the bound holds
-  return {to.data.get(), to.data.get() + size};
+std::vector<std::uint8_t> deflated(const BasicImage<Sample>& picture) {
+  RowFilter filter(picture.rowBytes(), static_cast<std::size_t>(picture.channels) * sizeof(Sample));
+  Deflater deflater;
+  for (int y = 0; y < picture.size.height; ++y) {
+    copyBigEndian(picture.at(0, y), picture.rowSamples(), filter.next());
+    deflater.add(filter.filtered());
+  }
+  return deflater.finish();
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> deflatedPixels(const Image& picture) { return deflated(filteredRows(picture)); }
-std::vector<std::uint8_t> deflatedPixels(const DeepImage& picture) { return deflated(filteredRows(picture)); }
+std::vector<std::uint8_t> deflatedPixels(const Image& picture) { return deflated(picture); }
+std::vector<std::uint8_t> deflatedPixels(const DeepImage& picture) { return deflated(picture); }
 
 }  // namespace poinsot::image

@@ -94,7 +94,7 @@ struct Header {
   png_uint_32 pixelsPerMetre;  // 0: not said
 };
 
-/// All of a file around `data`, its compressed pixels: libdeflate takes half the time of libpng's zlib.
+/// All of a file around `data`, its compressed pixels, which libpng's zlib would take several times as long for.
 bool writeFile(png_structp png, png_infop info, const Header& header, png_textp texts, int textCount,
                std::span<const std::uint8_t> data) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;

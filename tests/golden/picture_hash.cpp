@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints a hash of the pixels of small pictures of scenes, as --reproducible draws them, for the test that no CPU
-// changes one. The control: --unpinned, drawn as this CPU does it best. First of all, what the CPU is said to
+// Prints hashes of the pixels of small pictures of scenes, as --reproducible draws them, and of their PNG files, for
+// the test that no CPU changes one. The control: --unpinned, drawn as this CPU does it best. First of all, what the CPU is said to
 // have.
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/sha256.h"
+#include "image/png_file.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "stage/stage.h"
@@ -19,8 +23,8 @@ namespace {
 
 constexpr image::PixelSize kSize{192, 108};
 
-core::Digest hashOf(const image::Image& picture) {
-  return core::sha256({reinterpret_cast<const char*>(picture.pixels.data()), picture.pixels.size()});
+std::string hashOf(const std::vector<std::uint8_t>& bytes) {
+  return core::toHex(core::sha256({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
 }
 
 image::Image pictureOf(const char* scene, render::Renderer& renderer) {
@@ -38,6 +42,9 @@ int main(int argc, char** argv) {
   fmt::print("avx2={} fma={}\n", __builtin_cpu_supports("avx2") ? 1 : 0, __builtin_cpu_supports("fma") ? 1 : 0);
   const auto context = gl::openContext(gl::Backend::kAuto);
   render::Renderer renderer(*context);
-  for (const char* scene : scenes) fmt::print("{}\n", core::toHex(hashOf(pictureOf(scene, renderer))));
+  for (const char* scene : scenes) {
+    const image::Image picture = pictureOf(scene, renderer);
+    fmt::print("{} {}\n", hashOf(picture.pixels), hashOf(image::encodePng(picture)));
+  }
   return 0;
 }

@@ -24,7 +24,7 @@ struct Door {
 constexpr Door kDoors[] = {
     {R"(openssl/.*)", R"(core/(sha256|base64)\.cpp)"},
     {R"(png\.h|pngconf\.h)", R"(image/png_file\.cpp)"},
-    {R"(libdeflate\.h)", R"(image/deflated_pixels\.cpp)"},
+    {R"(isa-l\.h|isa-l/.*)", R"(image/deflated_pixels\.cpp)"},
     {R"(lib(av|sw|post)\w+/.*)", R"(output/ffmpeg_library\.h)"},
     {R"(toml\+\+/.*|toml\.hpp)", R"(scene/\w+\.cpp)"},
     {R"(ft2build\.h|freetype/.*|freetype2/.*|FT_\w+|hb[\w-]*\.h|harfbuzz/.*)", R"(text/\w+\.cpp)"},
