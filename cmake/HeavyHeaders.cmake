@@ -33,3 +33,10 @@ function(poinsot_use_headers target carrier)
     target_precompile_headers(${target} REUSE_FROM ${carrier})
   endif()
 endfunction()
+
+# For a target with options of its own, in whose place those would come that the carrier was made with.
+function(poinsot_own_headers target)
+  if(POINSOT_PCH)
+    target_precompile_headers(${target} PRIVATE ${heavy_headers})
+  endif()
+endfunction()

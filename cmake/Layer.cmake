@@ -3,13 +3,14 @@ include(GNUInstallDirs)
 set(POINSOT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/poinsot)
 
 # poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...] [HEADER_ONLY lib...]
-#   [OPENED lib...])
+#   [OPENED lib...] [OPTIONS option...])
 #
 # One folder of src/ is one static library. LINKS are layers (and header-only libraries its headers need);
 # PRIVATE are third parties seen by its .cpp files only: the door stays in one layer. HEADER_ONLY are those of them that
 # leave nothing to link. OPENED are read for their headers and opened at run time, so that nothing is linked either.
+# OPTIONS are the compiler's.
 function(poinsot_layer name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE;HEADER_ONLY;OPENED" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE;HEADER_ONLY;OPENED;OPTIONS" ${ARGN})
   add_library(poinsot_${name} STATIC ${ARG_SOURCES})
   add_library(poinsot::${name} ALIAS poinsot_${name})
   target_include_directories(poinsot_${name} PUBLIC
@@ -24,7 +25,12 @@ function(poinsot_layer name)
     target_include_directories(poinsot_${name} SYSTEM PRIVATE
       $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
   endforeach()
-  poinsot_use_headers(poinsot_${name} poinsot_layer_headers)
+  if(ARG_OPTIONS)
+    target_compile_options(poinsot_${name} PRIVATE ${ARG_OPTIONS})
+    poinsot_own_headers(poinsot_${name})
+  else()
+    poinsot_use_headers(poinsot_${name} poinsot_layer_headers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY POINSOT_LAYERS ${name})
   set_property(GLOBAL PROPERTY POINSOT_LINKS_${name} ${ARG_LINKS} ${ARG_PRIVATE})
 endfunction()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another CPU does not change a pixel of what --reproducible draws, a byte of its PNG file, nor a bit of a trajectory.
-// That of 2008 has neither FMA nor AVX, and is emulated.
+// Another CPU does not change a pixel of what --reproducible draws, a byte of its PNG file, nor a bit of a
+// trajectory. That of 2008 has neither FMA nor AVX, and is emulated.
 #include <gtest/gtest.h>
 
 #include <string>

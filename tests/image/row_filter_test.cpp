@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracle is the specification's way back (PNG, third edition, clause 9), written out here for the bytes of a row.
+// The oracle is the specification's way back (PNG, third edition, clause 9), written out here for the bytes of a
+// row.
 #include "image/row_filter.h"
 
 #include <gtest/gtest.h>
