@@ -80,10 +80,10 @@ double ofProcess() {
 
 /// For each pixel.
 double encoderMemory_bytes(const output::FilmFormat& format) {
-  constexpr std::array kOfCodec_bytes{60.0, 128.0, 12.0, 135.0, 130.0, 172.0, 172.0};  // in the order of FilmCodec
+  constexpr std::array kOfCodec_bytes{48.0, 128.0, 12.0, 135.0, 130.0, 172.0, 172.0};  // in the order of FilmCodec
   double bytes = kOfCodec_bytes[static_cast<std::size_t>(format.codec)];
   if (format.chroma == output::Chroma::k444 || format.transparent) bytes *= 2;
-  if (format.codec == output::FilmCodec::kH264 && format.effort == output::Effort::kSlow) bytes *= 1.75;
+  if (format.codec == output::FilmCodec::kH264 && format.effort == output::Effort::kSlow) bytes *= 1.6;
   return bytes;
 }
 
