@@ -52,8 +52,8 @@ std::string rateFactor(double factor, double offset, double slope) {
 
 /// What effort medium changes of x264's preset, which decides by trial encoding as camera film needs it. Without
 /// that, but with a wider search for where an edge has turned to, and colours as fine, eleven films take two
-/// thirds of the time for the same size at the same error; with one frame to look back to a sixth less again, for
-/// 2.5 % more (docs/performance.md).
+/// thirds of the time for the same size at the same error; with one frame to look back to an eighth less again,
+/// for 2.5 % more (docs/performance.md).
 constexpr const char* kMediumAnalysis = ":subme=2:me=umh:ref=1:b-adapt=0:chroma-qp-offset=-2";
 
 void setX264(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
