@@ -15,7 +15,7 @@ namespace poinsot::render {
 /// (text_painter_test.cpp), and would water the mean down.
 class GalleryEdges {
  public:
-  explicit GalleryEdges(std::string scene);
+  GalleryEdges(std::string scene, glm::ivec2 size);
 
   /// Film times: that of the gallery's picture, and one late in the film, when paths are long.
   double still_s() const { return stage_.scene().time.stillTime_s(); }
@@ -26,14 +26,13 @@ class GalleryEdges {
 
   /// What is asked for.
   static constexpr double kMost = 2;
-  /// What it may be: that, or what is known of the scene.
-  double limit() const;
 
  private:
   double meanOf(draw::DrawList view, const std::string& name);
   double meanOfFlat(draw::Picture picture, const std::string& name);
 
   std::string name_;
+  glm::ivec2 size_;
   stage::Stage stage_;
   std::unique_ptr<gl::OffscreenContext> context_;
   Renderer renderer_;
