@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/solid_layers.h"
 
+#include <bit>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -19,6 +20,11 @@ glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
   return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), most);
 }
 
+// llvmpipe compiles a shader anew for textures of which a side is a power of two, or no longer is. A worker that begins
+// elsewhere in the film than those before it, with another part of the picture, would compile most of them, for a
+// second.
+int notAPowerOfTwo(int side) { return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side; }
+
 }  // namespace
 
 void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light) {
@@ -31,6 +37,7 @@ void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum lig
     if (glm::all(glm::lessThanEqual(size, old))) return;
     size = glm::max(size, glm::min(old, most));
   }
+  size = {notAPowerOfTwo(size.x), notAPowerOfTwo(size.y)};
   if (!layers_.empty()) letGo();  // before new ones need their memory
   std::vector<gl::Framebuffer> made;
   for (int i = 0; i < 3; ++i) made.emplace_back(size, std::vector{light}, GL_DEPTH_COMPONENT32F);
