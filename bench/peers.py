@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`poinsot bench --peers`: what a user would take instead, and the encoder alone, in turn with this program."""
+import re
+
 from job import Job, run_all
 from measurement import measure
 from standard import FPS, HERE
@@ -9,6 +11,7 @@ PYTHON = '/usr/bin/python3'  # Debian's, which has Debian's VTK and Matplotlib
 WIDTH, HEIGHT = 1920, 1080
 FILM, PICTURES, FEW = 300, 60, 60  # frames; few: of Matplotlib, whose frames all take equally long
 FFMPEG = ['ffmpeg', '-nostdin', '-y', '-loglevel', 'error']
+AS_OTHERS_ASK = ['-c:v', 'libx264', '-crf', '18', '-preset', 'medium', '-pix_fmt', 'yuv420p']
 
 
 def measured(options, program, folder):
@@ -31,7 +34,7 @@ def measured(options, program, folder):
     results = run_all(films + sequences, options.runs, warm_up=not options.quick)
     film_results, sequence_results = results[:len(films)], results[len(films):]
     return [against('film (J1)', film_results), beside_its_encoder(film_results[0]),
-            against('PNG (J2)', sequence_results)], results
+            film_worths(program, frames, folder), against('PNG (J2)', sequence_results)], results
 
 
 def raw_frames(program, frames, folder):
@@ -47,8 +50,23 @@ def raw_frames(program, frames, folder):
 def encoder(raw, pixels):
     """Of ffmpeg's command line, with the preset and rate factor of the program's films and all cores."""
     return lambda frames: [*FFMPEG, '-f', 'rawvideo', '-pix_fmt', pixels, '-s', f'{WIDTH}x{HEIGHT}', '-r', FPS,
-                           '-i', raw, '-frames:v', frames, '-c:v', 'libx264', '-crf', '18', '-preset', 'medium',
-                           '-pix_fmt', 'yuv420p', 'film.mp4']
+                           '-i', raw, '-frames:v', frames, *AS_OTHERS_ASK, 'film.mp4']
+
+
+def film_worths(program, frames, folder):
+    """Of films of the same frames: their bytes and their error, as what took less to make may be worth less."""
+    exact, ours, theirs = (folder / name for name in ['exact.mp4', 'poinsot.mp4', 'x264.mp4'])
+    measure(program.film('-D', 'output.crf=0', output=exact)(frames))
+    measure(program.film(output=ours)(frames))
+    measure([*FFMPEG, '-i', exact, *AS_OTHERS_ASK, theirs])
+
+    def figures(film):
+        said = measure(['ffmpeg', '-nostdin', '-nostats', '-i', film, '-i', exact, '-lavfi',
+                        '[0]split[a][b];[1]split[c][d];[a][c]psnr;[b][d]ssim', '-f', 'null', '-']).stderr
+        psnr_dB, ssim = (float(re.search(pattern, said)[1]) for pattern in [r'average:(\S+)', r'All:(\S+)'])
+        return [f'{film.stat().st_size / 1e6:.2f} MB', f'{psnr_dB:.2f} dB', f'{ssim:.5f}']
+    return table(['film of the same frames', 'size', 'PSNR', 'SSIM'],
+                 [['poinsot', *figures(ours)], ['x264 alone', *figures(theirs)]])
 
 
 def vtk(output, smoothing):

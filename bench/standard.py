@@ -14,9 +14,9 @@ class Program:
     def __init__(self, path):
         self.path = path
 
-    def film(self, *options):
+    def film(self, *options, output='film.mp4'):
         """H.264 at the scene's rate factor: the number of frames changes how far apart they are, not what they show."""
-        return lambda frames: self._render(frames, '-o', 'film.mp4', *options)
+        return lambda frames: self._render(frames, '-o', output, *options)
 
     def pictures(self, folder='.'):
         return lambda frames: self._render(frames, '-o', f'{folder}/frame_{{frame:05}}.png')
