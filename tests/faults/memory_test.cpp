@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a render takes of memory does not grow with its frames, and what cannot fit is refused before it begins.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/prctl.h>
 
 #include <algorithm>
 
@@ -72,20 +74,25 @@ TEST(Memory, TooLittleOfItIsSaidOrEnough) {
 }
 
 // 10 000 frames of 64x36 through the whole program, which keeps something of each: its digest, its place in the
-// film's index. Measured 142.7 MiB early and late, and 41 of the parent; half a kilobyte a frame would be found.
+// film's index. What is kept grows from third to third, but the heap also makes a step once, where an encoder's
+// blocks come to lie elsewhere: 0 to 1.1 MiB in 54 runs. Large pages would make that up to 4, and are not what is
+// asked about. Measured 108 to 110 MiB, 43 of the parent; a third of a kilobyte a frame would be found.
 TEST(Memory, DoesNotGrowWithTheFrames) {
   POINSOT_NOT_SANITIZED("it takes more memory than is given");
+  ASSERT_EQ(prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0), 0);  // what it starts inherits it
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const MemoryWatch watch(folder, {"render", "tiny.toml", "-o", "t.mp4", "--size", "64x36", "-j", "1",
                                    "--progress", "json", "-D", "time.duration=100", "--fps", "100"});
   ASSERT_EQ(watch.frames(), 10000);
-  const double early_MiB = watch.workerPeak_MiB(2000, 6000), late_MiB = watch.workerPeak_MiB(6000, 10000);
-  const std::string figures = std::to_string(early_MiB) + ", later " + std::to_string(late_MiB) + " MiB; parent " +
-                              std::to_string(watch.parentPeak_MiB()) + " MiB";
+  const double first_MiB = watch.workerPeak_MiB(1000, 4000), second_MiB = watch.workerPeak_MiB(4000, 7000),
+               last_MiB = watch.workerPeak_MiB(7000, 10000);
+  const std::string figures = fmt::format("{:.2f}, {:.2f}, {:.2f} MiB; parent {:.2f} MiB", first_MiB, second_MiB,
+                                          last_MiB, watch.parentPeak_MiB());
   RecordProperty("figures", figures);
-  EXPECT_GT(early_MiB, 50) << figures;
-  EXPECT_LE(late_MiB - early_MiB, 2) << figures;
+  EXPECT_GT(first_MiB, 50) << figures;
+  EXPECT_LE(std::min(second_MiB - first_MiB, last_MiB - second_MiB), 1) << figures;
+  EXPECT_LE(last_MiB - first_MiB, 4) << figures;
   EXPECT_LE(watch.parentPeak_MiB(), 64) << figures;
 }
 
