@@ -21,9 +21,7 @@ void main() {
   float u = clamp(offset / max(halfWidth, 1e-6), -1.0, 1.0), front = sqrt(1.0 - u * u);
   vec3 ray = normalize(rayThrough(place_px));
   vec3 side_C = normalize(cross(tangentOut_C.xyz, ray) + vec3(1e-9));
-  vec3 n_C = normalize(u * side_C + front * normalize(cross(side_C, tangentOut_C.xyz) + vec3(0.0, 0.0, 1e-9)));
-  if (dot(n_C, ray) > 0.0) n_C = u * side_C - front * ray;
-  vec3 shown = shade(material, n_C, -ray);
+  vec3 shown = shade(material, u * side_C - front * ray, -ray);  // lit as if it lay across the view
   t -= front * tangentOut_C.w;
 #else
   vec3 shown = material.color;
