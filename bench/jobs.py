@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`poinsot bench`: the jobs that a change is measured by."""
 from job import Job, run_all
+from measurement import measure
 from standard import HERE
 from table import mebibytes, milliseconds, seconds, table
 
@@ -12,24 +13,28 @@ HEAVIEST_FROM = 60  # frame: the title stands, the first seconds are over
 ROWS = 1_000_000
 
 CHECKED = HERE.parent / 'scenes/tennis_racket.toml'
-# What answers before one has noticed: a command line is typed again and again.
-AIMS_S = {'S': 0.020, 'S check': 0.050}
+# What answers before one has noticed, for a command line is typed again and again; and what CI does of each golden.
+AIMS_S = {'S': 0.020, 'S check': 0.050, 'S diff': 1.0}
 STARTS = 20  # in each run: one takes milliseconds
 
 
-def measured(options, program, _):
+def measured(options, program, folder):
     """Tables and results.
     @throws ValueError if `--jobs` names one that there is not.
     """
-    jobs = all_jobs(program, options.quick)
+    jobs = all_jobs(program, folder, options.quick)
     if options.jobs:
         jobs = chosen(jobs, options.jobs.split(','))
+    if any(job.name == 'S diff' for job in jobs):
+        measure(program.pictures(folder)(2))
     results = run_all(jobs, options.runs, warm_up=not options.quick)
     return tables(results), results
 
 
-def all_jobs(program, quick):
-    """@param quick two frames of each, to see that they work."""
+def all_jobs(program, folder, quick):
+    """@param folder  of two pictures to compare
+    @param quick   two frames of each, to see that they work.
+    """
     def frames(usual):
         return 2 if quick else usual
     return [
@@ -42,11 +47,12 @@ def all_jobs(program, quick):
         Job('T', 'trajectory to CSV', 1000 if quick else ROWS, program.trajectory()),
         Job('S', 'poinsot --help', 1, program.help(), repeats=1 if quick else STARTS),
         Job('S check', f'poinsot check {CHECKED.name}', 1, program.check(CHECKED), repeats=1 if quick else STARTS),
+        Job('S diff', 'poinsot diff, 1080p', 1, program.diff(folder), repeats=1 if quick else STARTS),
     ]
 
 
 def chosen(jobs, names):
-    """Those of the names; J3 and S stand for both of their kinds.
+    """Those of the names; J3 and S stand for all of their kinds.
     @throws ValueError for a name that is none's.
     """
     known = {job.name.split()[0] for job in jobs}

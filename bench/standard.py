@@ -39,6 +39,12 @@ class Program:
     def check(self, scene):
         return lambda _: [self.path, 'check', scene]
 
+    def diff(self, folder):
+        """Of the first two that `pictures(folder)` makes, with limits that let any difference pass."""
+        anything = [word for limit, most in {'max': '255', 'pixels': '100%', 'flip-mean': '1', 'flip-max': '1'}.items()
+                    for word in (f'--{limit}', f'0-{most}')]
+        return lambda _: [self.path, 'diff', folder / 'frame_00000.png', folder / 'frame_00001.png', *anything]
+
     def _render(self, frames, *options):
         duration_s = frames / FPS
         # The range besides: 100 / 30 s times 30 frames/s is 101 frames.

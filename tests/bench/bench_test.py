@@ -36,7 +36,7 @@ class Bench(unittest.TestCase):
             self.assertEqual((run.returncode, run.left), (0, []), run.stderr)
             self.assertEqual(markdown.read_text(), run.stdout)
         found = rows(run.stdout)
-        for job in ('J1', 'J2', 'J3', 'J3 cold', 'J4', 'J5', 'T', 'S', 'S check'):
+        for job in ('J1', 'J2', 'J3', 'J3 cold', 'J4', 'J5', 'T', 'S', 'S check', 'S diff'):
             figures = [float(cell.split()[0]) for cell in found[job]]
             self.assertEqual(len(figures), 5)
             count, wall, rate, *others = figures
