@@ -24,10 +24,10 @@ constexpr std::uint32_t kTableBytes = ISAL_DEF_LVL1_DEFAULT;
 // What ISA-L is given at once. It copies what is less, and what is much more leaves the CPU's caches in between.
 constexpr std::size_t kBatchBytes = 1 << 16;
 constexpr std::size_t kPieceBytes = 1 << 16;  // what is made room for at once
-// What is given first, on its own. Of longer input ISA-L (2.30 to 2.32) enters the third byte into its tables under a
-// hash not of what follows it but of the address of its stream: `.write_first_byte` of igzip_icf_body_h1_gr_bt.asm
-// reads a register in which that address was left. Then about one picture in thirty has other bytes from one run to
-// the next. With so few bytes it takes another path, which is right.
+// What is given first, on its own. Of longer input ISA-L (2.30 to 2.32) enters the third byte into its tables
+// under a hash not of what follows it but of the address of its stream: `.write_first_byte` of
+// igzip_icf_body_h1_gr_bt.asm reads a register in which that address was left. Then about one picture in thirty
+// has other bytes from one run to the next. With so few bytes it takes another path, which is right.
 constexpr std::size_t kFirstBytes = 4;
 
 /// One zlib stream.

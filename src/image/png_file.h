@@ -27,8 +27,8 @@ inline constexpr std::uint32_t kLargestPngSide = 16384;
 inline constexpr std::uint64_t kLargestPngBytes = std::uint64_t{256} << 20;
 
 /// A PNG file: RGB or RGBA of 8 or 16 bits, sRGB chunk, "Software: poinsot VERSION", then `texts`; no time, so
-/// that the same pixels give the same bytes (for one version of libpng and ISA-L). With `dpi` > 0 a pHYs chunk says
-/// that many pixels to the inch, so that the picture has a size in print.
+/// that the same pixels give the same bytes (for one version of libpng and ISA-L). With `dpi` > 0 a pHYs chunk
+/// says that many pixels to the inch, so that the picture has a size in print.
 std::vector<std::uint8_t> encodePng(const Image& picture, const std::vector<PngText>& texts = {}, double dpi = 0);
 std::vector<std::uint8_t> encodePng(const DeepImage& picture, const std::vector<PngText>& texts = {},
                                     double dpi = 0);

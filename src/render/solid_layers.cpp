@@ -20,9 +20,9 @@ glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
   return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), most);
 }
 
-// llvmpipe compiles a shader anew for textures of which a side is a power of two, or no longer is. A worker that begins
-// elsewhere in the film than those before it, with another part of the picture, would compile most of them, for a
-// second.
+// llvmpipe compiles a shader anew for textures of which a side is a power of two, or no longer is. A worker that
+// begins elsewhere in the film than those before it, with another part of the picture, would compile most of them,
+// for a second.
 int notAPowerOfTwo(int side) { return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side; }
 
 }  // namespace

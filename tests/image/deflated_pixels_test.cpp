@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// That they are the pixels, libpng says in png_file_test.cpp. Here: the same pixels give the same bytes, wherever in
-// memory they are made. ISA-L's alone are not (see kFirstBytes): for this
-// picture some 20 of 400 places gave other bytes.
+// That they are the pixels, libpng says in png_file_test.cpp. Here: the same pixels give the same bytes, wherever
+// in memory they are made. ISA-L's alone are not (see kFirstBytes): for this picture some 20 of 400 places gave
+// other bytes.
 #include "image/deflated_pixels.h"
 
 #include <gtest/gtest.h>

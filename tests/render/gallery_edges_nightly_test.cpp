@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How good the edges of every scene of the gallery are, at two instants each, in pictures of the size of a film. What
-// was measured: docs/performance.md.
+// How good the edges of every scene of the gallery are, at two instants each, in pictures of the size of a film.
+// What was measured: docs/performance.md.
 #include <gtest/gtest.h>
 
 #include "gallery_edges.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How good the edges of a few scenes are: one of each kind of body and a plot, with a quarter of the pixels of a film.
-// The fewer pixels, the thinner the lines, and the more of the edge pixels hold several edges, which are the hard ones.
-// All scenes, as films have them, take minutes: gallery_edges_nightly_test.cpp.
+// How good the edges of a few scenes are: one of each kind of body and a plot, with a quarter of the pixels of a
+// film. The fewer pixels, the thinner the lines, and the more of the edge pixels hold several edges, which are the
+// hard ones. All scenes, as films have them, take minutes: gallery_edges_nightly_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -33,8 +33,9 @@ TEST_P(GalleryEdgesTest, AreGoodInItsPicture) {
   EXPECT_LE(edges.worstMean(edges.still_s()), GetParam().most);
 }
 
-// A pixel keeps two edges; what is behind is dimmed by each, and of a third nothing is left. The handle is seen with a
-// flat end edge-on, where the lines on both of its outlines and the solid itself meet: 3.79 here, 1.85 in a film.
+// A pixel keeps two edges; what is behind is dimmed by each, and of a third nothing is left. The handle is seen
+// with a flat end edge-on, where the lines on both of its outlines and the solid itself meet: 3.79 here, 1.85 in a
+// film.
 INSTANTIATE_TEST_SUITE_P(Of, GalleryEdgesTest,
                          testing::Values(Edges{"chandler_wobble"}, Edges{"poinsot_rolling"}, Edges{"t_handle", 4}),
                          [](const auto& edges) { return std::string(edges.param.scene); });

@@ -15,7 +15,9 @@
 namespace poinsot::render {
 namespace {
 
-PixelBounds part(glm::ivec2 size) { return {0, 0, static_cast<float>(size.x - 1), static_cast<float>(size.y - 1)}; }
+PixelBounds part(glm::ivec2 size) {
+  return {0, 0, static_cast<float>(size.x - 1), static_cast<float>(size.y - 1)};
+}
 
 bool hasPowerOfTwo(glm::ivec2 size) {
   return std::has_single_bit(static_cast<unsigned>(size.x)) || std::has_single_bit(static_cast<unsigned>(size.y));
@@ -47,7 +49,8 @@ TEST_F(SolidLayersTest, AreLargeEnoughAndHaveNoSideThatIsAPowerOfTwo) {
 
 TEST_F(SolidLayersTest, NorWhenTheyGrowOrThePictureShrinks) {
   SolidLayers layers;
-  for (int side = 100; side <= 1000; side += 100) EXPECT_FALSE(hasPowerOfTwo(fit(layers, {side, 50}, {1920, 1080})));
+  for (int side = 100; side <= 1000; side += 100)
+    EXPECT_FALSE(hasPowerOfTwo(fit(layers, {side, 50}, {1920, 1080})));
   EXPECT_EQ(fit(layers, {100, 50}, {1920, 1080}).x, 1025);  // they are kept
   EXPECT_FALSE(hasPowerOfTwo(fit(layers, {300, 500}, {1023, 511})));
 }
