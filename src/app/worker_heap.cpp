@@ -18,7 +18,7 @@ constexpr int kMiB = 1 << 20;
 constexpr int kLargestBlock = 32 * kMiB;  // the most that malloc can be told to take from its heap
 
 void adviseLargePages(const char* begin, const char* end) {
-  constexpr std::uintptr_t kPage = 2 * kMiB;
+  constexpr std::uintptr_t kPage = std::uintptr_t{2} * kMiB;
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + kPage - 1) / kPage * kPage;
   const auto last = reinterpret_cast<std::uintptr_t>(end) / kPage * kPage;
   // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded up within what sbrk() answered
