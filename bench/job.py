@@ -21,6 +21,7 @@ class Job:
     environment: dict = dataclasses.field(default_factory=dict)
     warmed: bool = True  # one frame is made beforehand, not counted: shaders and files are then cached
     repeats: int = 1  # in a row, in each run: of a command that ends at once
+    given: list | None = None  # a command that makes what the job works on; run once, not counted
 
 
 @dataclasses.dataclass(frozen=True)
@@ -44,6 +45,8 @@ class Result:
 def run_all(jobs, runs, warm_up=True):
     """The jobs' results. All jobs run once, then all again, so that a slow minute does not fall on one of them."""
     for job in jobs:
+        if job.given:
+            measure(job.given)
         if warm_up and job.warmed:
             _say(f'warming up {job.name}')
             measure(job.command(1), job.environment)

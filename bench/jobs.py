@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`poinsot bench`: the jobs that a change is measured by."""
 from job import Job, run_all
-from measurement import measure
 from standard import HERE
 from table import mebibytes, milliseconds, seconds, table
 
@@ -25,8 +24,6 @@ def measured(options, program, folder):
     jobs = all_jobs(program, folder, options.quick)
     if options.jobs:
         jobs = chosen(jobs, options.jobs.split(','))
-    if any(job.name == 'S diff' for job in jobs):
-        measure(program.pictures(folder)(2))
     results = run_all(jobs, options.runs, warm_up=not options.quick)
     return tables(results), results
 
@@ -47,7 +44,8 @@ def all_jobs(program, folder, quick):
         Job('T', 'trajectory to CSV', 1000 if quick else ROWS, program.trajectory()),
         Job('S', 'poinsot --help', 1, program.help(), repeats=1 if quick else STARTS),
         Job('S check', f'poinsot check {CHECKED.name}', 1, program.check(CHECKED), repeats=1 if quick else STARTS),
-        Job('S diff', 'poinsot diff, 1080p', 1, program.diff(folder), repeats=1 if quick else STARTS),
+        Job('S diff', 'poinsot diff, 1080p', 1, program.diff(folder), repeats=1 if quick else STARTS,
+            given=program.pictures(folder)(2)),
     ]
 
 

@@ -40,7 +40,7 @@ class Program:
         return lambda _: [self.path, 'check', scene]
 
     def diff(self, folder):
-        """Of the first two that `pictures(folder)` makes, with limits that let any difference pass."""
+        """Of two that `pictures(folder)` makes, which differ, with limits that let any difference pass."""
         anything = [word for limit, most in {'max': '255', 'pixels': '100%', 'flip-mean': '1', 'flip-max': '1'}.items()
                     for word in (f'--{limit}', f'0-{most}')]
         return lambda _: [self.path, 'diff', folder / 'frame_00000.png', folder / 'frame_00001.png', *anything]
