@@ -32,8 +32,8 @@ std::string spinWords(const scene::Scene& scene) { return turningWords(scene.mot
 
 std::string whereLPoints(const scene::Scene& scene) {
   if (scene.motion.orientation_WB) return "";
-  return scene::directionOfL(scene).z() < 0 ? ": in space it points straight down"
-                                            : ": in space it points straight up";
+  return scene::verticalOfL(scene) == physics::Vertical::kDown ? ": in space it points straight down"
+                                                               : ": in space it points straight up";
 }
 
 std::string constancyOfL(const scene::Scene& scene) {

@@ -14,7 +14,7 @@ namespace poinsot::physics {
 /// CPU.
 ///
 /// Error, the inputs taken as the exact doubles given: attitude below 4e-15 rad, omega below 4e-15 of the largest
-/// |omega| of the motion, while |omega t| < 1e16 rad (measured over 16 000 hostile bodies and starts: 1.2e-15 rad,
+/// |omega| of the motion, while |omega t| < 1e14 rad (measured over 16 000 hostile bodies and starts: 1.2e-15 rad,
 /// 4.9e-16; tests/physics/free_motion_hostile_test.cpp). Beyond that the phase has no meaning left.
 class FreeMotion final : public Motion {
  public:

@@ -34,16 +34,15 @@ bool roundLargest(const physics::PrincipalMoments& moments, const Eigen::Vector3
 
 }  // namespace
 
-Eigen::Vector3d directionOfL(const Scene& scene) {
+physics::Vertical verticalOfL(const Scene& scene) {
   const bool plane = std::ranges::any_of(scene.views, [](const View& view) { return view.show.plane.visible; });
   const bool down = scene.motion.lPoints == LPoints::kDown || (scene.motion.lPoints == LPoints::kAuto && plane);
-  return {0, 0, down ? -1.0 : 1.0};
+  return down ? physics::Vertical::kDown : physics::Vertical::kUp;
 }
 
 Eigen::Quaterniond startOrientation(const Scene& scene) {
   if (scene.motion.orientation_WB) return *scene.motion.orientation_WB;
-  return Eigen::Quaterniond::FromTwoVectors(scene.body.axes.angularMomentum(scene.motion.omega_B),
-                                            directionOfL(scene));
+  return physics::levelAttitude(scene.body.axes, scene.motion.omega_B, verticalOfL(scene));
 }
 
 double chosenSpeed(const Scene& scene) {

@@ -3,16 +3,17 @@
 
 #include <memory>
 
+#include "physics/level_attitude.h"
 #include "physics/motion.h"
 #include "scene/scene.h"
 
 namespace poinsot::scene {
 
-/// Where L is turned to when the scene gives no orientation: straight down or up,
-/// by itself down where a view shows the invariable plane.
-Eigen::Vector3d directionOfL(const Scene& scene);
+/// Where L points when the scene gives no orientation: straight down or up. Unless the scene chooses, down if a
+/// view shows the invariable plane.
+physics::Vertical verticalOfL(const Scene& scene);
 
-/// Attitude at motion time 0: the scene's, or the one that turns L onto directionOfL(). Unit.
+/// Attitude at motion time 0: the scene's, or the shortest turn of L onto verticalOfL(). Unit.
 Eigen::Quaterniond startOrientation(const Scene& scene);
 
 /// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.

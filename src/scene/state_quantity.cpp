@@ -6,6 +6,7 @@
 
 #include "core/expect.h"
 #include "physics/heavy_top.h"
+#include "physics/level_attitude.h"
 #include "physics/precession_cones.h"
 
 namespace poinsot::scene {
@@ -50,16 +51,18 @@ double angle(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Horizontal axes for a pole: the world's x and y, turned the shortest way with z onto the pole; onto -z, about
-/// x.
+/// Horizontal axes for a pole: the world's x and y, turned the shortest way with z onto the pole. That way has no
+/// limit at -z: within 1.4e-6 rad of it, which is more than the rounding of any pole that is meant to point down,
+/// z is turned onto -z about x, and from there the shortest way.
 struct Meridians {
   Vector3d x_W, y_W;
 };
 
 Meridians meridians(const Vector3d& pole_W) {
-  if (pole_W.z() < -1 + 1e-12) return {Vector3d::UnitX(), -Vector3d::UnitY()};
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), pole_W);
-  return {turn * Vector3d::UnitX(), turn * Vector3d::UnitY()};
+  const bool down = pole_W.z() < -1 + 1e-12;
+  const auto turn = physics::turnOntoVertical(pole_W, down ? physics::Vertical::kDown : physics::Vertical::kUp);
+  const Vector3d y = (down ? -1 : 1) * Vector3d::UnitY();
+  return {turn.conjugate() * Vector3d::UnitX(), turn.conjugate() * y};
 }
 
 double size(const Vector3d& v) { return v.norm(); }

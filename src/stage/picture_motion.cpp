@@ -25,7 +25,7 @@ Matrix3d standingBody(const scene::Scene& scene) {
   const Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
   const int axis = scene::spinAxis(omega_P);
   const Vector3d spin_B = scene.body.axes.toB((omega_P[axis] < 0 ? -1 : 1) * Vector3d::Unit(axis));
-  return Quaterniond::FromTwoVectors(spin_B, scene::directionOfL(scene)).toRotationMatrix();
+  return physics::turnOntoVertical(spin_B, scene::verticalOfL(scene)).toRotationMatrix();
 }
 
 // V's z is up or down L as the scene has it; at time 0 the body's axis k lies in V's half plane of y and z.
@@ -33,7 +33,8 @@ Precession precessionOf(const scene::Scene& scene, const physics::Motion& motion
   const physics::RigidBodyState start = motion.at(0);
   const auto cones = physics::precessionCones(motion.axes().moments(), motion.axes().toP(start.omega_B));
   POINSOT_EXPECT(cones);  // a scene with another body has no such view
-  const Vector3d along_W = start.L_W.normalized(), up_W = scene::directionOfL(scene).z() * along_W;
+  const bool down = scene::verticalOfL(scene) == physics::Vertical::kDown;
+  const Vector3d along_W = start.L_W.normalized(), up_W = down ? -along_W : along_W;
   const Vector3d k_W = start.q_WB * motion.axes().toB(cones->k_P);
   // Of a body that spins about k, any direction will do.
   const Vector3d across_W = cones->tilt_rad > 1e-12 ? k_W : Vector3d(up_W.unitOrthogonal());

@@ -113,6 +113,42 @@ TEST(Quantities, RatesAreTheDerivativesOfTheirAngles) {
     }
 }
 
+using LongVector = Eigen::Matrix<long double, 3, 1>;
+
+/// Rodrigues' formula for the shortest turn of the unit vector a onto b, applied to v. 1/(1 + c) is (1 - c)/n².
+LongVector turnedTheShortestWay(const LongVector& a, const LongVector& b, const LongVector& v) {
+  const LongVector n = a.cross(b);
+  const long double c = a.dot(b), factor = c > 0 ? 1 / (1 + c) : (1 - c) / n.squaredNorm();
+  return v + n.cross(v) + factor * n.cross(n.cross(v));
+}
+
+/// A state whose pole is L and whose third axis is perpendicular to it, with the line of nodes at phi from the
+/// meridian x of that pole.
+physics::RigidBodyState stateAt(long double phi, const LongVector& pole, const LongVector& x) {
+  const LongVector nodes = std::cos(phi) * x + std::sin(phi) * pole.cross(x);
+  Eigen::Matrix<long double, 3, 3> R;
+  R << nodes, pole, nodes.cross(pole);
+  physics::RigidBodyState s;
+  s.q_WB = Eigen::Quaternion<long double>(R).cast<double>();
+  s.L_W = pole.cast<double>();
+  return s;
+}
+
+// phi counts from the world's x turned with z onto the pole, or, within 1.4e-6 of -z, with -z onto the pole. The
+// oracle turns in 64-bit mantissas. Measured: 3.4e-16 rad.
+TEST(Quantities, PhiIsExactForAPoleNearTheDownwardVertical) {
+  const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 2, 3)), {}, Vector3d::UnitZ()};
+  for (const long double tilt : {0.0L, 1e-9L, 1e-7L, 1.3e-6L, 1.5e-6L, 1e-4L, 1.0L})
+    for (const long double side : {0.3L, 2.9L, 4.1L}) {
+      const LongVector pole(std::sin(tilt) * std::cos(side), std::sin(tilt) * std::sin(side), -std::cos(tilt));
+      const LongVector from = LongVector::UnitZ() * (tilt < 1.4e-6L ? -1 : 1);
+      const LongVector x = turnedTheShortestWay(from, pole, LongVector::UnitX());
+      for (const long double phi : {-2.5L, 0.4L, 1.1L})
+        EXPECT_NEAR(valueOf("phi", stateAt(phi, pole, x), basis), static_cast<double>(phi), 1e-15)
+            << static_cast<double>(tilt) << " " << static_cast<double>(side);
+    }
+}
+
 // The five masses of the lecture's eq (2) to (12) in flight, their sums by hand (PHYSICS, eq 1 to 10): 6 kg.
 TEST(Quantities, OfAThrownBody) {
   physics::RigidBodyState s;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics/level_attitude.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/double_double.h"
+#include "physics/rotor.h"
+
+namespace poinsot::physics {
+namespace {
+
+using DD = DoubleDouble;
+using Vector = std::array<DD, 3>;
+
+DD scaled(const DD& a, int exponent) { return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)}; }
+
+int exponentOf(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// The horizontal part of a vector as its length and direction; no square underflows.
+struct Horizontal {
+  explicit Horizontal(const DD& u, const DD& v) {
+    const int exponent = exponentOf(std::max(std::abs(u.hi), std::abs(v.hi)));
+    x = scaled(u, -exponent);
+    y = scaled(v, -exponent);
+    const DD norm = sqrt(x * x + y * y);
+    if (norm.hi == 0) return;
+    x /= norm;
+    y /= norm;
+    length = scaled(norm, exponent);
+  }
+
+  DD x, y, length;
+};
+
+Eigen::Quaterniond turnOnto(const Vector& d, Vertical vertical) {
+  const double v = vertical == Vertical::kUp ? 1 : -1;
+  const int exponent = exponentOf(std::max({std::abs(d[0].hi), std::abs(d[1].hi), std::abs(d[2].hi)}));
+  if (d[0].hi == 0 && d[1].hi == 0 && d[2].hi == 0) return Eigen::Quaterniond::Identity();
+  const Horizontal across(scaled(d[0], -exponent), scaled(d[1], -exponent));
+  const DD c = scaled(d[2], -exponent) * DD(v), norm = sqrt(across.length * across.length + c * c);
+  const bool near = !(c < DD(0));
+  // The axis d × v, as a direction; of a direction exactly opposite, that of one that leans towards +y.
+  const bool opposite = across.length.hi == 0;
+  const DD x = opposite ? DD(v) : DD(v) * across.y, y = opposite ? DD(0) : DD(-v) * across.x;
+  const DD w = near ? norm + c : across.length / (norm - c), sine = near ? across.length : DD(1);
+  const Rotor<double> q = toDouble(normalized(Rotor<DD>{w, x * sine, y * sine, DD(0)}));
+  return {q.w, q.x, q.y, q.z};
+}
+
+Rotor<DD> unitRotor(const Eigen::Quaterniond& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }
+
+}  // namespace
+
+Eigen::Quaterniond turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical) {
+  return turnOnto({DD(direction[0]), DD(direction[1]), DD(direction[2])}, vertical);
+}
+
+Eigen::Quaterniond levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical) {
+  // Powers of two are taken out of both, so that no product overflows, whatever the units.
+  const Eigen::Vector3d omega_P = axes.toP(omega_B);
+  const int rateExponent = exponentOf(omega_P.cwiseAbs().maxCoeff());
+  const int momentExponent = exponentOf(axes.moments().values().maxCoeff());
+  Vector L;
+  for (int i = 0; i < 3; ++i)
+    L[static_cast<std::size_t>(i)] =
+        twoProduct(std::ldexp(axes.moments()[i], -momentExponent), std::ldexp(omega_P[i], -rateExponent));
+  return turnOnto(axes.aligned() ? L : rotated(unitRotor(axes.q_BP()), L), vertical);
+}
+
+}  // namespace poinsot::physics
