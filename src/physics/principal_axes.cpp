@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -24,6 +25,14 @@ Eigen::Vector3d rotatedBy(const Eigen::Quaterniond& q, double sense, const Eigen
   const auto r =
       rotated(Rotor<double>{q.w(), sense * q.x(), sense * q.y(), sense * q.z()}, std::array{v[0], v[1], v[2]});
   return {r[0], r[1], r[2]};
+}
+
+/// Sets components to 0 that are no more than the rounding of a turn there and back: 5.4 units in the last place
+/// of the largest in 2e7 random turns, so 8. A spin along a principal axis is then steady, which the middle axis
+/// would turn into a flip.
+Eigen::Vector3d withoutRounding(const Eigen::Vector3d& v) {
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * v.cwiseAbs().maxCoeff();
+  return v.unaryExpr([&](double component) { return std::abs(component) <= rounding ? 0.0 : component; });
 }
 
 Eigen::Quaterniond toQuaternion(const Rotor<DoubleDouble>& rotor) {
@@ -156,7 +165,7 @@ PrincipalAxes::PrincipalAxes(const PrincipalMoments& moments, const Eigen::Quate
 PrincipalAxes::PrincipalAxes(const Eigen::Matrix3d& inertia_B) : PrincipalAxes(axesOf(inertia_B)) {}
 
 Eigen::Vector3d PrincipalAxes::toP(const Eigen::Vector3d& v_B) const {
-  return aligned_ ? v_B : rotatedBy(q_BP_, -1, v_B);
+  return aligned_ ? v_B : withoutRounding(rotatedBy(q_BP_, -1, v_B));
 }
 
 Eigen::Vector3d PrincipalAxes::toB(const Eigen::Vector3d& v_P) const {

@@ -29,6 +29,8 @@ class PrincipalAxes {
   const Eigen::Quaterniond& q_BP() const { return q_BP_; }
   bool aligned() const { return aligned_; }  ///< B is P
 
+  /// Components of v_B along the principal axes. If B is not P, those within the rounding of the turn are 0 (8
+  /// units in the last place of the largest).
   Eigen::Vector3d toP(const Eigen::Vector3d& v_B) const;
   Eigen::Vector3d toB(const Eigen::Vector3d& v_P) const;
 
