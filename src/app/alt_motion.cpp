@@ -45,14 +45,22 @@ std::string constancyOfL(const scene::Scene& scene) {
       falls ? " about that point" : "", numberWords(L), whereLPoints(scene));
 }
 
+/// Says also that a spin about the middle axis does not last: no real start is exact.
 std::string steadySentence(const scene::Scene& scene) {
-  return fmt::format("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
+  const std::string text =
+      fmt::format("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
+  const auto found = physics::spinStability(scene.body.axes.moments(), omega_P(scene));
+  if (found.kind != physics::Stability::kUnstable) return text;
+  return text + fmt::format(
+                    " But this spin, about the middle axis {}, is unstable: the smallest disturbance grows "
+                    "by a factor of e every {}, until the body flips.",
+                    axisName(scene::spinAxis(omega_P(scene))), timeWords(1 / found.rate));
 }
 
 Sentences symmetricSentences(const scene::Scene& scene, const physics::PrecessionCones& cones) {
   const std::string k = axisName(cones.axis);
-  if (cones.sense == physics::RollingSense::kNone || cones.tilt_rad < kLeastTilt_rad)
-    return {steadySentence(scene)};
+  const double across_rad = std::numbers::pi / 2 - cones.tilt_rad;
+  if (cones.steady() || std::min(cones.tilt_rad, across_rad) < kLeastTilt_rad) return {steadySentence(scene)};
   Sentences sentences{
       fmt::format("It turns at {}, with a wobble: the symmetry axis {} leans from L by {} and goes "
                   "round L once in {}, and so does ω, which makes {} with the axis.",

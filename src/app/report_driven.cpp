@@ -53,12 +53,17 @@ void addIntegration(Section& section, const physics::DrivenMotionReport& report)
     section.add("energy_drift", "drift of the total energy", *report.energyDrift, "", "relative, over the run");
 }
 
-void addCondition(Section& section, const physics::RunCondition& condition) {
-  section.add("turns", "turns from 0 to the end", condition.turns, "", "");
+/// Facts about the end of the film that is farther from time 0, where the start is given.
+void addCondition(Section& section, const scene::Scene& scene, const ReportSpan& span) {
+  const bool first = std::abs(span.from_s) > std::abs(span.to_s);
+  const std::string end = first ? "the first frame" : "the end";
+  const auto condition =
+      physics::runCondition(scene.body.axes, scene.motion.omega_B, std::abs(first ? span.from_s : span.to_s));
+  section.add("turns", "turns from time 0 to " + end, condition.turns, "", "|omega| t/(2 pi), omega at time 0");
   section.add("flips", "half periods of the polhode till then", condition.flips, "", "");
-  section.add("end_uncertainty", "attitude uncertain at the end by", condition.attitude_rad, "rad",
+  section.add("end_uncertainty", "attitude uncertain there by", condition.attitude_rad, "rad",
               "if the input is rounded");
-  section.add("meaningful_digits", "meaningful digits at the end", condition.digits, "", "");
+  section.add("meaningful_digits", "meaningful digits there", condition.digits, "", "");
 }
 
 }  // namespace
@@ -101,8 +106,7 @@ Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
   section.add("pace", "seconds of motion to a second of film", scene::chosenSpeed(scene), "",
               scene.time.speed ? "time.speed" : "chosen from |omega|");
   if (scene.motion.forcing.none()) {
-    const double farthest_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
-    addCondition(section, physics::runCondition(scene.body.axes, scene.motion.omega_B, farthest_s));
+    addCondition(section, scene, span);
     return section;
   }
   const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);

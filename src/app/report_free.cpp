@@ -13,6 +13,8 @@
 namespace poinsot::app {
 namespace {
 
+using physics::PrecessionCones;
+
 constexpr int kLongestClosure = 1000;       // radial periods
 constexpr double kClosureTolerance = 1e-9;  // rad: a hundredth of a pixel on a circle of a million
 
@@ -36,10 +38,14 @@ std::string regimeWord(physics::PolhodeRegime regime) {
   return "";
 }
 
-std::string inWords(physics::PolhodeRegime regime) {
+std::string steadyWords(physics::Stability kind) {
+  return kind == physics::Stability::kUnstable ? "steady, but unstable: the middle axis" : "steady: omega stays";
+}
+
+std::string inWords(physics::PolhodeRegime regime, const scene::Scene& scene) {
   switch (regime) {
     case physics::PolhodeRegime::kSteady:
-      return "steady: omega stays";
+      return steadyWords(physics::spinStability(scene.body.axes.moments(), omega_P(scene)).kind);
     case physics::PolhodeRegime::kAboutLargest:
       return "round the axis of largest moment";
     case physics::PolhodeRegime::kAboutSmallest:
@@ -48,6 +54,10 @@ std::string inWords(physics::PolhodeRegime regime) {
       return "on the separatrix, to the middle axis";
   }
   return "";
+}
+
+std::optional<PrecessionCones> conesOf(const scene::Scene& scene) {
+  return physics::precessionCones(scene.body.axes.moments(), omega_P(scene));
 }
 
 void addEllipsoids(Section& section, const scene::Scene& scene) {
@@ -61,22 +71,36 @@ void addEllipsoids(Section& section, const scene::Scene& scene) {
               "Binet");
 }
 
-void addPolhode(Section& section, const scene::Scene& scene) {
-  const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
-  section.add("regime", "polhode", regimeWord(polhode.regime()), "", "L^2 to 2 T I_mid").inWords =
-      inWords(polhode.regime());
-  if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
-  section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
-  const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
-  section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
-  section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
+/// Facts about the axis of middle moment, which a symmetric top does not have.
+void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
   section.add("flip_interval", flips.turnsOver ? "time from flip to flip 2K/lambda" : "half a period 2K/lambda",
               flips.interval_s, "s", "omega_mid changes sign");
-  section.add("body_flips", "flips, about the middle axis", flips.turnsOver, "", "L within 20 deg of it");
   section.add("least_angle_to_middle", "least angle between L and the middle axis", flips.nearestToMiddle_rad,
               "rad", "");
   section.add("largest_tilt", "largest angle between L and the axis circled",
               std::numbers::pi / 2 - flips.nearestToMiddle_rad, "rad", "");
+}
+
+void addPolhode(Section& section, const scene::Scene& scene) {
+  const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
+  section.add("regime", "polhode", regimeWord(polhode.regime()), "", "L^2 - 2 T I_mid: its sign").inWords =
+      inWords(polhode.regime(), scene);
+  if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
+  section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
+  if (polhode.period() > physics::kSolarDay_s && std::isfinite(polhode.period()))
+    section.add("polhode_period_days", "  in days", polhode.period() / physics::kSolarDay_s, "d", "86 400 s each");
+  const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
+  section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
+  section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
+  section.add("body_flips", "flips, about the middle axis", flips.turnsOver, "", "L within 20 deg of it");
+  if (!conesOf(scene)) addMiddleAxis(section, flips);
+}
+
+/// A symmetric top's herpolhode: a circle, closed after one turn of omega about L.
+void addCircle(Section& section, const PrecessionCones& cones) {
+  section.add("herpolhode_closes", "the herpolhode closes", true, "", "a circle");
+  section.add("closure_turns", "  in turns about L", 1, "", "");
+  section.add("closure_time", "  that is", 2 * std::numbers::pi / cones.precessionRate, "s", "2 pi I1/L");
 }
 
 void addHerpolhode(Section& section, const scene::Scene& scene) {
@@ -84,6 +108,7 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   if (curve.regime() == physics::PolhodeRegime::kSteady) return;
   section.add("herpolhode_smallest_radius", "least radius of the herpolhode", curve.smallestRadius(), "rad/s", "");
   section.add("herpolhode_largest_radius", "largest radius of the herpolhode", curve.largestRadius(), "rad/s", "");
+  if (const auto cones = conesOf(scene)) return addCircle(section, *cones);
   section.add("radial_period", "from a largest radius to the next", curve.radialPeriod(), "s",
               "half the polhode's");
   section.add("angle_per_radial_period", "angle about L in that time", curve.anglePerRadialPeriod(), "rad", "");
@@ -95,16 +120,25 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
 }
 
-/// A wobble of days is a planet's, and is told in days.
-void addChandler(Section& section, double period_s) {
-  if (!(period_s > physics::kSolarDay_s) || !std::isfinite(period_s)) return;
-  section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
-              "eq 29");
-  section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
-              "sidereal d", "the real Earth, not rigid: 433 d");
+/// True of a top with the Earth's flattening and spin, whatever the unit of its moments: each within what
+/// separates one rigid model of the Earth from another (I3/I1 - 1 from 1/306 to 0.0033).
+bool isEarth(const PrecessionCones& cones) {
+  constexpr double kEllipticity = 0.0032845, kSpin = 7.292115e-5;  // (C - A)/A and rad/s; IERS Conventions (2010)
+  const double ellipticity = cones.bodyRate / cones.spinRate;      // eq 29
+  return std::abs(ellipticity / kEllipticity - 1) < 0.02 && std::abs(cones.spinRate / kSpin - 1) < 0.01;
 }
 
-std::string senseWord(physics::RollingSense sense) {
+void addChandler(Section& section, const PrecessionCones& cones) {
+  const double period_s = cones.wobblePeriod();
+  section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
+              "eq 29; observed, not rigid: 433 d");
+  section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
+              "sidereal d", "");
+}
+
+/// A steady spin rolls no cone.
+std::string senseWord(const PrecessionCones& cones) {
+  const physics::RollingSense sense = cones.steady() ? physics::RollingSense::kNone : cones.sense;
   if (sense == physics::RollingSense::kOutside) return "outside";
   return sense == physics::RollingSense::kInside ? "inside" : "none";
 }
@@ -133,23 +167,20 @@ Section constructionSection(const scene::Scene& scene) {
 Section symmetricSection(const scene::Scene& scene) {
   Section section{"Symmetric top (k: its axis)", {}};
   if (!turnsFreely(scene)) return section;
-  const auto cones = physics::precessionCones(scene.body.axes.moments(), omega_P(scene));
-  if (!cones) {
-    addChandler(section, physics::Polhode(scene.body.axes.moments(), omega_P(scene)).period());
-    return section;
-  }
-  section.add("symmetry_axis_B", "symmetry axis k, in B", scene.body.axes.toB(cones->k_P), "", "");
+  const auto cones = conesOf(scene);
+  if (!cones) return section;
+  section.add("symmetry_axis_B", "symmetry axis k, in B", scene.body.axes.toB(cones->k_P), "",
+              "the end with omega_3 >= 0");
   section.add("tilt", "angle theta between k and L", cones->tilt_rad, "rad", "eq 20");
   section.add("body_cone_half_angle", "body cone, half-angle (omega, k)", cones->bodyCone_rad, "rad", "eq 30");
   section.add("space_cone_half_angle", "space cone, half-angle (omega, L)", cones->spaceCone_rad, "rad", "eq 35");
-  section.add("rolling", "the body cone rolls on the other's", senseWord(cones->sense), "",
-              "prolate out, oblate in");
+  section.add("rolling", "the body cone rolls on the other's", senseWord(*cones), "", "prolate out, oblate in");
   section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
-  section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26");
+  section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; >= 0 by the choice of k");
   section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");
   section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21");
   section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29");
-  addChandler(section, cones->wobblePeriod());
+  if (isEarth(*cones)) addChandler(section, *cones);
   return section;
 }
 

@@ -21,7 +21,8 @@ Section startSection(const scene::Scene& scene);
 Section flightSection(const scene::Scene& scene);
 /// Poinsot's construction, polhode, herpolhode, flips (eq 38 to 40): free motion.
 Section constructionSection(const scene::Scene& scene);
-/// Cones and rates of a free symmetric top (eq 19 to 37), Chandler's period.
+/// Cones and rates of a free symmetric top (eq 19 to 37); Chandler's period of one with the Earth's shape and
+/// spin.
 Section symmetricSection(const scene::Scene& scene);
 /// Whether a spin about each axis at the present rate is stable (eq 24 to 26).
 Section stabilitySection(const scene::Scene& scene);

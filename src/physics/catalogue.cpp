@@ -137,10 +137,11 @@ CatalogueBody earth() {
       PrincipalMoments({A, A, C}),
       "Published: polar moment C = 8.0365e37 kg·m² (E. Groten, J. Geodesy 77 (2004) 724); dynamical flattening "
       "H = (C - A)/C = 0.003273795, GM, G, equatorial radius and flattening of the IERS Conventions (2010), table "
-      "1.1. Computed: A = C (1 - H), mass GM/G. Assumed: rigid and symmetric; B - A = 7.26e-6 M R² (Liu & Chao, "
-      "Geophys. J. Int. 106 (1991) 699) is left out, and so are oceans, core and elasticity, which make the "
-      "observed "
-      "Chandler period longer."};
+      "1.1. Computed: A = C (1 - H), the mean of the two equatorial moments; mass GM/G. Assumed: rigid and "
+      "symmetric; B - A = 7.26e-6 M R² (Liu & Chao, Geophys. J. Int. 106 (1991) 699) is left out. So this Earth "
+      "wobbles in A/(C - A) = 304.46 sidereal days. The real one takes 433 days: its fluid core shortens the "
+      "period, its elasticity and its oceans lengthen it by more (Smith & Dahlen, Geophys. J. R. astr. Soc. 64 "
+      "(1981) 223)."};
 }
 
 CatalogueBody toutatis() {

@@ -50,6 +50,9 @@ struct PrecessionCones {
   /// spin across k.
   double wobblePeriod() const;
 
+  /// True if omega stands still along L: a spin along k or across it, or any spin of a sphere.
+  bool steady() const { return tilt_rad == 0 || bodyRate == 0; }
+
   /// Both vectors in one frame, whichever; k as above.
   AngularVelocityParts parts(const Eigen::Vector3d& omega, const Eigen::Vector3d& k) const {
     return {omega + bodyRate * k, -bodyRate * k};

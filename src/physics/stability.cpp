@@ -19,6 +19,12 @@ SpinStability spinStability(const PrincipalMoments& moments, int axis, double sp
   return {stiffness > 0 ? Stability::kStable : Stability::kUnstable, rate};
 }
 
+SpinStability spinStability(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  int axis = 0;
+  omega_P.cwiseAbs().maxCoeff(&axis);
+  return spinStability(moments, axis, omega_P[axis]);
+}
+
 namespace {
 
 constexpr double kTangentOfFlip = 0.36397023426620234;  // tan 20 deg, see FlipTimes::turnsOver
@@ -49,9 +55,7 @@ double flipInterval(const PrincipalMoments& moments, const Eigen::Vector3d& m_P)
   const Eigen::Vector3d omega_P = m_P.cwiseQuotient(moments.values());
   const double interval_s = flipTimes(moments, omega_P).interval_s;
   if (interval_s > 0) return interval_s;
-  int axis = 0;
-  m_P.cwiseAbs().maxCoeff(&axis);
-  const SpinStability spin = spinStability(moments, axis, omega_P[axis]);
+  const SpinStability spin = spinStability(moments, omega_P);
   POINSOT_EXPECT(spin.kind != Stability::kNeutral);
   return spin.kind == Stability::kStable ? std::numbers::pi / spin.rate : std::numeric_limits<double>::infinity();
 }

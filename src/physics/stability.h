@@ -27,6 +27,9 @@ struct SpinStability {
 /// motion in tests/physics/stability_test.cpp. spin in rad/s, either sign. @pre axis is 0, 1 or 2.
 SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin);
 
+/// The same for a steady spin omega_P, rad/s, about the principal axis that it is along.
+SpinStability spinStability(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
+
 /// Flips of a body that spins about its middle axis (tennis racket, T-handle): omega_2 changes sign once in each
 /// half period of the polhode. It does so too where the body only wobbles about another axis: see turnsOver.
 struct FlipTimes {
