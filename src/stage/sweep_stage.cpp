@@ -76,7 +76,7 @@ FilmRanges rangesOf(const scene::Scene& cell, const std::shared_ptr<const physic
 
 /// For numbers of the same digits; for any where the smallest would have too few of them left.
 QuantityRange commonDigits(const std::vector<QuantityRange>& ofCells) {
-  constexpr double kMostUnlike = 10;
+  constexpr double kMostUnlike = 10 * (1 + 1e-9);  // ten times, whatever the rounding
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   QuantityRange all{kInfinity, -kInfinity, 0};
   double least = kInfinity;
