@@ -92,8 +92,10 @@ void addPolhode(Section& section, const scene::Scene& scene) {
   const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
   section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
   section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
-  section.add("body_flips", "flips, about the middle axis", flips.turnsOver, "", "L within 20 deg of it");
-  if (!conesOf(scene)) addMiddleAxis(section, flips);
+  const bool symmetric = conesOf(scene).has_value();
+  section.add("body_flips", "the body flips", flips.turnsOver, "",
+              symmetric ? "two moments are equal" : "L within 20 deg of the middle axis");
+  if (!symmetric) addMiddleAxis(section, flips);
 }
 
 /// A symmetric top's herpolhode: a circle, closed after one turn of omega about L.
