@@ -6,7 +6,7 @@ set(POINSOT_PUBLIC_HEADERS
   physics/binet.h physics/catalogue.h physics/composition.h physics/driven_motion.h physics/flight.h
   physics/forcing.h physics/free_motion.h physics/heavy_top.h physics/herpolhode.h physics/inertia_tensor.h
   physics/mass_properties.h physics/particle_system.h physics/poinsot_construction.h physics/polhode.h
-  physics/precession_cones.h physics/principal_axes.h physics/run_condition.h physics/solid.h physics/stability.h
+  physics/possible_inertia.h physics/precession_cones.h physics/principal_axes.h physics/run_condition.h physics/solid.h physics/stability.h
   physics/start.h
   geometry/mesh.h geometry/mesh_file.h geometry/mesh_integrals.h geometry/primitives.h
   image/difference.h image/flip.h image/image.h image/magma.h image/near_rule.h image/png_file.h
