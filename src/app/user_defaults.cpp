@@ -39,7 +39,7 @@ void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
   }
   if (!unit || !scene::parseQuantity("1 " + *unit, *dimension).ok())
     return problems.add(entry.value.place, fmt::format("units.{}: expected a unit such as {}, got {}", entry.key,
-                                                       scene::usualUnits(*dimension), describe(entry.value)));
+                                                       scene::someUnits(*dimension), describe(entry.value)));
   units[*dimension] = *unit;
 }
 

@@ -25,7 +25,7 @@ std::string textOf(const scene::Explanation& explanation) {
   const std::size_t indent = kMargin + widest + 2;
   for (const auto& row : explanation.rows) {
     std::string name = fmt::format("{}{:<{}}  ", margin, row.name, widest);
-    if (name.size() > indent) name += '\n' + std::string(indent, ' ');
+    if (row.name.size() > kWidestName) name += '\n' + std::string(indent, ' ');
     text += name + wrapped(row.text, kColumns, indent, indent) + '\n';
   }
   return text;
@@ -48,12 +48,13 @@ void addExplain(CLI::App& program, Action& chosen) {
       program.add_subcommand("explain", "say what a key of a scene means: unit, range, default, an example");
   command->add_option(
       "NAME", *words,
-      "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue or a quantity; "
-      "all tables where none is named");
+      "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue, a quantity or a unit; "
+      "units for the list of all units; all tables where none is named");
   command->footer(
       "Examples:\n"
       "  poinsot explain camera\n"
-      "  poinsot explain time.speed racket");
+      "  poinsot explain time.speed racket\n"
+      "  poinsot explain units");
   command->callback([words, &chosen] {
     chosen = [words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); };
   });

@@ -92,8 +92,8 @@ class Checker {
 
   std::string elementText() const {
     if (key_.dimension == Dimension::kNone) return "a number";
-    return fmt::format("{} (a number in {}, or text with a unit: {})", quantityName(key_.dimension),
-                       siUnit(key_.dimension), usualUnits(key_.dimension));
+    return fmt::format("{}, a number in {} or text with a unit such as {}", quantityName(key_.dimension),
+                       siUnit(key_.dimension), someUnits(key_.dimension));
   }
 
   std::optional<double> finite(const Node& node) {

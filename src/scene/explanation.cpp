@@ -36,7 +36,7 @@ Explanation ofKey(const Key& key) {
   Explanation explanation{key.path, std::string(key.help), {{"takes", takes(key)}}};
   if (key.dimension != Dimension::kNone)
     explanation.rows.push_back(
-        {"units", fmt::format("{}; a bare number is in {}", usualUnits(key.dimension), siUnit(key.dimension))});
+        {"units", fmt::format("{}; a bare number is in {}", someUnits(key.dimension), siUnit(key.dimension))});
   explanation.rows.push_back({"default", key.fallback.empty() ? "none" : std::string(key.fallback)});
   const std::string_view table = tableOf(key.path);
   explanation.rows.push_back(
@@ -140,18 +140,32 @@ Explanations ofUnit(std::string_view word) {
     if (const Quantity one = parseQuantity(fmt::format("1 {}", word), dimension); one.ok())
       found.push_back({fmt::format("{}, a unit of {}", core::printable(word), pluralName(dimension)),
                        fmt::format("1 {} is {:.15g} {}.", core::printable(word), one.value, siUnit(dimension)),
-                       {{"units", std::string(usualUnits(dimension))}}});
+                       {{"units", someUnits(dimension)}}});
+  // Forces are no dimension of a key: only their products are.
+  if (const std::string value = unitValue(word); found.empty() && !value.empty())
+    found.push_back({fmt::format("{}, a unit", word), fmt::format("1 {} is {}.", word, value), {}});
   return found;
 }
 
-Explanation ofAllUnits() {
+Explanation ofQuantities() {
   Explanation explanation{"units",
                           "What numbers with a unit are written in, such as \"3 rpm\"; also products of "
-                          "powers of these, such as \"g/cm^3\". A bare number is in the first.",
+                          "powers of the names below, such as \"g/cm^3\". A bare number is in the first.",
                           {}};
   for (const Dimension dimension : dimensions())
     explanation.rows.push_back(
         {std::string(pluralName(dimension)), fmt::format("{}: {}", siUnit(dimension), usualUnits(dimension))});
+  return explanation;
+}
+
+Explanation ofUnitNames() {
+  Explanation explanation{"names of units", std::string(unitRules()), {}};
+  for (const UnitText& unit : unitTexts()) {
+    std::string text = unit.value;
+    if (!unit.prefixed.empty()) text += fmt::format("; with a prefix {}", unit.prefixed);
+    if (!unit.also.empty()) text += fmt::format("; also {}", unit.also);
+    explanation.rows.push_back({unit.symbol, std::move(text)});
+  }
   return explanation;
 }
 
@@ -187,7 +201,7 @@ std::vector<Explanation> explain(std::string_view word) {
     std::ranges::move(ofName(word), std::back_inserter(found));
     std::ranges::move(ofWord(word), std::back_inserter(found));
     if (found.empty()) found = ofValue(word);
-    if (word == "units") found = {ofAllUnits()};
+    if (word == "units") found = {ofQuantities(), ofUnitNames()};
   } else if (found.empty() && nameOf(word) == "color") {
     found = {ofTable("style.colors")};  // which has them all: body.color, body.part.color
   }

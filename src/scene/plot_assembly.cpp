@@ -58,7 +58,7 @@ void checkUnit(const std::string& unit, int quantity, const std::string& path, F
     return findings.refuse(path, fmt::format("\"{}\" is a bare number and has no unit; leave it out", q.name));
   if (!parseQuantity("1 " + unit, dimension).ok())
     findings.refuse(path, fmt::format("expected a unit of {}, such as {}, got \"{}\"", quantityName(dimension),
-                                      usualUnits(dimension), core::printable(unit)));
+                                      someUnits(dimension), core::printable(unit)));
 }
 
 void checkPortrait(const Plot& plot, const std::string& path, Findings& findings) {

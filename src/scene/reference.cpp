@@ -40,14 +40,26 @@ Schema of the format for editors.
 constexpr std::string_view kUnitsOpening = R"(## Numbers and units
 
 A bare number is in SI units: metres, kilograms, seconds, radians, and their products. Text gives a number another unit:
-`"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`, `"2.5e4 g cm^2"`. Any product of powers of the units below is
-understood (`"3 deg/min"`, `"1 kg*cm^2"`); a `/` divides by the one unit after it (`"2 1/min"`). A plain number may be a
-percentage (`"13 %"`). One `Hz`, or one `rps`, is one turn a second. Names in full are read, too, of one
-and of many: `"190 grams"`, `"1 degree"`, also metre (meter), inch, foot, kilogram, pound, second, minute, hour, day,
-year, radian, turn.
+`"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`, `"2.5e4 g cm^2"`, `"0.2 slug-ft2"`. Any product of powers of the names in
+the second table is understood (`"3 deg/min"`, `"1 kg*cm^2"`, `"2 1/min"`). A plain number may be a percentage
+(`"13 %"`). One `Hz`, or one `rps`, is one turn a second. `poinsot explain units` prints these tables, and `poinsot
+explain slug` one unit.
 
-| quantity | SI | units |
+| quantity | SI | units, for example |
 | --- | --- | --- |
+)";
+
+constexpr std::string_view kNamesOpening = R"(
+These are all names that a product may contain. {}
+
+| unit | is | with a prefix | also written |
+| --- | --- | --- | --- |
+)";
+
+constexpr std::string_view kNamesClosing = R"(
+Inch, foot, pound and ounce are exact (1959); lbf is lb times 9.80665 m/s², and slug is lbf s²/ft, so that 1 slug ft² is
+1.3558179483314004 kg m². `u` is that of CODATA 2022. A year has 365.25 days.
+
 )";
 
 // In a table a bar would end the cell.
@@ -63,7 +75,10 @@ std::string units() {
   std::string text(kUnitsOpening);
   for (const Dimension dimension : dimensions())
     text += fmt::format("| {} | {} | {} |\n", quantityName(dimension), siUnit(dimension), usualUnits(dimension));
-  return text + "\n";
+  text += fmt::format(fmt::runtime(kNamesOpening), unitRules());
+  for (const UnitText& unit : unitTexts())
+    text += fmt::format("| `{}` | {} | {} | {} |\n", unit.symbol, unit.value, unit.prefixed, unit.also);
+  return text + std::string(kNamesClosing);
 }
 
 std::string defaultOf(const Key& key) {

@@ -68,7 +68,7 @@ constexpr const char* kFrameRatePattern = R"(^(0*[1-9][0-9]{0,2}(\.[0-9]{1,9})?|
 
 /// Text with a unit: the pattern holds the number and the dimension, the program checks the range.
 Json quantity(const Key& key) {
-  const std::string units = fmt::format("number and unit: {}", usualUnits(key.dimension));
+  const std::string units = fmt::format("number and unit: {}", someUnits(key.dimension));
   return {{"type", "string"},
           {"description", units},
           {"pattern", fmt::format("^ *{} *{} *$", kNumberPattern, unitPattern(key.dimension))}};

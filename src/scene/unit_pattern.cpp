@@ -2,31 +2,61 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <initializer_list>
+#include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <vector>
 
-#include "scene/unit_table.h"
+#include "scene/unit_names.h"
 
 namespace poinsot::scene {
 namespace {
 
-/// "(m|km|cm)": the named units with these exponents.
-std::string namesPattern(const Exponents& exponents) {
-  std::string names;
-  for (const NamedUnit& known : kUnits)
-    if (known.unit.exponents == exponents) names += (names.empty() ? "" : "|") + std::string(known.name);
-  return "(" + names + ")";
+std::string either(const std::vector<std::string>& patterns) {
+  return fmt::format("({})", fmt::join(patterns, "|"));
 }
 
-constexpr const char* kTimes = R"(( +| *(\*|·) *))";
+std::vector<std::string> eachOf(std::string_view words) {
+  const auto parts = wordsIn(words);
+  return {parts.begin(), parts.end()};
+}
+
+/// "(k|c|m)?"; empty where the row takes no prefix.
+std::string optionalPrefix(const UnitRow& row, std::string_view Prefix::*spelling) {
+  std::vector<std::string> prefixes;
+  for (const Prefix& prefix : prefixesOf(row))
+    std::ranges::copy(eachOf(prefix.*spelling), std::back_inserter(prefixes));
+  return prefixes.empty() ? "" : either(prefixes) + "?";
+}
+
+/// All spellings of a row: "(k|c|m)?m|(kilo|centi|milli)?(metre|meter)s?".
+std::vector<std::string> rowPatterns(const UnitRow& row) {
+  std::vector<std::string> patterns = eachOf(row.symbols);
+  patterns.front() = optionalPrefix(row, &Prefix::symbols) + patterns.front();
+  if (!row.nouns.empty())
+    patterns.push_back(fmt::format("{}{}s?", optionalPrefix(row, &Prefix::name), either(eachOf(row.nouns))));
+  return patterns;
+}
+
+/// The named units with these exponents.
+std::string namesPattern(const Exponents& exponents) {
+  std::vector<std::string> patterns;
+  for (const UnitRow& row : kUnits)
+    if (row.unit.exponents == exponents) std::ranges::copy(rowPatterns(row), std::back_inserter(patterns));
+  return either(patterns);
+}
+
+constexpr const char* kTimes = R"(( +| *(\*|·|⋅|×|\.|-) *))";
 
 constexpr const char* kOver = "( */ *)";
 
-/// A unit to a power: "(m|cm)(\^?2|²)".
+/// A unit to a power: "(m|cm)((\^|\*\*)?2|²)".
 std::string power(const std::string& names, int exponent) {
   if (exponent == 1) return names;
-  const std::string superscript = exponent == 2 ? "|²" : exponent == 3 ? "|³" : "";
-  return fmt::format(R"({}(\^{}{}{}))", names, exponent > 0 ? "?" : "", exponent, superscript);
+  constexpr std::string_view kSuperscripts[] = {"¹", "²", "³", "⁴"};
+  const auto size = static_cast<std::size_t>(std::abs(exponent));
+  return fmt::format(R"({}((\^|\*\*)?{}|{}{}))", names, exponent, exponent < 0 ? "⁻" : "",
+                     kSuperscripts[size - 1]);
 }
 
 /// Both in either order.
@@ -34,29 +64,36 @@ std::string product(const std::string& a, const std::string& b) {
   return fmt::format("({}{}{}|{}{}{})", a, kTimes, b, b, kTimes, a);
 }
 
-std::string either(std::initializer_list<std::string> patterns) {
-  return fmt::format("({})", fmt::join(patterns, "|"));
-}
-
 /// a/b or a times b to the power -1 (for b squared: -2).
 std::string quotient(const std::string& a, const std::string& b, int exponent = 1) {
   return fmt::format("({}({}{}|{}{}))", a, kOver, power(b, exponent), kTimes, power(b, -exponent));
 }
 
-std::string momentPattern() {
+std::string massSquarePattern() {
   const std::string length = namesPattern(kL);
   const std::string square = fmt::format("({}|{}{}{})", power(length, 2), length, kTimes, length);
   return product(namesPattern(kM), square);
 }
 
+/// "J", "N m", "in lbf".
+std::string shortWorkPattern() {
+  return either({namesPattern(kWork), product(namesPattern(kForce), namesPattern(kL))});
+}
+
 std::string workPattern() {
-  return either({namesPattern(kWork), product(namesPattern(kForce), namesPattern(kL)),
-                 quotient(momentPattern(), namesPattern(kT), 2)});
+  return either({shortWorkPattern(), quotient(massSquarePattern(), namesPattern(kT), 2)});
+}
+
+/// "kg m^2", "lbf in s^2", "lbf s^2 in".
+std::string momentPattern() {
+  const std::string square = power(namesPattern(kT), 2);
+  return either({massSquarePattern(), shortWorkPattern() + kTimes + square,
+                 namesPattern(kForce) + kTimes + square + kTimes + namesPattern(kL)});
 }
 
 std::string momentumPattern() {
   const std::string time = namesPattern(kT);
-  return either({quotient(momentPattern(), time), workPattern() + kTimes + time});
+  return either({namesPattern(kAction), quotient(massSquarePattern(), time), workPattern() + kTimes + time});
 }
 
 std::string ratePattern() {
@@ -80,7 +117,7 @@ std::string unitPattern(Dimension dimension) {
     case Dimension::kDensity:
       return quotient(namesPattern(kM), namesPattern(kL), 3);
     case Dimension::kVelocity:
-      return quotient(namesPattern(kL), namesPattern(kT));
+      return either({namesPattern(kSpeed), quotient(namesPattern(kL), namesPattern(kT))});
     case Dimension::kAcceleration:
       return quotient(namesPattern(kL), namesPattern(kT), 2);
     case Dimension::kTorque:

@@ -7,7 +7,8 @@
 
 #include "scene/units.h"
 
-/// The units and the dimensions that units.h knows.
+/// The one table of units and dimensions. The parser, the JSON schema, `poinsot explain units` and docs/scene.md
+/// are made from it.
 namespace poinsot::scene {
 
 // Exponents of length, mass, time and angle. The angle is a dimension here, so that "3 Hz" is a rotation rate and
@@ -19,89 +20,82 @@ struct Unit {
   Exponents exponents{};
 };
 
-struct NamedUnit {
-  std::string_view name;
+/// A prefix of the SI. Blanks separate the symbols; the first has one letter, by which UnitRow names the prefix.
+struct Prefix {
+  std::string_view symbols, name;
+  double factor;
+};
+
+// Micro has the micro sign (U+00B5) and the Greek letter (U+03BC).
+inline constexpr Prefix kPrefixes[] = {
+    {"T", "tera", 1e12}, {"G", "giga", 1e9},   {"M", "mega", 1e6},   {"k", "kilo", 1e3},
+    {"d", "deci", 1e-1}, {"c", "centi", 1e-2}, {"m", "milli", 1e-3}, {"u µ μ", "micro", 1e-6},
+    {"n", "nano", 1e-9}, {"p", "pico", 1e-12},
+};
+
+/// All spellings of one unit. Blanks separate the symbols and the nouns.
+struct UnitRow {
+  std::string_view symbols;  ///< The first one is printed, and takes the prefixes
+  std::string_view nouns;    ///< read also with an s at the end; take the prefixes' names
   Unit unit;
+  std::string_view prefixes{};  ///< first letters of the prefixes that are read
 };
 
 inline constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, kT{0, 0, 1, 0}, kA{0, 0, 0, 1},
-    kSpin{0, 0, -1, 1}, kForce{1, 1, -2, 0}, kWork{2, 1, -2, 0};
-inline constexpr double kTurn = 2 * std::numbers::pi;
+    kSpin{0, 0, -1, 1}, kForce{1, 1, -2, 0}, kWork{2, 1, -2, 0}, kMoment{2, 1, 0, 0}, kSpeed{1, 0, -1, 0},
+    kAction{2, 1, -1, 0};
+inline constexpr double kTurn = 2 * std::numbers::pi, kDegree = std::numbers::pi / 180;
 
-// Inch, foot, pound and ounce are exact by definition (1959); a day is 24 h and a year 365.25 days (IAU).
-inline constexpr NamedUnit kUnits[] = {
-    {"%", {0.01, kPlain}},
-    {"m", {1, kL}},
-    {"km", {1e3, kL}},
-    {"cm", {1e-2, kL}},
-    {"mm", {1e-3, kL}},
-    {"um", {1e-6, kL}},
-    {"µm", {1e-6, kL}},
-    {"in", {0.0254, kL}},
-    {"ft", {0.3048, kL}},
-    {"kg", {1, kM}},
-    {"g", {1e-3, kM}},
-    {"mg", {1e-6, kM}},
-    {"t", {1e3, kM}},
-    {"lb", {0.45359237, kM}},
-    {"oz", {0.028349523125, kM}},
-    {"s", {1, kT}},
-    {"ms", {1e-3, kT}},
-    {"us", {1e-6, kT}},
-    {"µs", {1e-6, kT}},
-    {"min", {60, kT}},
-    {"h", {3600, kT}},
-    {"d", {86400, kT}},
-    {"yr", {365.25 * 86400, kT}},
-    {"rad", {1, kA}},
-    {"mrad", {1e-3, kA}},
-    {"deg", {std::numbers::pi / 180, kA}},
-    {"°", {std::numbers::pi / 180, kA}},
-    {"arcmin", {std::numbers::pi / 10800, kA}},
-    {"arcsec", {std::numbers::pi / 648000, kA}},
-    {"rev", {kTurn, kA}},
-    {"Hz", {kTurn, kSpin}},
-    {"rpm", {kTurn / 60, kSpin}},
-    {"N", {1, kForce}},
-    {"mN", {1e-3, kForce}},
-    {"kN", {1e3, kForce}},
-    {"J", {1, kWork}},
-    {"mJ", {1e-3, kWork}},
-    {"kJ", {1e3, kWork}},
-    // In full, as people write them, too.
-    {"meter", {1, kL}},
-    {"meters", {1, kL}},
-    {"metre", {1, kL}},
-    {"metres", {1, kL}},
-    {"inch", {0.0254, kL}},
-    {"inches", {0.0254, kL}},
-    {"foot", {0.3048, kL}},
-    {"feet", {0.3048, kL}},
-    {"kilogram", {1, kM}},
-    {"kilograms", {1, kM}},
-    {"pound", {0.45359237, kM}},
-    {"pounds", {0.45359237, kM}},
-    {"lbs", {0.45359237, kM}},
-    {"gram", {1e-3, kM}},
-    {"grams", {1e-3, kM}},
-    {"second", {1, kT}},
-    {"seconds", {1, kT}},
-    {"sec", {1, kT}},
-    {"minute", {60, kT}},
-    {"minutes", {60, kT}},
-    {"hour", {3600, kT}},
-    {"hours", {3600, kT}},
-    {"day", {86400, kT}},
-    {"days", {86400, kT}},
-    {"year", {365.25 * 86400, kT}},
-    {"years", {365.25 * 86400, kT}},
-    {"degree", {std::numbers::pi / 180, kA}},
-    {"degrees", {std::numbers::pi / 180, kA}},
-    {"radian", {1, kA}},
-    {"radians", {1, kA}},
-    {"turn", {kTurn, kA}},
-    {"turns", {kTurn, kA}},
-    {"rps", {kTurn, kSpin}},
+// Inch, foot, yard, mile, pound and ounce: exact, international agreement of 1959. A nautical mile is 1852 m
+// (1929), a day 24 h, a year 365.25 days (IAU). A pound-force is 1 lb times g_n = 9.80665 m/s² (CGPM 1901),
+// exactly; a slug is 1 lbf s²/ft = 4.4482216152605/0.3048 kg. The ångström is 1e-10 m; u is the atomic mass
+// constant of CODATA 2022, 1.660 539 068 92(52)e-27 kg. Left out because two meanings are in use: ton, mil, M for
+// mega before the metre (a slip for mm), kt, gr, knots as kt.
+inline constexpr UnitRow kUnits[] = {
+    {"%", "", {0.01, kPlain}},
+    {"m", "metre meter", {1, kL}, "kdcmunp"},
+    {"Å Å", "angstrom", {1e-10, kL}},
+    {"in inch inches", "", {0.0254, kL}},
+    {"ft foot feet", "", {0.3048, kL}},
+    {"yd", "yard", {0.9144, kL}},
+    {"mi", "mile", {1609.344, kL}},
+    {"nmi", "", {1852, kL}},
+    {"g gm", "gram", {1e-3, kM}, "Mkmu"},
+    {"t", "tonne", {1e3, kM}},
+    {"lb lbs lbm", "pound", {0.45359237, kM}},
+    {"oz", "ounce", {0.028349523125, kM}},
+    {"slug slugs", "", {14.593902937206364829, kM}},
+    {"u amu", "", {1.66053906892e-27, kM}},
+    {"Da", "dalton", {1.66053906892e-27, kM}, "k"},
+    {"s sec", "second", {1, kT}, "munp"},
+    {"min mins", "minute", {60, kT}},
+    {"h hr hrs", "hour", {3600, kT}},
+    {"d", "day", {86400, kT}},
+    {"yr", "year", {365.25 * 86400, kT}},
+    {"rad", "radian", {1, kA}, "mun"},
+    {"deg °", "degree", {kDegree, kA}, "m"},
+    {"arcmin", "arcminute", {std::numbers::pi / 10800, kA}},
+    {"arcsec", "arcsecond", {std::numbers::pi / 648000, kA}},
+    {"mas", "", {std::numbers::pi / 648e6, kA}},
+    {"rev revs", "revolution turn cycle", {kTurn, kA}},
+    {"Hz", "hertz", {kTurn, kSpin}, "TGMkm"},
+    {"rpm RPM", "", {kTurn / 60, kSpin}, "k"},
+    {"rps", "", {kTurn, kSpin}},
+    {"dps", "", {kDegree, kSpin}},
+    {"N", "newton", {1, kForce}, "Mkmun"},
+    {"lbf", "", {4.4482216152605, kForce}},
+    {"ozf", "", {0.27801385095378125, kForce}},
+    {"kgf", "", {9.80665, kForce}},
+    {"gf", "", {0.00980665, kForce}},
+    {"dyn", "dyne", {1e-5, kForce}},
+    {"J", "joule", {1, kWork}, "GMkmun"},
+    {"Nm", "", {1, kWork}, "Mkmun"},
+    {"Ncm", "", {1e-2, kWork}},
+    {"erg ergs", "", {1e-7, kWork}},
+    {"Nms", "", {1, kAction}, "kmu"},
+    {"mph", "", {0.44704, kSpeed}},
+    {"kph", "", {1 / 3.6, kSpeed}},
+    {"kn", "knot", {1852 / 3600., kSpeed}},
 };
 
 struct DimensionText {
@@ -112,18 +106,21 @@ struct DimensionText {
 // Indexed by Dimension.
 inline constexpr DimensionText kDimensions[] = {
     {kPlain, "a number", "numbers", "", "%"},
-    {kL, "a length", "lengths", "m", "m, km, cm, mm, um, in, ft"},
-    {kM, "a mass", "masses", "kg", "kg, g, mg, t, lb, oz"},
+    {kL, "a length", "lengths", "m", "m, km, cm, mm, um, in, ft, Å"},
+    {kM, "a mass", "masses", "kg", "kg, g, mg, t, lb, oz, slug, u"},
     {kT, "a time", "times", "s", "s, ms, us, min, h, d, yr"},
     {kA, "an angle", "angles", "rad", "rad, mrad, deg, arcmin, arcsec, rev"},
-    {kSpin, "an angular velocity", "angular velocities", "rad/s", "rad/s, deg/s, rpm, rev/s, rev/d, Hz"},
-    {{2, 1, 0, 0}, "a moment of inertia", "moments of inertia", "kg·m²", "kg m^2, g cm^2"},
-    {{-3, 1, 0, 0}, "a density", "densities", "kg/m³", "kg/m^3, g/cm^3"},
-    {{1, 0, -1, 0}, "a velocity", "velocities", "m/s", "m/s, cm/s, km/h, ft/s"},
+    {kSpin, "an angular velocity", "angular velocities", "rad/s",
+     "rad/s, deg/s, deg/h, rpm, rev/s, rev/d, Hz, kHz"},
+    {kMoment, "a moment of inertia", "moments of inertia", "kg·m²",
+     "kg m^2, g cm^2, g mm^2, lb ft^2, lb in^2, oz in^2, slug ft^2, lbf in s^2, u Å^2"},
+    {{-3, 1, 0, 0}, "a density", "densities", "kg/m³", "kg/m^3, g/cm^3, lb/ft^3, lb/in^3"},
+    {kSpeed, "a velocity", "velocities", "m/s", "m/s, cm/s, km/h, ft/s, mph, kn"},
     {{1, 0, -2, 0}, "an acceleration", "accelerations", "m/s²", "m/s^2, cm/s^2, ft/s^2"},
-    {kWork, "a torque", "torques", "N·m", "N m, mN m, N cm, kN m"},
-    {kWork, "an energy", "energies", "J", "J, mJ, kJ, N m"},
-    {{2, 1, -1, 0}, "an angular momentum", "angular momenta", "kg·m²/s", "kg m^2/s, g cm^2/s, N m s, J s"},
+    {kWork, "a torque", "torques", "N·m", "N m, mN m, N cm, kN m, lbf ft, lbf in, ozf in"},
+    {kWork, "an energy", "energies", "J", "J, mJ, kJ, N m, ft lbf"},
+    {kAction, "an angular momentum", "angular momenta", "kg·m²/s",
+     "kg m^2/s, g cm^2/s, N m s, J s, slug ft^2/s, lbf ft s"},
     {{0, 0, -1, 0}, "a rate", "rates", "1/s", "1/s, 1/min, 1/h, 1/d, 1/yr"},
     {{-2, -1, 1, 0}, "an inverse angular momentum", "inverse angular momenta", "s/(kg·m²)", "s/kg/m^2"},
 };

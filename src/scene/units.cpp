@@ -3,13 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "core/expect.h"
 #include "core/text.h"
-#include "scene/unit_table.h"
+#include "scene/unit_names.h"
 
 namespace poinsot::scene {
 namespace {
@@ -24,8 +26,23 @@ void skipBlanks(std::string_view& text) {
   while (skip(text, " ")) continue;
 }
 
+// A superscript at n is the power n; a minus may stand before it.
+constexpr std::string_view kSuperscripts[] = {"⁰", "¹", "²", "³", "⁴"};
+constexpr std::string_view kSuperscriptMinus = "⁻";
+
+// Between two units. A hyphen before a digit is the sign of a power instead; a dot may be any of two Unicode
+// points.
+constexpr std::string_view kTimesSigns[] = {"*", "·", "⋅", "×", ".", "-"};
+
+bool startsWithOneOf(std::string_view text, std::span<const std::string_view> signs) {
+  return std::ranges::any_of(signs, [&](std::string_view sign) { return text.starts_with(sign); });
+}
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 bool partOfName(std::string_view text) {
-  if (text.starts_with("·") || text.starts_with("²") || text.starts_with("³")) return false;
+  if (startsWithOneOf(text, kSuperscripts) || startsWithOneOf(text, kTimesSigns)) return false;
+  if (text.starts_with(kSuperscriptMinus)) return false;
   const char c = text[0];
   const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
   return letter || c == '%' || static_cast<unsigned char>(c) >= 0x80;
@@ -43,11 +60,26 @@ std::string_view takeName(std::string_view& text) {
 constexpr int kLargestPower = 4;
 constexpr int kMostTerms = 8;
 
+std::optional<int> takeSuperscript(std::string_view& text) {
+  std::string_view rest = text;
+  const int sign = skip(rest, kSuperscriptMinus) ? -1 : 1;
+  for (int power = 0; power <= kLargestPower; ++power)
+    if (skip(rest, kSuperscripts[power])) {
+      text = rest;
+      return sign * power;
+    }
+  return std::nullopt;
+}
+
+/// Whether the power is written without a sign of its own: cm3, s-1.
+bool hasBarePower(std::string_view text) {
+  if (text.size() > 1 && text[0] == '-') return isDigit(text[1]);
+  return !text.empty() && text[0] >= '2' && text[0] <= '0' + kLargestPower;
+}
+
 std::optional<int> takePower(std::string_view& text) {
-  if (skip(text, "²")) return 2;
-  if (skip(text, "³")) return 3;
-  const bool bareDigit = !text.empty() && text[0] >= '2' && text[0] <= '0' + kLargestPower;  // cm3
-  if (!skip(text, "^") && !bareDigit) return 1;
+  if (const auto power = takeSuperscript(text)) return power;
+  if (!skip(text, "**") && !skip(text, "^") && !hasBarePower(text)) return 1;
   int power = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), power);
   if (status != std::errc() || std::abs(power) > kLargestPower) return std::nullopt;
@@ -55,22 +87,13 @@ std::optional<int> takePower(std::string_view& text) {
   return power;
 }
 
-std::optional<Unit> unitNamed(std::string_view name) {
-  for (const NamedUnit& known : kUnits)
-    if (known.name == name) return known.unit;
-  return std::nullopt;
-}
-
-void multiply(Unit& product, const Unit& unit, int power) {
-  // Repeated products and one division: std::pow gives different last bits with and without FMA.
-  double factor = 1;
-  for (int i = 0; i < std::abs(power); ++i) factor *= unit.factor;
-  product.factor = power < 0 ? product.factor / factor : product.factor * factor;
-  for (std::size_t i = 0; i < product.exponents.size(); ++i) product.exponents[i] += power * unit.exponents[i];
+void skipTimes(std::string_view& text) {
+  for (const std::string_view sign : kTimesSigns)
+    if (skip(text, sign)) return;
 }
 
 struct ParsedUnit {
-  Unit unit;
+  std::vector<UnitTerm> terms;
   std::string problem;
 };
 
@@ -84,27 +107,45 @@ bool takeDivisor(std::string_view& text) {
   return true;
 }
 
-// [[1] /] term { (blank | * | ·) term | / term }, term = name [^n | n | ² | ³]. A '/' divides by the one term
-// after it.
+// [[1] /] term { (blank | times) term | / term }, term = name [power], times = one of kTimesSigns, power = a
+// superscript, or [^ | **] and a number. A '/' divides by the one term after it.
 ParsedUnit parseUnit(std::string_view text) {
   ParsedUnit parsed;
   const std::string whole = core::printable(text);
   bool divides = takeDivisor(text);
   for (int terms = 0; terms < kMostTerms; ++terms) {
     const std::string_view name = takeName(text);
-    const auto unit = unitNamed(name);
-    if (!unit)
+    if (!unitNamed(name))
       return {{}, fmt::format("\"{}\" is not a known unit", name.empty() ? whole : core::printable(name))};
     const auto power = takePower(text);
     if (!power) return {{}, fmt::format("the power in \"{}\" is not understood", whole)};
-    multiply(parsed.unit, *unit, divides ? -*power : *power);
+    parsed.terms.push_back({std::string(name), *power, divides});
     skipBlanks(text);
     if (text.empty()) return parsed;
     divides = skip(text, "/");
-    if (!divides && !skip(text, "*")) skip(text, "·");
+    if (!divides) skipTimes(text);
     skipBlanks(text);
   }
   return {{}, fmt::format("the unit \"{}\" is too long", whole)};
+}
+
+void multiply(Unit& product, const Unit& unit, int power) {
+  // Repeated products and one division: std::pow gives different last bits with and without FMA.
+  double factor = 1;
+  for (int i = 0; i < std::abs(power); ++i) factor *= unit.factor;
+  product.factor = power < 0 ? product.factor / factor : product.factor * factor;
+  for (std::size_t i = 0; i < product.exponents.size(); ++i) product.exponents[i] += power * unit.exponents[i];
+}
+
+Unit productOf(const std::vector<UnitTerm>& terms) {
+  Unit product;
+  for (const UnitTerm& term : terms)
+    multiply(product, *unitNamed(term.name), term.divides ? -term.power : term.power);
+  return product;
+}
+
+bool isUnitOf(const ParsedUnit& parsed, Dimension dimension) {
+  return parsed.problem.empty() && productOf(parsed.terms).exponents == textOf(dimension).exponents;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -113,25 +154,41 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "rpm" for "RPM".
-std::string inSmallLetters(std::string_view unit) {
-  std::string text(unit);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+/// The unit with every name replaced by what `other` gives for it.
+template <class F>
+std::string renamed(std::string_view unit, F other) {
+  std::string text;
+  while (!unit.empty()) {
+    const std::string_view name = takeName(unit);
+    text += name.empty() ? std::string(1, unit[0]) : other(std::string(name));
+    if (name.empty()) unit.remove_prefix(1);
+  }
   return text;
+}
+
+std::string knownName(const std::string& name) { return unitNamed(name) ? name : recased(name).value_or(name); }
+
+/// "lbf" for "lb": who writes a torque in lb ft means the force.
+std::string forceName(const std::string& name) {
+  constexpr std::pair<std::string_view, std::string_view> kForces[] = {
+      {"lb", "lbf"}, {"lbs", "lbf"}, {"oz", "ozf"}, {"kg", "kgf"}, {"g", "gf"}};
+  const auto* found = std::ranges::find(kForces, name, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kForces) ? name : std::string(found->second);
 }
 
 /// "; did you mean "rpm"?" where that would have been a unit of the dimension, else empty.
 std::string hint(std::string_view unit, Dimension dimension) {
-  const std::string meant = inSmallLetters(unit);
-  const ParsedUnit parsed = parseUnit(meant);
-  const bool known = parsed.problem.empty() && parsed.unit.exponents == textOf(dimension).exponents;
-  return known ? fmt::format("; did you mean \"{}\"?", core::printable(meant)) : "";
+  constexpr std::size_t kLongest = 64;  // every name of more is looked up in vain
+  if (unit.size() > kLongest) return "";
+  for (const std::string& meant : {renamed(unit, knownName), renamed(unit, forceName)})
+    if (isUnitOf(parseUnit(meant), dimension))
+      return fmt::format("; did you mean \"{}\"?", core::printable(meant));
+  return "";
 }
 
 std::string expected(Dimension dimension) {
   if (dimension == Dimension::kNone) return "expected a plain number";
-  return fmt::format("expected {} in one of {}", textOf(dimension).name, textOf(dimension).usual);
+  return fmt::format("expected {} in one of {}", textOf(dimension).name, someUnits(dimension));
 }
 
 Quantity refused(std::string problem) { return {std::numeric_limits<double>::quiet_NaN(), std::move(problem)}; }
@@ -144,6 +201,10 @@ std::string_view quantityName(Dimension dimension) { return textOf(dimension).na
 std::string_view pluralName(Dimension dimension) { return textOf(dimension).plural; }
 std::string_view siUnit(Dimension dimension) { return textOf(dimension).si; }
 std::string_view usualUnits(Dimension dimension) { return textOf(dimension).usual; }
+
+std::string someUnits(Dimension dimension) {
+  return fmt::format("{} (poinsot explain units lists all)", usualUnits(dimension));
+}
 
 Quantity parseQuantity(std::string_view text, Dimension dimension) {
   const std::string shown = core::printable(text);
@@ -161,20 +222,21 @@ Quantity parseQuantity(std::string_view text, Dimension dimension) {
     return refused(fmt::format("a plain number stands without quotes, got \"{}\"", shown));
   if (text.empty())
     return refused(fmt::format("\"{}\" has no unit, such as {}; without quotes it is in {}", shown,
-                               textOf(dimension).usual, siUnit(dimension)));
+                               someUnits(dimension), siUnit(dimension)));
   const ParsedUnit parsed = parseUnit(text);
   if (!parsed.problem.empty()) return refused(parsed.problem + "; " + expected(dimension) + hint(text, dimension));
-  if (parsed.unit.exponents != textOf(dimension).exponents)
-    return refused(fmt::format("{}, got \"{}\"", expected(dimension), shown));
-  return {number * parsed.unit.factor, ""};
+  if (!isUnitOf(parsed, dimension))
+    return refused(fmt::format("{}, got \"{}\"{}", expected(dimension), shown, hint(text, dimension)));
+  return {number * productOf(parsed.terms).factor, ""};
 }
 
 double unitFactor(std::string_view unit, Dimension dimension) {
   if (unit.empty()) return 1;
   const ParsedUnit parsed = parseUnit(unit);
-  POINSOT_EXPECT(parsed.problem.empty());
-  POINSOT_EXPECT(parsed.unit.exponents == textOf(dimension).exponents);
-  return parsed.unit.factor;
+  POINSOT_EXPECT(isUnitOf(parsed, dimension));
+  return productOf(parsed.terms).factor;
 }
+
+std::vector<UnitTerm> unitTerms(std::string_view unit) { return parseUnit(trimmed(unit)).terms; }
 
 }  // namespace poinsot::scene

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Quantities written as text ("3 rpm", "20 cm") and their value in SI units.
 namespace poinsot::scene {
@@ -43,6 +44,36 @@ std::string_view siUnit(Dimension dimension);
 /// the right dimension is accepted besides.
 std::string_view usualUnits(Dimension dimension);
 
+/// usualUnits() for a message, with the command that lists the whole table of units.
+std::string someUnits(Dimension dimension);
+
+/// One unit of the table, for lists.
+struct UnitText {
+  std::string symbol;    ///< "m"
+  std::string value;     ///< in SI units: "1 m", "0.0254 m"
+  std::string prefixed;  ///< "km, cm, mm"; empty where no prefix is read
+  std::string also;      ///< other spellings: "inch, inches"; a noun's plural in s is left out
+};
+
+/// How names of units are spelled and combined, in sentences for the user.
+std::string_view unitRules();
+
+/// Every unit that a product may contain, in the order of the table.
+std::vector<UnitText> unitTexts();
+
+/// "4.4482216152605 N" for "lbf"; empty for a name that is no single unit.
+std::string unitValue(std::string_view name);
+
+/// One factor of a unit: name to the power, or divided by that.
+struct UnitTerm {
+  std::string name;
+  int power = 1;
+  bool divides = false;  ///< a '/' stands before it
+};
+
+/// The factors of a unit in the order of the text, empty where it is no unit: "kg-m^2/s" is kg, m to the 2, by s.
+std::vector<UnitTerm> unitTerms(std::string_view unit);
+
 /// A regular expression (ECMA 262) for the units of a dimension as they are usually written. What it matches
 /// parseQuantity() reads; products that only cancel to the dimension (m^2/m) it leaves out.
 std::string unitPattern(Dimension dimension);
@@ -55,9 +86,10 @@ struct Quantity {
   bool ok() const { return problem.empty(); }
 };
 
-/// Reads a number followed by a unit, whatever the locale: "15 deg", "1.5 kg m^2", "2.5e4 g·cm²", "3rpm".
-/// A unit may begin with the divisor: "2 /s" and "2 1/s" are "2 s^-1".
-/// A text without a unit is refused, except for kNone, where the only unit is "%".
+/// Reads a number followed by a unit, whatever the locale: "15 deg", "1.5 kg m^2", "2.5e4 g·cm²", "3rpm", "2
+/// kg-m2". Between two units, a blank, *, ·, ×, a point or a hyphen multiplies; ^2, **2, 2 and ² are powers. Names
+/// are case-sensitive, because m and M are different prefixes. A unit may begin with the divisor: "2 /s" and "2
+/// 1/s" are "2 s^-1". A text without a unit is refused, except for kNone, where the only unit is "%".
 Quantity parseQuantity(std::string_view text, Dimension dimension);
 
 /// Value of one `unit` in SI. @pre the unit exists and has this dimension; "" is the SI unit.

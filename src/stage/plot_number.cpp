@@ -46,6 +46,23 @@ std::string factorAndUnit(const WrittenUnit& unit) {
   return unit.tex.empty() ? factor : fmt::format("{}\\,{}", factor, unit.tex);
 }
 
+/// A unit's name inside \mathrm, which has no letters beyond ASCII.
+std::string nameInFormula(std::string name) {
+  if (name == "%") return "\\%";
+  constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"µ", "}\\text{µ}\\mathrm{"},
+                                                                        {"μ", "}\\text{µ}\\mathrm{"},
+                                                                        {"Å", "}\\text{Å}\\mathrm{"},
+                                                                        {"Å", "}\\text{Å}\\mathrm{"}};
+  for (const auto& [letter, tex] : kLetters)
+    if (const auto at = name.find(letter); at != std::string::npos) return name.replace(at, letter.size(), tex);
+  return name;
+}
+
+std::string powerInFormula(int power) {
+  if (power == 1) return "";
+  return power < 0 ? fmt::format("^{{{}}}", power) : fmt::format("^{}", power);
+}
+
 bool isProduct(const WrittenUnit& unit) {
   const bool factor = unit.powerOfTen != 0 && !unit.tex.empty();
   return factor || unit.tex.find_first_of("/^") != std::string_view::npos;
@@ -84,14 +101,10 @@ std::string unitInFormula(const std::string& unit) {
   if (unit.empty()) return "";
   if (unit == "deg" || unit == "°") return "\\degree";
   std::string tex;
-  for (const char c : unit)
-    if (c == ' ' || c == '*')
-      tex += "\\,";
-    else
-      tex += c == '%' ? std::string("\\%") : std::string(1, c);
-  for (const auto& [from, to] : {std::pair{"µ", "}\\text{µ}\\mathrm{"}, {"·", "\\,"}, {"²", "^2"}, {"³", "^3"}})
-    for (auto at = tex.find(from); at != std::string::npos; at = tex.find(from, at + std::string_view(to).size()))
-      tex.replace(at, std::string_view(from).size(), to);
+  for (const scene::UnitTerm& term : scene::unitTerms(unit)) {
+    if (!tex.empty() || term.divides) tex += term.divides ? (tex.empty() ? "1/" : "/") : "\\,";
+    tex += nameInFormula(term.name) + powerInFormula(term.power);
+  }
   return "\\mathrm{" + tex + "}";
 }
 

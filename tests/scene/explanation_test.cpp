@@ -75,6 +75,18 @@ TEST(Explain, UnitsAndRanges) {
   EXPECT_EQ(rowOf(explain("units").at(0), "lengths").substr(0, 5), "m: m,");
 }
 
+// The rows of the one table, each with its value; forces are units of no key, and still explained.
+TEST(Explain, UnitsListsEveryNameOfTheTable) {
+  const auto found = explain("units");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[1].title, "names of units");
+  for (const UnitText& unit : unitTexts()) EXPECT_THAT(rowOf(found[1], unit.symbol), HasSubstr(unit.value));
+  EXPECT_EQ(rowOf(found[1], "g"), "0.001 kg; with a prefix Mg, kg, mg, ug; also gm, gram");
+  EXPECT_EQ(rowOf(found[1], "lbf"), "4.4482216152605 N");
+  EXPECT_EQ(explain("lbf").at(0).help, "1 lbf is 4.4482216152605 N.");
+  EXPECT_THAT(rowOf(explain("body.inertia").front(), "units"), HasSubstr("(poinsot explain units lists all)"));
+}
+
 TEST(Explain, TablesAsTheyAreWritten) {
   EXPECT_EQ(explain("[camera]").front().title, "[camera]");
   for (const char* word : {"body.part", "[[body.part]]", "body.part[]", "body.part[3]"})

@@ -62,8 +62,8 @@ TEST(Plots, AndReadoutsMayHaveAUnit) {
   EXPECT_EQ(scene.plots.at(0).unit, "rpm");
   EXPECT_EQ(scene.readouts.at(0).unit, "rad");
   EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_3\"]\nunit = \"deg\"\n"),
-              HasSubstr("plot[0].unit: expected a unit of an angular velocity, such as rad/s, deg/s, rpm, rev/s, "
-                        "rev/d, Hz, got \"deg\"\n"));
+              HasSubstr("plot[0].unit: expected a unit of an angular velocity, such as rad/s, deg/s, deg/h, rpm, "
+                        "rev/s, rev/d, Hz, kHz (poinsot explain units lists all), got \"deg\"\n"));
   EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"T\"\nunit = \"\"\n"), HasSubstr("readout[0].unit: "));
   EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"q_w\"\nunit = \"m\"\n"),
               HasSubstr("readout[0].unit: \"q_w\" is a bare number and has no unit; leave it out"));

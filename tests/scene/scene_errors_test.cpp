@@ -65,9 +65,10 @@ TEST_F(BadScene, WithAKeyInTheWrongTable) {
 }
 
 TEST_F(BadScene, WithAWrongType) {
-  expectOnly(
-      "wrong_type.toml", {6, 12, 4},
-      "time.duration: expected a time (a number in s, or text with a unit: s, ms, us, min, h, d, yr), got true");
+  expectOnly("wrong_type.toml", {6, 12, 4},
+             "time.duration: expected a time, a number in s or text with a unit such as s, ms, us, min, h, d, yr "
+             "(poinsot "
+             "explain units lists all), got true");
 }
 
 TEST_F(BadScene, OutOfRange) {
@@ -116,9 +117,13 @@ TEST_F(BadScene, WithAnOddSize) {
 
 TEST_F(BadScene, WithBadUnits) {
   load("bad_unit.toml");
-  expectNext({6, 12, 6}, "time.duration: expected a time in one of s, ms, us, min, h, d, yr, got \"3 kg\"");
+  expectNext(
+      {6, 12, 6},
+      "time.duration: expected a time in one of s, ms, us, min, h, d, yr (poinsot explain units lists all), "
+      "got \"3 kg\"");
   expectNext({7, 9, 11},
-             "time.start: \"parsecs\" is not a known unit; expected a time in one of s, ms, us, min, h, d, yr");
+             "time.start: \"parsecs\" is not a known unit; expected a time in one of s, ms, us, min, h, d, yr "
+             "(poinsot explain units lists all)");
   expectNoMore();
 }
 
@@ -220,9 +225,10 @@ TEST(Report, NamesTheOverride) {
   const auto problems = problemsOf(kMinimal, {"body.mass=abc", "time.fps", "camera.zom=2", "output.size=[1, 2"});
   std::string text;
   for (const Problem& problem : problems) text += toString(problem) + "\n";
-  EXPECT_THAT(text,
-              HasSubstr("-D body.mass=abc: error: body.mass: expected a mass in one of kg, g, mg, t, lb, oz, got "
-                        "\"abc\"\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("-D body.mass=abc: error: body.mass: expected a mass in one of kg, g, mg, t, lb, oz, slug, u "
+                "(poinsot explain units lists all), got \"abc\"\n"));
   EXPECT_THAT(text, HasSubstr("-D time.fps: error: expected -D key.path=value\n"));
   EXPECT_THAT(text, HasSubstr("-D camera.zom=2: error: camera.zom: unknown key; did you mean camera.zoom?\n"));
   EXPECT_THAT(text, HasSubstr("-D output.size=[1, 2: error: not TOML: "));
@@ -356,7 +362,7 @@ TEST(Report, SaysWhatValueWasMeant) {
   EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=\"336699\""}), HasSubstr("did you mean \"#336699\"?"));
   EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=ivory"}), Not(HasSubstr("did you mean")));
   EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, 0,1]"}), HasSubstr("decimals have a point: 0.1"));
-  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, \"3 RPM\"]"}), HasSubstr("did you mean \"rpm\"?"));
+  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, \"3 Rpm\"]"}), HasSubstr("did you mean \"rpm\"?"));
   EXPECT_THAT(messagesOf(kMinimal, {"camera.fov=\"24\""}),
               HasSubstr("\"24\" has no unit, such as rad, mrad, deg"));
   EXPECT_EQ(

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "stage/plot_number.h"
+
 namespace poinsot::stage {
 namespace {
 
@@ -25,6 +27,20 @@ TEST(PlotTicks, AreWhereAPersonWouldPutThem) {
   EXPECT_EQ(labels(innerTicks(0, 0.0042, 5)),
             (std::vector<std::string>{"0.000", "0.001", "0.002", "0.003", "0.004"}));
   EXPECT_EQ(labels(innerTicks(-1500, 1500, 5)), (std::vector<std::string>{"-1000", "0", "1000"}));
+}
+
+// By hand; the first three as in every plot of the gallery.
+TEST(UnitInFormula, IsUprightWithTheSpaceOfAProduct) {
+  EXPECT_EQ(unitInFormula("rad/s"), "\\mathrm{rad/s}");
+  EXPECT_EQ(unitInFormula("kg m^2/s"), "\\mathrm{kg\\,m^2/s}");
+  EXPECT_EQ(unitInFormula("deg"), "\\degree");
+  EXPECT_EQ(unitInFormula("deg/hr"), "\\mathrm{deg/hr}");
+  for (const char* unit : {"kg*m^2", "kg-m^2", "kg.m2", "kg·m²", "kg×m**2"})
+    EXPECT_EQ(unitInFormula(unit), "\\mathrm{kg\\,m^2}") << unit;
+  EXPECT_EQ(unitInFormula("rad s-1"), "\\mathrm{rad\\,s^{-1}}");
+  EXPECT_EQ(unitInFormula("1/min"), "\\mathrm{1/min}");
+  EXPECT_EQ(unitInFormula("%"), "\\mathrm{\\%}");
+  EXPECT_EQ(unitInFormula("µm"), "\\mathrm{}\\text{µ}\\mathrm{m}");
 }
 
 struct Random {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/unit_names.h"
+
+namespace poinsot::scene {
+namespace {
+
+/// The SI unit of a row of the table: " m"; empty for a plain number.
+std::string siSuffix(const Exponents& exponents) {
+  constexpr std::pair<Exponents, std::string_view> kSi[] = {
+      {kL, " m"},     {kM, " kg"},   {kT, " s"},       {kA, " rad"},        {kSpin, " rad/s"},
+      {kForce, " N"}, {kWork, " J"}, {kSpeed, " m/s"}, {kAction, " N m s"},
+  };
+  const auto* found = std::ranges::find(kSi, exponents, &std::pair<Exponents, std::string_view>::first);
+  return found == std::end(kSi) ? "" : std::string(found->second);
+}
+
+std::string valueText(const Unit& unit) { return fmt::format("{:.15g}{}", unit.factor, siSuffix(unit.exponents)); }
+
+UnitText textOf(const UnitRow& row) {
+  const auto symbols = wordsIn(row.symbols);
+  std::vector<std::string_view> also(symbols.begin() + 1, symbols.end());
+  std::ranges::copy(wordsIn(row.nouns), std::back_inserter(also));
+  std::vector<std::string> prefixed;
+  for (const Prefix& prefix : prefixesOf(row))
+    prefixed.push_back(fmt::format("{}{}", wordsIn(prefix.symbols).front(), symbols.front()));
+  return {std::string(symbols.front()), valueText(row.unit), fmt::format("{}", fmt::join(prefixed, ", ")),
+          fmt::format("{}", fmt::join(also, ", "))};
+}
+
+}  // namespace
+
+std::string_view unitRules() {
+  return "Between two units, a blank, *, ·, ×, a point or a hyphen multiplies (kg m^2, kg*m^2, kg.m^2, kg-m^2); a "
+         "/ "
+         "divides by the one unit after it. Powers are ^2, **2, 2 or ², and s^-1, s-1 or s⁻¹. Names are "
+         "case-sensitive: Mg is a million grams, mg a thousandth of one. Nouns take an s, and prefixes in full: "
+         "millimetres. lb is a mass, lbf the force.";
+}
+
+std::vector<UnitText> unitTexts() {
+  std::vector<UnitText> texts;
+  for (const UnitRow& row : kUnits) texts.push_back(textOf(row));
+  return texts;
+}
+
+std::string unitValue(std::string_view name) {
+  const auto unit = unitNamed(name);
+  return unit ? valueText(*unit) : "";
+}
+
+}  // namespace poinsot::scene
