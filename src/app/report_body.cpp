@@ -3,6 +3,16 @@
 #include "scene/make_motion.h"
 
 namespace poinsot::app {
+namespace {
+
+/// Where the tensor comes from; with products of inertia, also their sign, because tables print either.
+std::string tensorSource(const Eigen::Matrix3d& inertia_B, const char* equations) {
+  const bool products = !inertia_B.isDiagonal(1e-12);
+  return std::string(equations) + (products ? "; off the diagonal -(sum of m x y)" : "");
+}
+
+}  // namespace
+
 Section bodySection(const scene::Scene& scene) {
   const scene::Body& body = scene.body;
   Section section{"Body (components along the axes B of the scene)", {}};
@@ -12,7 +22,8 @@ Section bodySection(const scene::Scene& scene) {
   }
   if (body.pivot_B) section.add("pivot_B", "point held fixed", *body.pivot_B, "m", "");
   section.add("inertia_tensor_B", body.pivot_B ? "inertia about the fixed point" : "inertia tensor",
-              body.axes.inertia_B(), "kg m^2", body.pivot_B ? "eq 3, 14" : "eq 7, 13");
+              body.axes.inertia_B(), "kg m^2",
+              tensorSource(body.axes.inertia_B(), body.pivot_B ? "eq 3, 14" : "eq 7, 13"));
   section.add("principal_moments", "principal moments about e1, e2, e3", body.axes.moments().values(), "kg m^2",
               "eq 17");
   for (int axis = 0; axis < 3; ++axis)

@@ -7,6 +7,7 @@
 #include "physics/catalogue.h"
 #include "scene/limits.h"
 #include "scene/piece_reader.h"
+#include "scene/tensor_text.h"
 
 namespace poinsot::scene {
 namespace {
@@ -109,7 +110,8 @@ class BodyAssembly {
     try {
       body_.axes = physics::PrincipalMoments(*draft_.moments);
     } catch (const core::Error&) {  // the range was checked before
-      return findings_.refuse("body.principal_moments", triangleMessage(*draft_.moments));
+      return findings_.refuse("body.principal_moments", triangleMessage(*draft_.moments) +
+                                                            nearestMomentsAdvice({draft_.moments->data(), 3}));
     }
     finish("body.principal_moments");
   }
@@ -132,7 +134,8 @@ class BodyAssembly {
     try {
       body_.axes = physics::PrincipalAxes(inertia_B);
     } catch (const core::Error& error) {
-      return findings_.refuse(path, error.message());
+      const bool given = path == "body.inertia";  // not made of parts
+      return findings_.refuse(path, error.message() + (given ? nearestTensorAdvice(inertia_B) : ""));
     }
     finish(path);
   }

@@ -11,20 +11,19 @@
 #include "core/text.h"
 #include "scene/key_text.h"
 #include "scene/limits.h"
+#include "scene/tensor_text.h"
 #include "scene/text_lines.h"
 
 namespace poinsot::scene {
 namespace {
 
-// Places in three rows of three, one after another.
-std::size_t at(int place) { return static_cast<std::size_t>(place); }
-int mirrored(int place) { return 3 * (place % 3) + place / 3; }
+std::size_t mirrored(std::size_t place) { return 3 * (place % 3) + place / 3; }
 
-/// A place above the diagonal whose mirror image differs; -1 where there is none.
-int asymmetric(const std::vector<double>& rows) {
-  for (const int above : {1, 2, 5})
-    if (rows[at(above)] != rows[at(mirrored(above))]) return above;
-  return -1;
+/// The first place above the diagonal, of nine numbers in rows, whose mirror image differs.
+std::optional<std::size_t> asymmetric(const std::vector<double>& rows) {
+  for (const std::size_t above : {1, 2, 5})
+    if (rows[above] != rows[mirrored(above)]) return above;
+  return std::nullopt;
 }
 
 /// One key and one value: what is said of them starts with the key's path.
@@ -81,8 +80,8 @@ class Checker {
     return std::nullopt;
   }
 
-  std::nullopt_t refuseType(const Node& node) {
-    return refuse(node, fmt::format("expected {}, got {}", typeText(key_), describe(node)));
+  std::nullopt_t refuseType(const Node& node, std::string_view advice = "") {
+    return refuse(node, fmt::format("expected {}, got {}{}", typeText(key_), describe(node), advice));
   }
 
   static std::optional<Checked> wrapped(std::optional<std::vector<double>> numbers) {
@@ -122,16 +121,16 @@ class Checker {
     return tested >= range.least * unit && tested <= range.most * unit;
   }
 
-  std::nullopt_t refuseRange(const Node& node, double value) {
+  std::nullopt_t refuseRange(const Node& node, double value, std::string_view advice = "") {
     const bool sign =
         key_.range.least > 0 && key_.range.least < key_.range.most && value <= 0 && !key_.range.ofSize;
     const bool bare = !node.as<std::string>();
     const std::string hint = bare && key_.dimension == Dimension::kAngle
                                  ? fmt::format("; a bare angle is in radians, write \"{} deg\" for degrees", value)
                                  : "";
-    return refuse(
-        node, fmt::format("must be {}{}, got {}{}{}", sign ? "positive, " : "", numbersText(key_), describe(node),
-                          bare ? unitSuffix(siUnit(key_.dimension)) : "", hint + beyondLimit(value)));
+    return refuse(node, fmt::format("must be {}{}, got {}{}{}{}", sign ? "positive, " : "", numbersText(key_),
+                                    describe(node), bare ? unitSuffix(siUnit(key_.dimension)) : "",
+                                    hint + beyondLimit(value), advice));
   }
 
   /// What the user can do about a value above a limit.
@@ -277,10 +276,21 @@ class Checker {
     if (!array || array->size() != count) return refuseType(node);
     std::vector<double> values;
     for (const Node& element : *array)
-      if (const auto value = key_.type == ValueType::kQuaternion ? finite(element) : number(element))
-        values.push_back(*value);
+      if (const auto value = finite(element)) values.push_back(*value);
     if (values.size() != count) return std::nullopt;
-    return values;
+    return key_.type == ValueType::kQuaternion || allInRange(*array, values) ? std::optional(values)
+                                                                             : std::nullopt;
+  }
+
+  /// Reports the elements that are out of range.
+  bool allInRange(const Node::Array& array, const std::vector<double>& values) {
+    bool all = true;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!inRange(values[i])) {
+        refuseRange(array[i], values[i], key_.advice ? key_.advice(values) : "");
+        all = false;
+      }
+    return all;
   }
 
   std::optional<Checked> someNumbers(const Node& node) {
@@ -305,15 +315,16 @@ class Checker {
 
   std::optional<Checked> matrix(const Node& node) {
     const auto* rows = node.as<Node::Array>();
-    if (!rows || rows->size() != 3) return refuseType(node);
+    const std::string advice = layoutAdvice(node);
+    if (!rows || rows->size() != 3 || !advice.empty()) return refuseType(node, advice);
     std::vector<double> values;
     for (const Node& row : *rows)
       if (const auto three = numbers(row, 3)) values.insert(values.end(), three->begin(), three->end());
     if (values.size() != 9) return std::nullopt;
-    if (const int above = asymmetric(values); above >= 0)
-      return refuse(node,
-                    fmt::format("must be symmetric, got {} in row {} column {} and {} across the diagonal",
-                                values[at(above)], above / 3 + 1, above % 3 + 1, values[at(mirrored(above))]));
+    if (const auto above = asymmetric(values))
+      return refuse(node, fmt::format("must be symmetric, got {} in row {} column {} and {} across the diagonal{}",
+                                      values[*above], *above / 3 + 1, *above % 3 + 1, values[mirrored(*above)],
+                                      triangleAdvice(node, values)));
     return wrapped(std::move(values));
   }
 

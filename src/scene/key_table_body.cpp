@@ -2,6 +2,7 @@
 #include "physics/catalogue.h"
 #include "scene/key_tables.h"
 #include "scene/put.h"
+#include "scene/tensor_text.h"
 
 namespace poinsot::scene {
 namespace {
@@ -39,14 +40,17 @@ std::vector<Key> momentKeys() {
        .example = "[1.0, 2.0, 2.5]",
        .help = "Moments of inertia about the body's principal axes, in any order; none above the sum of the "
                "others. This, or inertia, or shape with its keys, or catalogue, or parts and point masses.",
+       .advice = nearestMomentsAdvice,
        .put = into([](Draft& d) { return &d.body.moments; })},
       {.path = "body.inertia",
        .type = kMatrix,
        .dimension = kMomentOfInertia,
        .range = kProducts,
        .example = "[[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]]",
-       .help = "Inertia tensor about the point that stands still, in body axes; its products of inertia have the "
-               "sign that L = I omega gives them.",
+       .help = "Inertia tensor about the point that stands still, in body axes. Off the diagonal stand -(sum of m "
+               "x y), "
+               "-(sum of m x z) and -(sum of m y z), as in URDF, MuJoCo and SolidWorks' negative tensor notation. "
+               "Aerospace tables and many CAD sheets print +(sum of m x y): turn the sign.",
        .put = into([](Draft& d) { return &d.body.inertia; })},
       {.path = "body.catalogue",
        .type = kWord,

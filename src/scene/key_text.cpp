@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "scene/limits.h"
+#include "scene/tensor_text.h"
 
 namespace poinsot::scene {
 namespace {
@@ -89,7 +90,7 @@ std::string typeText(const Key& key) {
     case ValueType::kExtents:
       return "an array of " + several(key, "three") + " (two for what is flat), or one for all";
     case ValueType::kMatrix:
-      return "three rows of " + several(key, "three");
+      return fmt::format("three rows {} of {}", kTensorLayout, pluralName(key.dimension));
     case ValueType::kQuaternion:
       return "an array of four numbers w, x, y, z";
     case ValueType::kFrameRate:

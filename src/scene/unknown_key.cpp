@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLongestName = 64;
 
 /// Names that other programs have for what a key of another spelling says here.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kKnownElsewhere = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kKnownElsewhere = {{
     {"background", "style.colors.paper"},
     {"background_color", "style.colors.paper"},
     {"font_size", "style.text_size"},
@@ -34,6 +34,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kKnownEl
     {"angular_momentum", "motion.L_body"},
     {"moments_of_inertia", "body.principal_moments"},
     {"inertia_tensor", "body.inertia"},
+    {"fullinertia", "body.inertia"},
+    {"diaginertia", "body.principal_moments"},
+    {"products_of_inertia", "body.inertia"},
+    {"ixx", "body.inertia"},
+    {"ixy", "body.inertia"},
+    {"ixz", "body.inertia"},
+    {"iyy", "body.inertia"},
+    {"iyz", "body.inertia"},
+    {"izz", "body.inertia"},
 }};
 
 /// "quantity" for "quantities", "label" for "labels".

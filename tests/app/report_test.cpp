@@ -40,6 +40,16 @@ Report oneFact(const std::string& key, const FactValue& value, const std::string
   return {"name", {section}};
 }
 
+// Tables of products of inertia have either sign; a body without products needs no word about it.
+TEST(Report, NamesTheSignOfProductsOfInertia) {
+  const auto sourceFor = [](const std::string& inertia) {
+    const Report report = reportOf("[body]\ninertia = " + inertia + "\n[motion]\nomega_body = [0.1, 0.2, 1]\n");
+    return json::parse(reportJson(report)).at("from").at("inertia_tensor_B").get<std::string>();
+  };
+  EXPECT_EQ(sourceFor("[[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]]"), "eq 7, 13; off the diagonal -(sum of m x y)");
+  EXPECT_EQ(sourceFor("[[2, 0, 0], [0, 3, 0], [0, 0, 4]]"), "eq 7, 13");
+}
+
 TEST(Report, ATableOfOneFact) {
   EXPECT_EQ(reportTable(oneFact("key", 2.5, "s")), "name\n\nTitle\n  label  2.5 s  eq 7\n");
   EXPECT_THAT(reportTable(oneFact("key", std::numbers::pi / 6, "rad")), HasSubstr("0.523599 rad (30 deg)"));

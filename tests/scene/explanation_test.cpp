@@ -87,6 +87,13 @@ TEST(Explain, UnitsListsEveryNameOfTheTable) {
   EXPECT_THAT(rowOf(explain("body.inertia").front(), "units"), HasSubstr("(poinsot explain units lists all)"));
 }
 
+TEST(Explain, InertiaWithItsLayoutAndSign) {
+  const auto inertia = explain("body.inertia").front();
+  EXPECT_THAT(rowOf(inertia, "takes"), HasSubstr("[[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]"));
+  EXPECT_THAT(inertia.help, HasSubstr("-(sum of m x y)"));
+  EXPECT_THAT(inertia.help, HasSubstr("Aerospace tables and many CAD sheets print +(sum of m x y)"));
+}
+
 TEST(Explain, TablesAsTheyAreWritten) {
   EXPECT_EQ(explain("[camera]").front().title, "[camera]");
   for (const char* word : {"body.part", "[[body.part]]", "body.part[]", "body.part[3]"})
