@@ -160,6 +160,7 @@ Explanation ofQuantities() {
 
 Explanation ofUnitNames() {
   Explanation explanation{"names of units", std::string(unitRules()), {}};
+  std::erase(explanation.help, '`');
   for (const UnitText& unit : unitTexts()) {
     std::string text = unit.value;
     if (!unit.prefixed.empty()) text += fmt::format("; with a prefix {}", unit.prefixed);

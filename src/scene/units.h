@@ -55,7 +55,7 @@ struct UnitText {
   std::string also;      ///< other spellings: "inch, inches"; a noun's plural in s is left out
 };
 
-/// How names of units are spelled and combined, in sentences for the user.
+/// How names of units are spelled and combined, in sentences for the user; code stands in backticks.
 std::string_view unitRules();
 
 /// Every unit that a product may contain, in the order of the table.
