@@ -49,8 +49,9 @@ inline constexpr double kTurn = 2 * std::numbers::pi, kDegree = std::numbers::pi
 // Inch, foot, yard, mile, pound and ounce: exact, international agreement of 1959. A nautical mile is 1852 m
 // (1929), a day 24 h, a year 365.25 days (IAU). A pound-force is 1 lb times g_n = 9.80665 m/s² (CGPM 1901),
 // exactly; a slug is 1 lbf s²/ft = 4.4482216152605/0.3048 kg. The ångström is 1e-10 m; u is the atomic mass
-// constant of CODATA 2022, 1.660 539 068 92(52)e-27 kg. Left out because two meanings are in use: ton, mil, M for
-// mega before the metre (a slip for mm), kt, gr, knots as kt.
+// constant of CODATA 2022, 1.660 539 068 92(52)e-27 kg.
+//
+// Left out: ton, mil, gr and kt, which have two meanings each, and megametre, because Mm is a slip for mm.
 inline constexpr UnitRow kUnits[] = {
     {"%", "", {0.01, kPlain}},
     {"m", "metre meter", {1, kL}, "kdcmunp"},

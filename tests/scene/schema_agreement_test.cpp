@@ -8,6 +8,7 @@
 
 #include "scene/check.h"
 #include "scene/reference.h"
+#include "scene/unit_names.h"
 #include "scene_testing.h"
 #include "schema_testing.h"
 
@@ -192,6 +193,46 @@ TEST(Schema, RefusesWhatTheProgramRefuses) {
     for (const char* value : samples.refused) {
       EXPECT_FALSE(programAccepts(samples.path, value)) << samples.path << " = " << value;
       EXPECT_FALSE(schemaAccepts(samples.path, value)) << samples.path << " = " << value;
+    }
+}
+
+/// Every name of the table between `before` and `after`: exactly those with these exponents make a unit.
+void expectEveryName(Dimension dimension, const Exponents& exponents, const std::string& before,
+                     const std::string& after) {
+  const std::regex pattern("^" + unitPattern(dimension) + "$");
+  for (const NamedUnit& known : namedUnits()) {
+    const std::string unit = before + known.name + after;
+    const bool fits = known.unit.exponents == exponents;
+    EXPECT_EQ(parseQuantity("1 " + unit, dimension).ok(), fits) << unit;
+    EXPECT_EQ(std::regex_match(unit, pattern), fits) << unit;
+  }
+}
+
+// The pattern and the parser are made from one table by two routes.
+TEST(Schema, AgreesWithTheParserOnEveryNameOfAUnit) {
+  expectEveryName(Dimension::kLength, kL, "", "");
+  expectEveryName(Dimension::kMomentOfInertia, kM, "", "-m^2");
+  expectEveryName(Dimension::kMomentOfInertia, kL, "kg.", "**2");
+  expectEveryName(Dimension::kMomentOfInertia, kForce, "", " in s^2");
+  expectEveryName(Dimension::kMomentOfInertia, kWork, "", "·s²");
+  expectEveryName(Dimension::kAngularVelocity, kA, "", "/hr");
+  expectEveryName(Dimension::kAngularVelocity, kSpin, "", "");
+  expectEveryName(Dimension::kAngularVelocity, kT, "deg ", "-1");
+  expectEveryName(Dimension::kTorque, kForce, "ft-", "");
+  expectEveryName(Dimension::kEnergy, kWork, "", "");
+  expectEveryName(Dimension::kVelocity, kSpeed, "", "");
+  expectEveryName(Dimension::kAngularMomentum, kAction, "", "");
+}
+
+TEST(Schema, AgreesWithTheParserOnHowAProductIsWritten) {
+  const std::regex pattern("^" + unitPattern(Dimension::kMomentOfInertia) + "$");
+  const char* signs[] = {" ", "*", "·", "⋅", "×", ".", "-", " * ", " - ", "", "--", "..", "**", "+", "_", ","};
+  const char* powers[] = {"^2", "**2", "2", "²", "", "^^2", "***2", "^ 2", "²2", "22", "^-2", "-2", "⁻²"};
+  for (const std::string sign : signs)
+    for (const std::string power : powers) {
+      const std::string unit = "kg" + sign + "m" + power;
+      EXPECT_EQ(parseQuantity("1 " + unit, Dimension::kMomentOfInertia).ok(), std::regex_match(unit, pattern))
+          << unit;
     }
 }
 
