@@ -27,12 +27,13 @@ void requirePlace(double mass_kg, const Eigen::Vector3d& centre_B) {
 }
 
 /// Matter has moments ∫(y² + z²)dm, never negative and each at most the sum of the other two.
-void requireMatter(const Eigen::Matrix3d& inertia_B) {
+/// `scale_kgm2`: the largest moment whose rounding the tensor may hold, beside its own.
+void requireMatter(const Eigen::Matrix3d& inertia_B, double scale_kgm2) {
   const SymmetricEigen eigen = symmetricEigen(inertia_B);
   std::array moments{toDouble(eigen.values[0]), toDouble(eigen.values[1]), toDouble(eigen.values[2])};
   std::ranges::sort(moments);
   const auto& [low, middle, high] = moments;
-  const double slack = kTensorSlack * high;
+  const double slack = kTensorSlack * std::max(high, scale_kgm2);
   if (low >= -slack && high <= low + middle + slack) return;
   refuse(fmt::format("{}, got principal moments ({}, {}, {}) kg·m²",
                      low < -slack ? "moments of inertia must not be negative"
@@ -40,17 +41,23 @@ void requireMatter(const Eigen::Matrix3d& inertia_B) {
                      low, middle, high));
 }
 
-/// Adds M(a² - a a) for a = (x, y, z), about whose tip the tensor then is (eq 14).
+/// Adds tensors and M(a² - a a) for a = (x, y, z), about whose tip they then are (eq 14).
 class DisplacedSum {
  public:
   void add(const MassProperties& piece, const Eigen::Vector3d& point_B) {
-    const std::array a{twoSum(piece.centre_B()[0], -point_B[0]), twoSum(piece.centre_B()[1], -point_B[1]),
-                       twoSum(piece.centre_B()[2], -point_B[2])};
-    const DoubleDouble M = piece.mass_kg();
+    add(piece.inertia_B(), piece.mass_kg(), piece.centre_B(), point_B);
+  }
+
+  /// A negative mass takes M(a² - a a) away.
+  void add(const Eigen::Matrix3d& inertia_B, double mass_kg, const Eigen::Vector3d& centre_B,
+           const Eigen::Vector3d& point_B) {
+    const std::array a{twoSum(centre_B[0], -point_B[0]), twoSum(centre_B[1], -point_B[1]),
+                       twoSum(centre_B[2], -point_B[2])};
+    const DoubleDouble M = mass_kg;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      diagonal_[i] += M * (a[j] * a[j] + a[k] * a[k]) + entry(piece, i, i);
-      opposite_[i] += entry(piece, j, k) - M * (a[j] * a[k]);
+      diagonal_[i] += M * (a[j] * a[j] + a[k] * a[k]) + entry(inertia_B, i, i);
+      opposite_[i] += entry(inertia_B, j, k) - M * (a[j] * a[k]);
     }
   }
 
@@ -65,8 +72,8 @@ class DisplacedSum {
   }
 
  private:
-  static DoubleDouble entry(const MassProperties& piece, std::size_t i, std::size_t j) {
-    return piece.inertia_B()(static_cast<int>(i), static_cast<int>(j));
+  static DoubleDouble entry(const Eigen::Matrix3d& inertia_B, std::size_t i, std::size_t j) {
+    return inertia_B(static_cast<int>(i), static_cast<int>(j));
   }
 
   std::array<DoubleDouble, 3> diagonal_, opposite_;  // I_xx.. and I_yz, I_zx, I_xy
@@ -75,9 +82,21 @@ class DisplacedSum {
 }  // namespace
 
 MassProperties::MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B)
+    : MassProperties(mass_kg, centre_B, inertia_B, 0) {}
+
+MassProperties::MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B,
+                               double scale_kgm2)
     : mass_kg_(mass_kg), centre_B_(centre_B), inertia_B_(symmetricTensor(inertia_B)) {
   requirePlace(mass_kg_, centre_B_);
-  requireMatter(inertia_B_);
+  requireMatter(inertia_B_, scale_kgm2);
+}
+
+MassProperties MassProperties::fromInertiaAbout(const Eigen::Vector3d& point_B, double mass_kg,
+                                                const Eigen::Vector3d& centre_B,
+                                                const Eigen::Matrix3d& inertia_B) {
+  DisplacedSum sum;
+  sum.add(symmetricTensor(inertia_B), -mass_kg, centre_B, point_B);
+  return {mass_kg, centre_B, sum.tensor(), inertia_B.cwiseAbs().maxCoeff()};
 }
 
 MassProperties MassProperties::ofPoint(double mass_kg, const Eigen::Vector3d& position_B) {

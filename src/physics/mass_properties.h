@@ -19,6 +19,13 @@ class MassProperties {
 
   static MassProperties ofPoint(double mass_kg, const Eigen::Vector3d& position_B);
 
+  /// Matter whose tensor was measured about another point: I_cm = I - M(a² - a a) for a from the centre of mass to
+  /// `point_B` (eq 14).
+  /// @param inertia_B  about point_B, in B, kg·m²
+  /// @throws core::Error(kPhysics) as the constructor: what is left about the centre of mass is no matter's.
+  static MassProperties fromInertiaAbout(const Eigen::Vector3d& point_B, double mass_kg,
+                                         const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B);
+
   double mass_kg() const { return mass_kg_; }
   const Eigen::Vector3d& centre_B() const { return centre_B_; }
   /// About the centre of mass (eq 7).
@@ -30,6 +37,10 @@ class MassProperties {
   MassProperties moved(const Eigen::Quaterniond& q, const Eigen::Vector3d& offset_B) const;
 
  private:
+  /// `scale_kgm2`: the largest moment whose rounding the tensor may hold.
+  MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B,
+                 double scale_kgm2);
+
   double mass_kg_;
   Eigen::Vector3d centre_B_;
   Eigen::Matrix3d inertia_B_;

@@ -53,6 +53,35 @@ TEST(MassProperties, Equation14AboutAnyPoint) {
   expectResidual("displaced axis", residual, 1e-15);  // measured 2.8e-16
 }
 
+// The tensor of the particles about a point, taken back to their centre.
+TEST(MassProperties, FromInertiaAboutAPointTakesTheDisplacementAway) {
+  const ParticleSystem particles = FiveMasses().flying();
+  Draw draw(34);
+  double residual = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d point = 3 * draw.direction();
+    const MassProperties body =
+        MassProperties::fromInertiaAbout(point, 6, particles.centre_W(), particles.inertiaAbout(point));
+    residual = std::max(residual, relative(body.inertia_B(), kAboutCentre));
+  }
+  expectResidual("displaced axis taken away", residual, 1e-14);  // measured 2.7e-15
+  EXPECT_EQ(MassProperties::fromInertiaAbout({0, 0, 0}, 6, particles.centre_W(), kAboutOrigin).inertia_B(),
+            kAboutCentre);
+}
+
+// What is left must be matter: of a lamina, whose moments obey an equality, to the rounding of what was given.
+TEST(MassProperties, FromInertiaAboutAPointLeavesMatter) {
+  const auto left = [](double along, double far) {
+    return MassProperties::fromInertiaAbout({0, 0, far}, 2, {0, 0, 0},
+                                            Vector3d(2 * far * far + 1, 2 * far * far + 1, along).asDiagonal());
+  };
+  EXPECT_NO_THROW(left(2, 0.3));     // a disc
+  EXPECT_NO_THROW(left(2, 1000.1));  // 2e6 kg m² are rounded to 2e-10
+  EXPECT_THROW(left(2.001, 0.3), core::Error);
+  EXPECT_THROW(MassProperties::fromInertiaAbout({0, 0, 1}, 2, {0, 0, 0}, Vector3d(1.5, 1.5, 0.25).asDiagonal()),
+               core::Error);
+}
+
 TEST(MassProperties, Equation14OfACone) {
   const MassProperties cone = massProperties(Cone{.45, 1.7}, 1);
   EXPECT_NEAR(cone.inertiaAbout({0, 0, .75 * 1.7})(0, 0), 1.764375, 4e-16);  // about its apex
