@@ -117,13 +117,18 @@ std::string drawnAs(const scene::Scene& scene) {
   const bool drawn = std::ranges::any_of(scene.views, [](const auto& view) { return view.show.body.visible; });
   if (!drawn || (!scene.body.parts.empty() && scene.show.body.parts.empty())) return "";
   if (!scene.show.body.parts.empty()) return ", and is drawn in another shape";
-  return scene.motion.forcing.gravity_B.isZero(0) ? ", and is drawn as the uniform box that has them"
-                                                  : ", and is drawn as the uniform cone that has them";
+  return scene.body.mass || scene.motion.forcing.gravity_B.isZero(0)
+             ? ", and is drawn as the uniform box that has them"
+             : ", and is drawn as the uniform cone that has them";
+}
+
+std::string momentsAlone(const scene::Body& body) {
+  return body.mass ? "given by its moments of inertia" : "given by its moments of inertia alone";
 }
 
 std::string whatItIs(const scene::Scene& scene) {
   const scene::Body& body = scene.body;
-  std::string text = body.parts.empty() ? "given by its moments of inertia alone" : partsWords(body.parts);
+  std::string text = body.parts.empty() ? momentsAlone(body) : partsWords(body.parts);
   if (body.mass) text += fmt::format(", of {} kg", numberWords(body.mass->mass_kg()));
   text += drawnAs(scene);
   if (body.pivot_B) text += ", and turns about a point that is held fixed";

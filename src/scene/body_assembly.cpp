@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "physics/catalogue.h"
 #include "scene/limits.h"
+#include "scene/measured_body.h"
 #include "scene/piece_reader.h"
 #include "scene/tensor_text.h"
 
@@ -42,7 +43,7 @@ std::string outOfReach(const Vector3d& moments) {
 class BodyAssembly {
  public:
   BodyAssembly(const Draft& draft, Findings& findings, const SceneFolder& folder)
-      : draft_(draft.body), findings_(findings), folder_(folder) {
+      : all_(draft), draft_(draft.body), findings_(findings), folder_(folder) {
     body_.pivot_B = draft.scene.body.pivot_B;
   }
 
@@ -84,11 +85,16 @@ class BodyAssembly {
     for (const std::string_view name : shapeKeyNames())
       if (std::string path = fmt::format("body.{}", name); findings_.has(path)) return path;
     for (const char* path : {"body.mass", "body.density"})
-      if (findings_.has(path)) return path;
+      if (findings_.has(path) && !(isMeasured() && path == std::string_view("body.mass"))) return path;
     return "";
   }
 
+  bool isMeasured() const { return findings_.has("body.principal_moments") || findings_.has("body.inertia"); }
+
   void refuseSecond(const std::vector<std::string>& ways) {
+    if (isMeasured() && ways[1] == "body.density")
+      return findings_.refuse(
+          ways[1], fmt::format("{} is given too, which has no volume; give body.mass in its place", ways[0]));
     if (ways[0] == "body.principal_moments" && ways[1] == wholePath())
       return findings_.refuse(
           ways[1],
@@ -100,44 +106,53 @@ class BodyAssembly {
   void describe(const std::string& way) {
     if (way == "body.principal_moments") return bareMoments();
     if (way == "body.inertia") return bareTensor();
+    refuseMeasuredKeys(way, findings_);
     if (way == "body.catalogue") return fromCatalogue();
     if (way == wholePath()) return onePiece();
     pieces();
   }
 
   void bareMoments() {
-    if (refusesPivot() || !draft_.moments) return;
+    if (!draft_.moments) return;
     try {
       body_.axes = physics::PrincipalMoments(*draft_.moments);
     } catch (const core::Error&) {  // the range was checked before
       return findings_.refuse("body.principal_moments", triangleMessage(*draft_.moments) +
                                                             nearestMomentsAdvice({draft_.moments->data(), 3}));
     }
-    finish("body.principal_moments");
+    finishMeasured(draft_.moments->asDiagonal(), "body.principal_moments");
   }
 
   void bareTensor() {
-    if (refusesPivot() || !draft_.inertia) return;
-    setAxes(*draft_.inertia, "body.inertia");
+    if (draft_.inertia && findAxes(*draft_.inertia, "body.inertia"))
+      finishMeasured(*draft_.inertia, "body.inertia");
   }
 
-  bool refusesPivot() {
-    if (!findings_.has("body.pivot")) return false;
-    findings_.refuse("body.pivot",
-                     "needs a body with a mass (a shape, one of the catalogue, parts or point masses); moments "
-                     "and tensors given as numbers "
-                     "are those about the point that stands still");
-    return true;
+  /// The axes are those of the tensor as it was given.
+  void finishMeasured(const Eigen::Matrix3d& inertia_B, const std::string& path) {
+    MeasuredBody measured(all_, path, findings_);
+    if (!measured.keysFit()) return;
+    body_.mass = measured.massProperties(inertia_B);
+    if (findings_.has("body.mass") && !body_.mass) return;
+    if (measured.aboutFixedPoint())
+      finish(path);
+    else
+      setAxes(body_.mass->inertiaAbout(body_.fixedPoint_B()), path);
+  }
+
+  bool findAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
+    try {
+      body_.axes = physics::PrincipalAxes(inertia_B);
+      return true;
+    } catch (const core::Error& error) {
+      const bool given = path == "body.inertia";  // not made of parts
+      findings_.refuse(path, error.message() + (given ? nearestTensorAdvice(inertia_B) : ""));
+      return false;
+    }
   }
 
   void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
-    try {
-      body_.axes = physics::PrincipalAxes(inertia_B);
-    } catch (const core::Error& error) {
-      const bool given = path == "body.inertia";  // not made of parts
-      return findings_.refuse(path, error.message() + (given ? nearestTensorAdvice(inertia_B) : ""));
-    }
-    finish(path);
+    if (findAxes(inertia_B, path)) finish(path);
   }
 
   void finish(const std::string& path) {
@@ -209,6 +224,7 @@ class BodyAssembly {
       setAxes(inertia_B, path);
   }
 
+  const Draft& all_;
   const BodyDraft& draft_;
   Body body_;
   bool whole_ = false;
@@ -223,7 +239,7 @@ std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const S
 }
 
 bool massIsUnknown(const Findings& findings) {
-  return findings.has("body.principal_moments") || findings.has("body.inertia");
+  return (findings.has("body.principal_moments") || findings.has("body.inertia")) && !findings.has("body.mass");
 }
 
 }  // namespace poinsot::scene

@@ -12,7 +12,10 @@ namespace poinsot::scene {
 /// The body that the keys below [body] describe together; empty where `findings` says what is wrong with it.
 std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder);
 
-/// Whether the body is given by its moments alone, or by its tensor: in no way that says how heavy it is.
+/// Whether the body is given by its moments or its tensor, without a mass.
 bool massIsUnknown(const Findings& findings);
+
+/// What a message says of a key that needs the mass of such a body.
+inline constexpr const char* kNeedsMass = "needs a body with a mass; give body.mass beside the moments of inertia";
 
 }  // namespace poinsot::scene

@@ -43,7 +43,9 @@ struct PointDraft {
 struct BodyDraft {
   std::optional<Eigen::Vector3d> moments;
   std::optional<Eigen::Matrix3d> inertia;
-  std::optional<int> catalogue;  ///< index into the catalogue
+  std::optional<Eigen::Vector3d> centre;  ///< of mass, in B, beside moments or a tensor
+  int momentsAbout = 0;                   ///< 0: the centre of mass; 1: the origin of B; 2: the pivot
+  std::optional<int> catalogue;           ///< index into the catalogue
   PieceDraft whole;
   std::vector<PieceDraft> parts;
   std::vector<PointDraft> points;

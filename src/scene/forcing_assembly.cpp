@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "scene/body_assembly.h"
 #include "scene/torque_table.h"
 
 namespace poinsot::scene {
@@ -52,25 +53,46 @@ class ForcingAssembly {
   }
 
   void givenMoment() {
-    if (draft_.mgr_B) forcing_.gravity_B = *draft_.mgr_B;
-    if (body_ && body_->mass && !body_->pivot_B)
+    if (!draft_.mgr_B) return;
+    forcing_.gravity_B = *draft_.mgr_B;
+    if (!body_ || !body_->mass) return;
+    if (!body_->pivot_B)
       findings_.refuse(
           "motion.gravity.mgr_body",
           "this body turns about its centre of mass, where its weight has no moment; give body.pivot and "
           "motion.gravity.g");
+    else
+      checkDirection(*draft_.mgr_B, lever_B());
+  }
+
+  /// M g r points from the pivot to the centre of mass, which the body's keys say, too.
+  void checkDirection(const Vector3d& mgr_B, const Vector3d& lever_B) {
+    constexpr double kRounded = 1e-3;  // sine of the angle between them: three digits
+    const double product = mgr_B.norm() * lever_B.norm();
+    const bool along = mgr_B.cross(lever_B).norm() <= kRounded * product && mgr_B.dot(lever_B) > 0;
+    if (mgr_B.isZero(0) || along) return;
+    findings_.refuse(
+        "motion.gravity.mgr_body",
+        fmt::format("({:g}, {:g}, {:g}) N·m contradicts body.pivot: from there to the centre of mass it "
+                    "is ({:g}, {:g}, {:g}) m, which the weight's moment M g r points along; give "
+                    "motion.gravity.g in its place",
+                    mgr_B[0], mgr_B[1], mgr_B[2], lever_B[0], lever_B[1], lever_B[2]));
   }
 
   void weight() {
     if (!body_ || !draft_.g) return;
-    if (!body_->mass || !body_->pivot_B)
+    if (!body_->mass)
+      return findings_.refuse(
+          "motion.gravity.g",
+          fmt::format("{}, and body.pivot; or give motion.gravity.mgr_body in its place", kNeedsMass));
+    if (!body_->pivot_B)
       return findings_.refuse("motion.gravity.g",
-                              body_->mass
-                                  ? "body.pivot is missing: about its centre of mass a body's weight has no moment"
-                                  : "needs a body with a mass (a shape, one of the catalogue, parts or point "
-                                    "masses) and body.pivot; for moments given "
-                                    "as numbers, give motion.gravity.mgr_body");
-    forcing_.gravity_B = body_->mass->mass_kg() * *draft_.g * (body_->mass->centre_B() - *body_->pivot_B);
+                              "body.pivot is missing: about its centre of mass a body's weight has no moment");
+    forcing_.gravity_B = body_->mass->mass_kg() * *draft_.g * lever_B();
   }
+
+  /// From the pivot to the centre of mass. @pre the body has both
+  Vector3d lever_B() const { return body_->mass->centre_B() - *body_->pivot_B; }
 
   void torqueHistory() {
     const bool file = findings_.has("motion.torque.file");

@@ -38,8 +38,10 @@ std::vector<Key> momentKeys() {
        .dimension = kMomentOfInertia,
        .range = kMoments,
        .example = "[1.0, 2.0, 2.5]",
-       .help = "Moments of inertia about the body's principal axes, in any order; none above the sum of the "
-               "others. This, or inertia, or shape with its keys, or catalogue, or parts and point masses.",
+       .help =
+           "Moments of inertia about the body's principal axes, in any order; none above the sum of the "
+           "others. About the centre of mass if the body has a mass (see moments_about), else about the point "
+           "that stands still. This, or inertia, or shape with its keys, or catalogue, or parts and point masses.",
        .advice = nearestMomentsAdvice,
        .put = into([](Draft& d) { return &d.body.moments; })},
       {.path = "body.inertia",
@@ -47,11 +49,31 @@ std::vector<Key> momentKeys() {
        .dimension = kMomentOfInertia,
        .range = kProducts,
        .example = "[[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]]",
-       .help = "Inertia tensor about the point that stands still, in body axes. Off the diagonal stand -(sum of m "
-               "x y), "
-               "-(sum of m x z) and -(sum of m y z), as in URDF, MuJoCo and SolidWorks' negative tensor notation. "
-               "Aerospace tables and many CAD sheets print +(sum of m x y): turn the sign.",
+       .help =
+           "Inertia tensor in body axes, about the centre of mass if the body has a mass (see moments_about), "
+           "else about the point that stands still. Off the diagonal stand -(sum of m x y), -(sum of m x z) and "
+           "-(sum of m y z), as in URDF, MuJoCo and SolidWorks' negative tensor notation. Aerospace tables and "
+           "many CAD sheets print +(sum of m x y): turn the sign.",
        .put = into([](Draft& d) { return &d.body.inertia; })},
+      {.path = "body.centre_of_mass",
+       .type = kVector,
+       .dimension = kLength,
+       .range = kPositions,
+       .example = "[0, 0, \"12 mm\"]",
+       .help =
+           "Where the centre of mass is, in body axes, of a body given by inertia or principal_moments and mass; "
+           "without it, at the origin. In URDF: the xyz of the inertial origin.",
+       .put = into([](Draft& d) { return &d.body.centre; })},
+      {.path = "body.moments_about",
+       .type = kWord,
+       .words = {"centre_of_mass", "origin", "pivot"},
+       .example = "\"pivot\"",
+       .help =
+           "The point that inertia or principal_moments are about, of a body with a mass; without it, the centre "
+           "of mass, as in URDF. The origin is that of the body axes, which CAD calls the output coordinate "
+           "system. "
+           "From there they are moved to the pivot (eq 14).",
+       .put = into([](Draft& d) { return &d.body.momentsAbout; })},
       {.path = "body.catalogue",
        .type = kWord,
        .words = catalogueWords(),
@@ -67,7 +89,7 @@ std::vector<Key> wholeKeys() {
        .dimension = kMass,
        .range = kMasses,
        .example = "\"320 g\"",
-       .help = "Mass of the shape.",
+       .help = "Mass of the shape, or of the body whose inertia or principal_moments are given.",
        .put = into([](Draft& d) { return &d.body.whole.mass; })},
       {.path = "body.density",
        .dimension = kDensity,

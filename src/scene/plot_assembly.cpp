@@ -32,9 +32,7 @@ void checkExists(int quantity, const std::string& path, const Scene& scene, Find
   if (!scene.motion.flight)
     findings.refuse(path, fmt::format("\"{}\" is of a thrown body; give [motion.flight]", q.name));
   else if (q.needs == QuantityNeeds::kFlightAndMass && massIsUnknown(findings))
-    findings.refuse(path, fmt::format("\"{}\" needs a body with a mass (a shape, one of the catalogue, parts or "
-                                      "point masses)",
-                                      q.name));
+    findings.refuse(path, fmt::format("\"{}\" {}", q.name, kNeedsMass));
 }
 
 void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {

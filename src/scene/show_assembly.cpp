@@ -72,7 +72,7 @@ void checkThrown(const Scene& scene, const std::string& prefix, Findings& findin
   if (asked && !scene.motion.flight)
     findings.refuse(total, "is drawn of a thrown body: give [motion.flight], or leave it out");
   else if (asked && massIsUnknown(findings))
-    findings.refuse(total, "needs a body with a mass (a shape, one of the catalogue, parts or point masses)");
+    findings.refuse(total, kNeedsMass);
 }
 
 /// Cones and the parallelogram are those of a steady precession.

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLongestName = 64;
 
 /// Names that other programs have for what a key of another spelling says here.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kKnownElsewhere = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownElsewhere = {{
     {"background", "style.colors.paper"},
     {"background_color", "style.colors.paper"},
     {"font_size", "style.text_size"},
@@ -43,6 +43,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kKnownEl
     {"iyy", "body.inertia"},
     {"iyz", "body.inertia"},
     {"izz", "body.inertia"},
+    {"center_of_mass", "body.centre_of_mass"},
+    {"centre_of_gravity", "body.centre_of_mass"},
+    {"center_of_gravity", "body.centre_of_mass"},
+    {"com", "body.centre_of_mass"},
+    {"cog", "body.centre_of_mass"},
 }};
 
 /// "quantity" for "quantities", "label" for "labels".

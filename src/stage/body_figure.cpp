@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/symmetric_eigen.h"
 #include "stage/parts_figure.h"
 #include "stage/round_sketch.h"
 
@@ -15,6 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kThinnest = 0.07;  // of the longest half edge: what is drawn of a lamina
+constexpr double kPoint = 1e-3;     // of the distance to the fixed point: a smaller body is drawn as a point mass
 
 /// The largest |A p| on a piece. |A p| is convex, so it is greatest at a support point; from a start one climbs to
 /// the nearest such summit, p -> the support point in the direction of Aᵀ A p.
@@ -42,6 +44,26 @@ Figure equivalentBoxFigure(const physics::PrincipalAxes& axes) {
   return figure;
 }
 
+/// The uniform box of this mass and tensor, at the centre of mass and to scale: a box with half edges h has
+/// I1 = M (h2² + h3²)/3.
+Figure uniformBoxFigure(const physics::MassProperties& mass, const Vector3d& origin_B) {
+  const physics::SymmetricEigen eigen = physics::symmetricEigen(mass.inertia_B());
+  Vector3d I;
+  Matrix3d R_BP;
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    I[k] = toDouble(eigen.values[i]);
+    for (int row = 0; row < 3; ++row) R_BP(row, k) = toDouble(eigen.vectors[i][static_cast<std::size_t>(row)]);
+  }
+  const Vector3d squares = 1.5 / mass.mass_kg() * (Vector3d::Constant(I.sum()) - 2 * I);
+  const Vector3d h = squares.cwiseMax(0).cwiseSqrt(), centre_B = mass.centre_B() - origin_B;
+  const double size = h.maxCoeff() > kPoint * centre_B.norm() ? h.maxCoeff() : centre_B.norm();
+  Figure figure;
+  const Sketch sketch(figure, R_BP, centre_B);
+  sketch.box(Vector3d::Zero(), h.cwiseMax(kThinnest * size));
+  return figure;
+}
+
 /// Standing on the fixed point, about the principal axis nearest to the centre of mass.
 Figure equivalentConeFigure(const physics::PrincipalAxes& axes, const Vector3d& gravity_B) {
   const Vector3d gravity_P = axes.toP(gravity_B);
@@ -60,6 +82,7 @@ Figure equivalentConeFigure(const physics::PrincipalAxes& axes, const Vector3d& 
 Figure figureOf(const scene::Scene& scene) {
   const std::vector<scene::Part> shown = partsToShow(scene);
   if (!shown.empty()) return partsFigure(shown, originOfFigure(scene, shown));
+  if (scene.body.mass) return uniformBoxFigure(*scene.body.mass, scene.body.fixedPoint_B());
   const Vector3d& gravity_B = scene.motion.forcing.gravity_B;
   if (!gravity_B.isZero(0)) return equivalentConeFigure(scene.body.axes, gravity_B);
   return equivalentBoxFigure(scene.body.axes);

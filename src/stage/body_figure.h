@@ -12,7 +12,8 @@
 namespace poinsot::stage {
 
 /// The body as it is drawn, its fixed point at the origin: the parts to show, else the parts that set the inertia,
-/// else what has the moments given: the uniform box, or under gravity the uniform cone on its apex.
+/// else what has the moments given: of a body with a mass the uniform box, at its centre of mass and to scale;
+/// else the uniform box, or under gravity the uniform cone on its apex, of any size.
 class BodyFigure {
  public:
   explicit BodyFigure(const scene::Scene& scene);

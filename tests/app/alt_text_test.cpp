@@ -104,6 +104,15 @@ TEST(AltText, OfAHeavyTop) {
               HasSubstr("Besides: the angle θ between k and the vertical."));
 }
 
+TEST(AltText, OfMeasuredMomentsWithAMass) {
+  const std::string text =
+      altText(sceneOf("[body]\nprincipal_moments = [1, 1, 0.5]\nmass = 2\npivot = [0, 0, -0.5]\n[motion]\n"
+                      "omega_body = [0, 0, 9]\n[motion.gravity]\ng = 9.81\n"));
+  EXPECT_THAT(text,
+              HasSubstr("The body is given by its moments of inertia, of 2 kg, and is drawn as the uniform box "
+                        "that has them, and turns about a point that is held fixed."));
+}
+
 // Half as fast from 4 s on, reached at once: 4 s + 6 s/2 of the 10 s.
 TEST(AltText, OfAPaceThatChanges) {
   const std::string text =

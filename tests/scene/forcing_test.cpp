@@ -158,8 +158,7 @@ TEST(Flight, IsDrawnOfABodyThatIsThrown) {
   EXPECT_EQ(problems(kBare + "[show]\ntotal_L=true\n"),
             "show.total_L: is drawn of a thrown body: give [motion.flight], or leave it out\n");
   EXPECT_EQ(problems(kBare + thrown + "[[view]]\nshow.total_L=true\n"),
-            "view[0].show.total_L: needs a body with a mass (a shape, one of the catalogue, parts or point "
-            "masses)\n");
+            "view[0].show.total_L: needs a body with a mass; give body.mass beside the moments of inertia\n");
 }
 
 TEST(Flight, HasQuantitiesOfItsOwn) {

@@ -55,6 +55,8 @@ const std::map<std::string_view, std::string>& contexts() {
       {"body.mass", kOmega + kBox},
       {"body.density", kOmega + kBox},
       {"body.pivot", kOmega + kBox + "body.mass = 1\n"},
+      {"body.centre_of_mass", kOmega + kMoments + "body.mass = 1\n"},
+      {"body.moments_about", kOmega + kMoments + "body.mass = 1\nbody.pivot = [0, 0, 0]\n"},
       {"body.part[].mass", kOmega + part},
       {"body.part[].density", kOmega + part},
       {"body.part[].offset", kOmega + part + "mass = 1\n"},

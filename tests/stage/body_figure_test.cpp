@@ -72,6 +72,41 @@ TEST(BodyFigure, OfABareTensorIsTheBoxTurnedToItsAxes) {
   EXPECT_LT(difference.norm(), 1e-6);  // measured 3e-8: floats
 }
 
+/// The farthest points of the body of a scene in 26 directions.
+std::vector<Vector3d> farthestPoints(const std::string& body) {
+  const BodyFigure figure(scene::parseScene(body + "[motion]\nomega_body = [0, 1, 2]\n", "test.toml"));
+  std::vector<Vector3d> points;
+  for (const Vector3d& direction : cubeDirections()) points.push_back(figure.supportPoint(direction));
+  return points;
+}
+
+// A mass and moments are drawn as the box that has them, at its size and in its place: that box, given as a shape,
+// is drawn so. Edges 3, 2, 1 m and 12 kg: moments (5, 10, 13) kg m².
+TEST(BodyFigure, OfAMassWithMomentsIsTheirBoxAtTheCentreOfMass) {
+  const std::string box = "[body]\nmass = 12\nshape = 'box'\nsize = [3, 2, 1]\n", moments = "[body]\nmass = 12\n";
+  const std::string own = "principal_moments = [5, 10, 13]\n", pivot = "pivot = [0.25, 0, -2]\n";
+  const std::string tensor = "inertia = [[5, 0, 0], [0, 10, 0], [0, 0, 13]]\n";
+  for (const std::string& held : {std::string(), pivot})
+    for (const std::string& form : {own, tensor}) {
+      const auto expected = farthestPoints(box + held), drawn = farthestPoints(moments + form + held);
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_LE((drawn[i] - expected[i]).norm(), 1e-15) << form << held << i;  // measured: equal
+    }
+  const std::string shifted = moments + own + "centre_of_mass = [1, 1, 1]\npivot = [1.25, 1, -1]\n";
+  EXPECT_EQ(farthestPoints(shifted), farthestPoints(moments + own + pivot));
+}
+
+// All of the mass in one point, 2 m from the pivot: a small box there, and not one of no size.
+TEST(BodyFigure, OfAMassInOnePointCanBeSeen) {
+  const std::vector<Vector3d> points = farthestPoints(
+      "[body]\nmass = 1\nprincipal_moments = [4, 4, 1e-12]\npivot = [0, 0, -2]\nmoments_about = 'pivot'\n");
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : points) box.extend(point);
+  EXPECT_LE((box.center() - Vector3d(0, 0, 2)).norm(), 1e-14);
+  EXPECT_NEAR(box.sizes().minCoeff(), 0.28, 1e-14);
+  EXPECT_NEAR(box.sizes().maxCoeff(), 0.28, 1e-14);
+}
+
 // A box turned in the body: the farthest corner under the map is the reach.
 TEST(BodyFigure, ReachesAsFarAsItsFarthestCorner) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(0.8, 0.1, -0.5, 0.3).normalized();
