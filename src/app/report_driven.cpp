@@ -7,6 +7,7 @@
 #include "physics/driven_motion.h"
 #include "physics/polhode.h"
 #include "physics/run_condition.h"
+#include "scene/film_pace.h"
 #include "scene/heavy_top_start.h"
 #include "scene/make_motion.h"
 
@@ -81,6 +82,8 @@ Section heavyTopSection(const scene::Scene& scene) {
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");
   addSteadyPrecession(section, start->top, start->tilt_rad(), start->spin());
   addNutation(section, start->nutation());
+  if (const auto round_s = scene::precessionPeriod_s(scene))
+    section.add("precession_period", "mean precession: once round in", *round_s, "s", "about the vertical");
   return section;
 }
 
@@ -103,8 +106,15 @@ Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
   Section section{"Run", {}};
   section.add("motion_from", "motion time of the first frame", span.from_s, "s", "");
   section.add("motion_to", "motion time at the end of the film", span.to_s, "s", "");
+  const auto round_s = scene::precessionPeriod_s(scene);
   section.add("pace", "seconds of motion to a second of film", scene::chosenSpeed(scene), "",
-              scene.time.speed ? "time.speed" : "chosen from |omega|");
+              scene.time.speed ? "time.speed"
+              : round_s        ? "chosen from |omega| and the precession"
+                               : "chosen from |omega|");
+  if (round_s)
+    section.add("precession_turns", "turns of the precession in the film",
+                std::abs(span.to_s - span.from_s) / *round_s, "",
+                scene::heavyTopStart(scene) ? "" : "estimate, without losses and asymmetry");
   if (scene.motion.forcing.none()) {
     addCondition(section, scene, span);
     return section;

@@ -15,6 +15,18 @@ bool gravityAlone(const physics::Forcing& forcing) {
   return !forcing.none() && rest.none();
 }
 
+/// Of a top whose moments across k differ by no more than `most` of themselves, and whose centre of mass lies no
+/// farther off the axis.
+std::optional<HeavyTopStart> startOf(const Scene& scene, double most) {
+  const physics::PrincipalAxes& axes = scene.body.axes;
+  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), most);
+  if (!top) return std::nullopt;
+  const Eigen::Vector3d acrossK = axes.moments().values() - top->along * top->k_P.cwiseAbs();
+  const double uneven = 2 * (acrossK.maxCoeff() / top->across - 1);
+  return HeavyTopStart{*top, axes.toP(scene.motion.omega_B),
+                       axes.toP(startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ()), std::abs(uneven)};
+}
+
 }  // namespace
 
 double HeavyTopStart::tilt_rad() const { return std::atan2(up_P.cross(top.k_P).norm(), up_P.dot(top.k_P)); }
@@ -22,15 +34,16 @@ double HeavyTopStart::tilt_rad() const { return std::atan2(up_P.cross(top.k_P).n
 double HeavyTopStart::spin() const { return omega_P.dot(top.k_P); }
 
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene) {
-  const physics::PrincipalAxes& axes = scene.body.axes;
-  if (!gravityAlone(scene.motion.forcing)) return std::nullopt;
   constexpr double kUneven = 1e-6;
-  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), kUneven);
-  if (!top) return std::nullopt;
-  const Eigen::Vector3d acrossK = axes.moments().values() - top->along * top->k_P.cwiseAbs();
-  const double uneven = 2 * (acrossK.maxCoeff() / top->across - 1);
-  return HeavyTopStart{*top, axes.toP(scene.motion.omega_B),
-                       axes.toP(startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ()), std::abs(uneven)};
+  return gravityAlone(scene.motion.forcing) ? startOf(scene, kUneven) : std::nullopt;
+}
+
+std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene) {
+  constexpr double kUneven = 0.5;
+  physics::Forcing forcing = scene.motion.forcing;
+  forcing.dragRate_P.setZero();
+  forcing.dissipation = 0;
+  return gravityAlone(forcing) ? startOf(scene, kUneven) : std::nullopt;
 }
 
 }  // namespace poinsot::scene

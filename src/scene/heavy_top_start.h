@@ -25,4 +25,9 @@ struct HeavyTopStart {
 /// symmetric.
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
 
+/// The start of the symmetric top that is nearest to the body, as if gravity alone acted: for estimates of a film.
+/// The moments across k may differ by half of themselves, and drag and dissipation may act. Empty where another
+/// torque does.
+std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene);
+
 }  // namespace poinsot::scene

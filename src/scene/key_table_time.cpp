@@ -40,7 +40,7 @@ std::vector<Key> timeKeys() {
        .fallback = "\"auto\"",
        .example = "0.5",
        .help = "Seconds of motion per second of film; negative runs backwards, auto chooses a pace that the eye "
-               "follows.",
+               "follows; of a heavy top one at which its precession is seen.",
        .put = into([](Draft& d) { return &d.scene.time.speed; })},
       {.path = "time.loop",
        .type = kBool,

@@ -9,13 +9,11 @@
 #include "core/error.h"
 #include "physics/driven_motion.h"
 #include "physics/free_motion.h"
+#include "scene/film_pace.h"
 #include "scene/limits.h"
 
 namespace poinsot::scene {
 namespace {
-
-// Above about a turn a second the eye loses the rolling, below a twelfth nothing seems to move.
-constexpr double kCalmestSpin = 0.5, kFastestSpin = 6.5, kPleasantSpin = 2.1;  // rad per film second
 
 // With the part across one axis drawn larger or smaller.
 Eigen::Vector3d exaggerated(const Eigen::Vector3d& omega_P, int axis, double factor) {
@@ -45,11 +43,7 @@ Eigen::Quaterniond startOrientation(const Scene& scene) {
   return physics::levelAttitude(scene.body.axes, scene.motion.omega_B, verticalOfL(scene));
 }
 
-double chosenSpeed(const Scene& scene) {
-  if (scene.time.speed) return *scene.time.speed;
-  const double spin = scene.motion.omega_B.norm();
-  return spin == 0 || (spin >= kCalmestSpin && spin <= kFastestSpin) ? 1.0 : kPleasantSpin / spin;
-}
+double chosenSpeed(const Scene& scene) { return scene.time.speed ? *scene.time.speed : automaticPace(scene); }
 
 int spinAxis(const Eigen::Vector3d& omega_P) {
   int axis = 0;

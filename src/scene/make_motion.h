@@ -16,7 +16,8 @@ physics::Vertical verticalOfL(const Scene& scene);
 /// Attitude at motion time 0: the scene's, or the shortest turn of L onto verticalOfL(). Unit.
 Eigen::Quaterniond startOrientation(const Scene& scene);
 
-/// Seconds of motion per second of film: the scene's, or one at which omega is pleasant to watch.
+/// Seconds of motion per second of film: the scene's, or one that the eye follows: of omega, and of a heavy top's
+/// precession.
 double chosenSpeed(const Scene& scene);
 
 /// The principal axis that omega is about most.

@@ -29,9 +29,10 @@ omega_body = [0.01, 3.0, 0.0]
 ```
 
 `poinsot check scene.toml` reports every problem of a file, with its line and column, and as a note what may be a slip:
-a whole number as an angle, which is in radians, or a `hold` beyond the film's end. `-D key.path=value` after any
-command that takes a scene overrides a key, with the same checks: `-D time.duration=5 -D style.theme=dark`; a table of
-an array is named by its number from 0: `-D 'body.part[0].mass=2'`.
+a whole number as an angle, which is in radians, a `hold` beyond the film's end, or a film that shows less than a tenth
+of a turn of a heavy top's precession.
+`-D key.path=value` after any command that takes a scene overrides a key, with the same checks:
+`-D time.duration=5 -D style.theme=dark`; a table of an array is named by its number from 0: `-D 'body.part[0].mass=2'`.
 `poinsot explain camera.fov` says the same of a key as the tables below, on a terminal. `poinsot schema` prints a JSON
 Schema of the format for editors.
 

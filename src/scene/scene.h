@@ -87,7 +87,7 @@ struct Time {
   double duration_s = 10;  ///< film time
   core::Rational fps{30, 1};
   std::optional<Loop> loop;     ///< the film repeats without a jump; the rest of the scene has been changed for it
-  std::optional<double> speed;  ///< motion seconds per film second; none: chosen from |omega|
+  std::optional<double> speed;  ///< motion seconds per film second; none: chosenSpeed() chooses
   std::optional<double> still_s;  ///< film time of the picture that says most; none: a third of the way
 
   double stillTime_s() const { return std::min(still_s.value_or(duration_s / 3), duration_s); }

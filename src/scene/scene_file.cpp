@@ -14,6 +14,7 @@
 #include "scene/document.h"
 #include "scene/doubtful_values.h"
 #include "scene/film_loop.h"
+#include "scene/film_pace.h"
 #include "scene/style_file.h"
 #include "scene/sweep.h"
 #include "scene/text_lines.h"
@@ -180,6 +181,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();
   doubtValues(leaves, findings);
+  doubtPrecession(scene, findings);
   scene.doubts = findings.doubts();
   scene.motion.mostSteps = static_cast<double>(limits[Limit::kSteps]);
   return scene;

@@ -181,6 +181,86 @@ TEST_F(InfoCommand, ASphereAndASteadySpin) {
   EXPECT_FALSE(sphere.contains("polhode_period"));
 }
 
+double largestOf(const nlohmann::json& value) {
+  double largest = value.is_number() ? std::abs(value.get<double>()) : 0;
+  if (value.is_array())
+    for (const auto& element : value) largest = std::max(largest, largestOf(element));
+  return largest;
+}
+
+/// Numbers agree to `tolerance`; all else is equal.
+void expectSame(const nlohmann::json& expected, const nlohmann::json& got, double tolerance,
+                const std::string& key) {
+  if (expected.is_number()) {
+    EXPECT_NEAR(got.get<double>(), expected.get<double>(), tolerance) << key;
+  } else if (expected.is_array()) {
+    ASSERT_EQ(got.size(), expected.size()) << key;
+    for (std::size_t i = 0; i < expected.size(); ++i) expectSame(expected[i], got[i], tolerance, key);
+  } else {
+    EXPECT_EQ(got, expected) << key;
+  }
+}
+
+// A cylinder of 2 kg, 0.5 m in radius and 1.5 m high, given as a shape and by its mass and moments, M r²/2 = 0.25
+// and M (3 r² + h²)/12 = 0.5 kg m²: hung in a lean under gravity, thrown, and left alone.
+TEST_F(InfoCommand, AMassWithMomentsIsTheSolidThatHasThem) {
+  const std::string motions[] = {
+      "pivot = [0, 0, -1]\n[motion]\nomega_body = [0.5, 0, 20]\norientation = [0.9, 0.4, 0, 0]\n"
+      "[motion.gravity]\ng = 8\n",
+      "[motion]\nomega_body = [0.5, 0, 3]\n[motion.flight]\nvelocity = [1, 2, 3]\nposition = [4, 5, 6]\n",
+      "[motion]\nomega_body = [0.5, 0, 3]\n"};
+  for (const std::string& motion : motions) {
+    folder_.put("s.toml", "[body]\nmass = 2\nshape = 'cylinder'\nradius = 0.5\nheight = 1.5\n" + motion);
+    const auto solid = nlohmann::json::parse(run(folder_, {"info", "s.toml", "--json"}).out);
+    for (const char* moments :
+         {"principal_moments = [0.5, 0.5, 0.25]\n", "inertia = [[0.5, 0, 0], [0, 0.5, 0], [0, 0, 0.25]]\n"}) {
+      folder_.put("s.toml", "[body]\nmass = 2\n" + std::string(moments) + motion);
+      const auto measured = nlohmann::json::parse(run(folder_, {"info", "s.toml", "--json"}).out);
+      ASSERT_EQ(measured.size(), solid.size());
+      for (const auto& [key, value] : solid.items())
+        expectSame(value, measured.at(key), 1e-13 * largestOf(value), key);  // measured: equal
+    }
+  }
+}
+
+// By hand, of 16642 kg at 1 m/s: P = 16642 kg m/s, M V²/2 = 8321 J, the weight M g = 16642 · 9.80665 N. The
+// tensor's T = ω·I·ω/2 in deg²/s², 76.6885 J in SI units.
+TEST_F(InfoCommand, AFlightOfAMeasuredTensorHasItsMomentum) {
+  folder_.put(
+      "s.toml",
+      "[body]\nmass = 16642\ninertia = [[36502.7, 27.1, -233.2], [27.1, 38372.4, -1152.4], [-233.2, -1152.4, "
+      "36514.9]]\n[motion]\nomega_body = ['1 deg/s', '2 deg/s', '3 deg/s']\n[motion.flight]\nvelocity = [1, 0, "
+      "0]\n");
+  const auto result = run(folder_, {"info", "s.toml", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  const double T =
+      (36502.7 + 4 * 38372.4 + 9 * 36514.9 + 2 * (2 * 27.1 - 3 * 233.2 - 6 * 1152.4)) / 2 * kDegree * kDegree;
+  EXPECT_EQ(json.at("mass"), 16642);
+  EXPECT_EQ(json.at("P_W"), nlohmann::json::parse("[16642, 0, 0]"));
+  EXPECT_NEAR(json.at("force_W")[2].get<double>(), -16642 * 9.80665, 1e-9);
+  expectNear(json, "T_translation", 8321);
+  expectNear(json, "T", T, 1e-14);
+  expectNear(json, "T_total", 8321 + T, 1e-14);
+}
+
+// A toy gyroscope given by mass, moments and arm: M = 0.17 kg, I3 = 2.5e-4, I1 = 1.25e-4 kg m² about its centre,
+// arm 0.1 m, level, 280 rad/s. Slow precession M g l/(I3 omega_3) = 0.17 · 9.8 · 0.1/0.07 = 2.38 rad/s, by hand.
+TEST_F(InfoCommand, AGyroscopeOfMassMomentsAndArm) {
+  folder_.put("s.toml",
+              "[body]\nprincipal_moments = [1.25e-4, 1.25e-4, 2.5e-4]\nmass = '170 g'\npivot = [0, 0, '-10 cm']\n"
+              "[motion]\nomega_body = [0, 0, 280]\norientation = [1, 1, 0, 0]\n[motion.gravity]\ng = 9.8\n");
+  const auto json = nlohmann::json::parse(run(folder_, {"info", "s.toml", "--json"}).out);
+  expectNear(json, "weight_moment", 0.1666, 1e-14);
+  expectNear(json, "slow_precession_rate", 2.38, 1e-14);
+  // Mean, nodding included: slower by the share that the nods take, less than 1 %.
+  expectNear(json, "precession_period", 2 * std::numbers::pi / 2.38, 0.01);
+  const double film_s = json.at("motion_to");
+  expectNear(json, "precession_turns", film_s / json.at("precession_period").get<double>(), 1e-14);
+  expectNear(json, "precession_turns", 5 / (2 * std::numbers::pi), 1e-12);  // half a radian to each of 10 s
+  EXPECT_EQ(json.at("from").at("pace"), "chosen from |omega| and the precession");
+}
+
 TEST_F(InfoCommand, LostOutputIs4) {
   folder_.put("a.toml", kGoodScene);
   EXPECT_EQ(run(folder_, {"info", "a.toml"}, Stdout::kFull).exitCode, 4);

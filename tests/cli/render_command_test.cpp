@@ -194,17 +194,20 @@ TEST_F(RenderCommand, APaceThatWasChosenIsTold) {
   folder_.put("top.toml",
               "[body]\nprincipal_moments = [1, 1, 2]\n[motion]\nomega_body = [0, 0, 100]\n"
               "orientation = [0.966, 0.259, 0, 0]\ngravity.mgr_body = [0, 0, 5]\n");
-  // 2.1 rad to a second of film. A fast top nods with the rate I3 omega_3/I1 (Landau & Lifshitz, section 35,
-  // problem 3): 2 pi/200 s, 1.496 s of film.
+  // A fast top goes round with the rate M g l/(I3 omega_3) and nods with I3 omega_3/I1 (Landau & Lifshitz, section
+  // 35, problem 3): 0.025 rad/s, half a radian to 20 s of film; 2 pi/200 s, 1.57 ms of it.
   EXPECT_EQ(
       said({}),
-      "poinsot: a second of film is 0.021 s of the motion, the whole film 0.21 s; a nutation takes 1.5 s of film; "
+      "poinsot: a second of film is 20 s of the motion, the whole film 200 s; a nutation takes 0.00157 s of film; "
       "time.speed = 1 is as fast as it is\n");
-  EXPECT_EQ(said({"-D", "time.speed=0.02"}), "");
+  EXPECT_EQ(said({"-D", "time.speed=5"}), "");
   EXPECT_EQ(
-      said({"-D", "motion.gravity.mgr_body=[1, 0, 5]"}),
-      "poinsot: a second of film is 0.021 s of the motion, the whole film 0.21 s; time.speed = 1 is as fast as "
-      "it is\n");
+      said({"-D", "time.speed=0.02"}),
+      "-D time.speed=0.02: note: time.speed: the film shows 0.0008 of a turn of the top's precession, which goes "
+      "round once in 251 s; time.speed = 25 shows a whole turn in these 10 s of film\n");
+  EXPECT_EQ(said({"-D", "motion.gravity.mgr_body=[1, 0, 5]"}),
+            "poinsot: a second of film is 20 s of the motion, the whole film 200 s; time.speed = 1 is as fast as "
+            "it is\n");
 }
 
 TEST_F(RenderCommand, ForeignFileInASequenceStopsAllOfIt) {
