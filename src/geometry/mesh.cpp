@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <compare>
 #include <limits>
@@ -37,6 +39,11 @@ std::vector<std::uint32_t> firstAtEachPlace(const std::vector<Eigen::Vector3d>& 
 
 }  // namespace
 
+std::string toString(const FilePlace& place) {
+  const std::uint64_t number = place.number;  // a bit field binds to no reference
+  return fmt::format("{} {}", place.isLine ? "line" : "byte", number);
+}
+
 Bounds boundsOf(const Mesh& mesh) {
   POINSOT_EXPECT(!mesh.vertices_M.empty());
   Bounds bounds{mesh.vertices_M[0], mesh.vertices_M[0]};
@@ -55,6 +62,7 @@ Mesh flipped(Mesh mesh) {
 Mesh joined(Mesh a, const Mesh& b) {
   const auto shift = static_cast<std::uint32_t>(a.vertices_M.size());
   a.vertices_M.insert(a.vertices_M.end(), b.vertices_M.begin(), b.vertices_M.end());
+  a.places.clear();
   for (const Mesh::Triangle& t : b.triangles) a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
   return a;
 }
@@ -64,23 +72,25 @@ Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& off
   return mesh;
 }
 
-Mesh welded(const Mesh& mesh) {
+Mesh merged(const Mesh& mesh, const std::vector<std::uint32_t>& target) {
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-  const std::vector<std::uint32_t> first = firstAtEachPlace(mesh.vertices_M);
-  std::vector<bool> used(first.size());
+  std::vector<bool> used(target.size());
   for (const Mesh::Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t i : triangle) used[first[i]] = true;
+    for (const std::uint32_t i : triangle) used[target[i]] = true;
   Mesh result;
-  std::vector<std::uint32_t> number(first.size(), kUnused);
-  for (std::size_t i = 0; i < first.size(); ++i) {
+  std::vector<std::uint32_t> number(target.size(), kUnused);
+  for (std::size_t i = 0; i < target.size(); ++i) {
     if (!used[i]) continue;
     number[i] = static_cast<std::uint32_t>(result.vertices_M.size());
     result.vertices_M.push_back(mesh.vertices_M[i]);
   }
   result.triangles.reserve(mesh.triangles.size());
   for (const Mesh::Triangle& t : mesh.triangles)
-    result.triangles.push_back({number[first[t[0]]], number[first[t[1]]], number[first[t[2]]]});
+    result.triangles.push_back({number[target[t[0]]], number[target[t[1]]], number[target[t[2]]]});
+  result.places = mesh.places;
   return result;
 }
+
+Mesh welded(const Mesh& mesh) { return merged(mesh, firstAtEachPlace(mesh.vertices_M)); }
 
 }  // namespace poinsot::geometry

@@ -4,9 +4,22 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace poinsot::geometry {
+
+/// Where something stands in a file: a line of a text (counted from 1), or a byte of a binary (counted from 0).
+struct FilePlace {
+  std::uint64_t isLine : 1 = 0;
+  std::uint64_t number : 63 = 0;
+};
+
+constexpr FilePlace atLine(std::uint64_t number) { return {1, number & (~std::uint64_t{0} >> 1)}; }
+constexpr FilePlace atByte(std::uint64_t number) { return {0, number & (~std::uint64_t{0} >> 1)}; }
+
+/// "line 12" or "byte 684".
+std::string toString(const FilePlace& place);
 
 /// Triangles in space, each counter-clockwise when seen from outside. Lengths in m, axes M.
 struct Mesh {
@@ -14,6 +27,7 @@ struct Mesh {
 
   std::vector<Eigen::Vector3d> vertices_M;
   std::vector<Triangle> triangles;
+  std::vector<FilePlace> places = {};  ///< each triangle's in its file; empty for a mesh that was not read
 };
 
 /// The least box along the axes that holds a mesh.
@@ -30,7 +44,7 @@ Bounds boundsOf(const Mesh& mesh);
 /// The same surface with its inside out.
 Mesh flipped(Mesh mesh);
 
-/// Both surfaces; a cavity is a flipped mesh within another.
+/// Both surfaces, without their places; a cavity is a flipped mesh within another.
 Mesh joined(Mesh a, const Mesh& b);
 
 /// Every vertex v becomes A v + offset. @pre det A > 0, or outside becomes inside.
@@ -41,5 +55,10 @@ Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& off
 /// ones.
 /// @pre finite.
 Mesh welded(const Mesh& mesh);
+
+/// Replaces each vertex i by vertex target[i], and removes the vertices that belong to no triangle. The order of
+/// vertices and triangles stays.
+/// @pre target[target[i]] == target[i] for every vertex.
+Mesh merged(const Mesh& mesh, const std::vector<std::uint32_t>& target);
 
 }  // namespace poinsot::geometry

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "geometry/mesh_edges.h"
 #include "geometry/mesh_integrals.h"
 
 namespace poinsot::geometry {
@@ -17,74 +19,125 @@ constexpr double kNoVolume = 1e-14;
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kScene, message); }
 
-// An edge as one number, so that edges sort: its ends, the lower first, and whether a triangle runs along it
-// upwards.
-using Edge = std::uint64_t;
-Edge edge(std::uint32_t from, std::uint32_t to) {
-  return Edge{std::min(from, to)} << 32 | Edge{std::max(from, to)} << 1 | (from < to ? 1U : 0U);
-}
-Edge withoutSense(Edge e) { return e >> 1; }
+std::string text(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
-/// Of every triangle with three corners; one with a corner repeated is a piece of an edge.
-std::vector<Edge> sortedEdges(const Mesh& mesh) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles)
-    if (a != b && b != c && c != a) edges.insert(edges.end(), {edge(a, b), edge(b, c), edge(c, a)});
-  std::ranges::sort(edges);
-  return edges;
+std::string ends(const Mesh& mesh, Edge e) {
+  return text(mesh.vertices_M[lowerEnd(e)]) + " to " + text(mesh.vertices_M[higherEnd(e)]);
 }
 
-std::string places(const Mesh& mesh, Edge e) {
-  const Eigen::Vector3d& a = mesh.vertices_M[e >> 32];
-  const Eigen::Vector3d& b = mesh.vertices_M[(e & 0xffffffffU) >> 1];
-  return fmt::format("({}, {}, {}) to ({}, {}, {})", a[0], a[1], a[2], b[0], b[1], b[2]);
+/// Returns " (of the triangle at line 12)" for the words "of the triangle at"; nothing for a mesh that was not
+/// read.
+std::string inFile(const Mesh& mesh, const char* words, const std::vector<std::size_t>& triangles) {
+  if (mesh.places.empty()) return "";
+  std::string places;
+  for (const std::size_t i : triangles) places += (places.empty() ? "" : " and ") + toString(mesh.places[i]);
+  return fmt::format(" ({} {})", words, places);
 }
 
-/// What is wrong with an edge that triangles run along so often.
-std::string faultOf(std::size_t down, std::size_t up, const std::string& between) {
-  if (down + up == 1)
-    return fmt::format("the mesh is open at the edge from {}; only a closed surface has a volume", between);
-  if (down == 0 || up == 0)
-    return fmt::format(
-        "two neighbouring triangles of the mesh run the same way along the edge from {}; one of them faces inward",
-        between);
-  return fmt::format(
-      "more than two triangles of the mesh meet at the edge from {}; a body's surface has two at every edge",
-      between);
+/// Returns the triangles that run along an edge.
+std::vector<std::size_t> trianglesAlong(const Mesh& mesh, Edge edge) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    if (isCollapsed({a, b, c})) continue;
+    for (const Edge e : {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)})
+      if (withoutSense(e) == withoutSense(edge)) found.push_back(i);
+  }
+  return found;
 }
 
-void checkEdges(const Mesh& mesh) {
-  const std::vector<Edge> edges = sortedEdges(mesh);
-  for (auto first = edges.begin(); first != edges.end();) {
+/// Returns 1 for one of the two ways that a triangle can face, and -1 for the other.
+int facing(Mesh::Triangle t) {
+  std::ranges::rotate(t, std::ranges::min_element(t));
+  return t[1] < t[2] ? 1 : -1;
+}
+
+[[noreturn]] void refuseTwice(const Mesh& mesh, std::vector<std::size_t> same, int way) {
+  std::erase_if(same, [&](std::size_t i) { return facing(mesh.triangles[i]) != way; });
+  const Mesh::Triangle& t = mesh.triangles[same[0]];
+  refuse(fmt::format("the mesh has the triangle {}, {}, {} more than once{}; remove all but one",
+                     text(mesh.vertices_M[t[0]]), text(mesh.vertices_M[t[1]]), text(mesh.vertices_M[t[2]]),
+                     inFile(mesh, "at", {same[0], same[1]})));
+}
+
+Mesh::Triangle sortedCorners(Mesh::Triangle t) {
+  std::ranges::sort(t);
+  return t;
+}
+
+/// Refuses a triangle that is among these twice, facing the same way, unless others that face it cancel it: what
+/// it bounds would count twice.
+void expectDistinct(const Mesh& mesh, std::vector<std::size_t> triangles) {
+  const auto corners = [&](std::size_t i) { return sortedCorners(mesh.triangles[i]); };
+  std::ranges::sort(triangles, {}, [&](std::size_t i) { return std::pair(corners(i), i); });
+  for (auto first = triangles.begin(); first != triangles.end();) {
     const auto end =
-        std::find_if(first, edges.end(), [&](Edge e) { return withoutSense(e) != withoutSense(*first); });
-    const auto up = static_cast<std::size_t>(std::count_if(first, end, [](Edge e) { return e & 1U; }));
-    const auto down = static_cast<std::size_t>(end - first) - up;
-    if (up != 1 || down != 1) refuse(faultOf(down, up, places(mesh, *first)));
+        std::find_if(first, triangles.end(), [&](std::size_t i) { return corners(i) != corners(*first); });
+    const int sum =
+        std::accumulate(first, end, 0, [&](int s, std::size_t i) { return s + facing(mesh.triangles[i]); });
+    if (std::abs(sum) > 1) refuseTwice(mesh, {first, end}, sum > 0 ? 1 : -1);
     first = end;
   }
+}
+
+/// Refuses an edge along which more triangles run one way than the other.
+[[noreturn]] void refuseEdge(const Mesh& mesh, Edge edge, const std::vector<Edge>& edges) {
+  const std::vector<std::size_t> along = trianglesAlong(mesh, edge);
+  const std::string between = ends(mesh, edge);
+  if (along.size() == 1)
+    refuse(fmt::format(
+        "the mesh is open at the edge from {}{}; only a closed surface has a volume: close the hole in "
+        "a mesh program",
+        between, inFile(mesh, "of the triangle at", along)));
+  expectDistinct(mesh, along);
+  if (along.size() == 2)
+    refuse(fmt::format(
+        "two neighbouring triangles of the mesh run the same way along the edge from {}{}; one of them "
+        "faces inward: swap two of its corners",
+        between, inFile(mesh, "at", along)));
+  const auto up = static_cast<std::size_t>(
+      std::ranges::count_if(edges, [&](Edge e) { return withoutSense(e) == withoutSense(edge) && runsUp(e); }));
+  refuse(
+      fmt::format("{} triangles of the mesh run one way along the edge from {} and {} the other way{}; a closed "
+                  "surface has as many of each: remove a triangle, or add what is missing, in a mesh program",
+                  std::max(up, along.size() - up), between, std::min(up, along.size() - up),
+                  inFile(mesh, "the first is at", {along[0]})));
 }
 
 void checkVolume(const Mesh& mesh) {
   const Eigen::Vector3d size = boundsOf(mesh).size_m();
   const double volume = integrals(mesh).volume_m3, box = size[0] * size[1] * size[2];
+  if (std::isinf(volume))
+    refuse("the mesh is too large for its volume to be a number; give its lengths in a larger unit");
   if (volume < -kNoVolume * box)
     refuse(fmt::format(
         "the mesh is inside out: its volume is {} m³; flip its triangles (swap two corners of each)", volume));
-  if (!(volume > kNoVolume * box)) refuse("the mesh encloses no volume");
-  if (!std::isfinite(volume)) refuse("the mesh is too large for its volume to be a number");
+  if (!(volume > kNoVolume * box))  // not a number where it is exactly 0: there is no centre
+    refuse(
+        "the volume of the mesh is 0: its triangles lie in one plane, or each faces another at the same place; "
+        "remove the triangles that face inward, or give the surface a thickness");
+}
+
+/// Refuses a triangle that the mesh has twice. Only then do two triangles run the same way along all three edges.
+void checkDistinct(const Mesh& mesh, const std::vector<Edge>& edges) {
+  if (std::ranges::adjacent_find(edges) == edges.end()) return;
+  std::vector<std::size_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::erase_if(all, [&](std::size_t i) { return isCollapsed(mesh.triangles[i]); });
+  expectDistinct(mesh, std::move(all));
 }
 
 }  // namespace
 
 void checkClosed(const Mesh& mesh) {
-  if (mesh.triangles.empty()) refuse("the mesh has no triangles");
+  if (mesh.triangles.empty()) refuse("the mesh has no triangles; a body is bounded by triangles");
   POINSOT_EXPECT(mesh.vertices_M.size() < std::size_t{1} << 31);
   for (const Mesh::Triangle& triangle : mesh.triangles)
     for (const std::uint32_t i : triangle) POINSOT_EXPECT(i < mesh.vertices_M.size());
-  checkEdges(mesh);
+  const std::vector<Edge> edges = sortedEdges(mesh), unbalanced = unbalancedEdges(edges);
+  if (!unbalanced.empty()) refuseEdge(mesh, unbalanced.front(), edges);
   checkVolume(mesh);
+  checkDistinct(mesh, edges);
 }
 
 }  // namespace poinsot::geometry

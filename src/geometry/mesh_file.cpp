@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "geometry/mesh_readers.h"
@@ -12,9 +10,7 @@
 namespace poinsot::geometry {
 
 MeshFormat meshFormatOf(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string ending = lowered(path.extension().string());
   if (ending == ".obj") return MeshFormat::kObj;
   if (ending == ".stl") return MeshFormat::kStl;
   if (ending == ".ply") return MeshFormat::kPly;
@@ -23,11 +19,15 @@ MeshFormat meshFormatOf(const std::filesystem::path& path) {
                                 core::printable(path.filename().string())));
 }
 
-Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& name, const MeshLimits& limits) {
+MeshReading parseMesh(std::string_view bytes, MeshFormat format, const std::string& name,
+                      const MeshLimits& limits) {
   const std::string shown = core::printable(name);
   if (bytes.size() > limits.bytes)
     throw core::Error(core::ErrorKind::kLimit,
                       fmt::format("{} has more than {} bytes, the most that are read", shown, limits.bytes));
+  if (bytes.empty())
+    throw core::Error(core::ErrorKind::kScene, "the file is empty; export the mesh again",
+                      core::SourceLocation{shown});
   MeshBuilder builder(shown, limits);
   switch (format) {
     case MeshFormat::kObj:
@@ -43,7 +43,7 @@ Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& nam
   return builder.finished();
 }
 
-Mesh readMesh(const std::filesystem::path& path, const MeshLimits& limits) {
+MeshReading readMesh(const std::filesystem::path& path, const MeshLimits& limits) {
   const MeshFormat format = meshFormatOf(path);
   return parseMesh(core::readRegularFile(path, limits.bytes, core::ErrorKind::kScene), format, path.string(),
                    limits);

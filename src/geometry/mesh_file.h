@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/mesh.h"
 
@@ -27,13 +28,23 @@ struct MeshLimits {
 /// By the ending .obj, .stl or .ply, in any case. @throws core::Error(kScene) for any other.
 MeshFormat meshFormatOf(const std::filesystem::path& path);
 
-/// A mesh as its file's bytes have it: polygons as fans of triangles from their first corner, vertices at the same
-/// place welded (mesh.h), lengths as they stand. Whether it is closed is checkClosed()'s question.
-/// @throws core::Error(kScene) with FILE:LINE for a text and the byte's number for a binary, where it cannot be
-/// read; core::Error(kLimit) beyond the limits. `name` names the file in messages.
-Mesh parseMesh(std::string_view bytes, MeshFormat format, const std::string& name, const MeshLimits& limits = {});
+/// A mesh as it was read, and what a user should know of its file.
+struct MeshReading {
+  Mesh mesh;
+  std::vector<std::string> notes;  ///< what was joined or passed over, each with FILE:LINE or the byte; printable
+};
 
-/// Of a regular file, its format by its ending. @throws as parseMesh.
-Mesh readMesh(const std::filesystem::path& path, const MeshLimits& limits = {});
+/// Reads a mesh from its file's bytes: polygons become fans of triangles from their first corner, lengths stay as
+/// the file has them, vertices at the same place are welded (mesh.h). If the surface is open then and closes when
+/// corners that differ by rounding are joined (1e-9 of the size, else 1e-6), they are joined, with a note. Surplus
+/// bytes and numbers are passed over, with a note. checkClosed() tells whether the mesh is closed.
+/// @param name  names the file in messages and notes
+/// @throws core::Error(kScene) with FILE:LINE for a text and the byte's number for a binary, where it cannot be
+/// read; core::Error(kLimit) beyond the limits.
+MeshReading parseMesh(std::string_view bytes, MeshFormat format, const std::string& name,
+                      const MeshLimits& limits = {});
+
+/// Reads a regular file, its format by its ending. @throws as parseMesh.
+MeshReading readMesh(const std::filesystem::path& path, const MeshLimits& limits = {});
 
 }  // namespace poinsot::geometry

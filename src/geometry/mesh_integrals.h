@@ -23,9 +23,10 @@ struct MeshIntegrals {
 /// @pre closed (checkClosed), coordinates finite.
 MeshIntegrals integrals(const Mesh& mesh);
 
-/// @throws core::Error(kScene) unless the mesh bounds a volume: every edge of its triangles is shared by exactly
-/// two, which run along it in opposite directions, and their outsides face outward. Names an offending edge by its
-/// ends. Triangles with a corner repeated or without area do no harm.
+/// Checks that the mesh bounds a volume: along each edge as many triangles run one way as the other, so that parts
+/// may touch at an edge or a face, the outsides face outward, and no triangle is there twice. Triangles with a
+/// corner repeated or without area do no harm.
+/// @throws core::Error(kScene) otherwise. Names an edge by its ends, and a triangle by its place in the file.
 /// @pre indices in range, coordinates finite.
 void checkClosed(const Mesh& mesh);
 

@@ -6,18 +6,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/mesh_file.h"
 
 // The readers behind parseMesh(). Internal to this layer.
 namespace poinsot::geometry {
-
-/// Where in the bytes something stands: a line of a text, or the number of a byte (from 0) of a binary.
-struct FilePlace {
-  int line = 0;  ///< from 1; 0: in a binary
-  std::size_t byte = 0;
-};
 
 /// Takes what a reader finds, checks it, and says where it is wrong.
 class MeshBuilder {
@@ -37,38 +32,57 @@ class MeshBuilder {
   void expectTriangles(std::uint64_t count, const FilePlace& place) const;
   void expectVertices(std::uint64_t count, const FilePlace& place) const;
 
-  /// The mesh, welded. @throws core::Error if it has no triangle.
-  Mesh finished() const;
+  /// Notes what is passed over at `place`. Of notes with the same text the first is kept, with their number.
+  void note(const FilePlace& place, const std::string& text);
+
+  /// Gives the mesh away: welded, and with corners joined where that closes it.
+  /// @throws core::Error if it has no triangle.
+  MeshReading finished();
 
   [[noreturn]] void refuse(const FilePlace& place, const std::string& message) const;
 
  private:
+  struct Note {
+    FilePlace first;
+    std::string text;
+    std::size_t count = 0;
+  };
+
   [[noreturn]] void refuseAmount(const FilePlace& place, const std::string& message) const;
+  std::vector<std::string> noteTexts() const;
+  void close(MeshReading& reading) const;
 
   std::string name_;
   MeshLimits limits_;
   Mesh mesh_;
+  std::vector<Note> notes_;
 };
 
 void readObj(std::string_view text, MeshBuilder& builder);
 void readStl(std::string_view bytes, MeshBuilder& builder);
 void readPly(std::string_view bytes, MeshBuilder& builder);
 
-/// Lines of a text and the words of each. A line ends at \n; \r before it is white space.
+/// Lines of a text and the words of each. A line ends at \n; \r before it is white space. A byte-order mark of
+/// UTF-8 at the start is passed over.
 class LineReader {
  public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
+  explicit LineReader(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
+  }
 
   /// Goes to the next line; false at the end.
   bool next();
   std::string_view line() const { return line_; }
-  FilePlace place() const { return {number_, 0}; }
+  FilePlace place() const { return atLine(number_); }
   std::string_view rest() const { return rest_; }  ///< what follows the line
 
  private:
   std::string_view rest_, line_;
-  int number_ = 0;
+  std::uint64_t number_ = 0;
 };
+
+/// Returns the word with its ASCII capitals as small letters.
+std::string lowered(std::string_view word);
 
 /// Cuts the first word off a line; empty if there is none.
 std::string_view takeWord(std::string_view& line);

@@ -13,7 +13,10 @@ std::int64_t cornerOf(std::string_view word, const FilePlace& place, const MeshB
   const std::int64_t number = toWhole(word.substr(0, word.find('/')), place, builder);
   const auto count = static_cast<std::int64_t>(builder.vertexCount());
   if (number == 0 || number > count || number < -count)
-    builder.refuse(place, fmt::format("a corner of a face is vertex {} of {} so far", number, count));
+    builder.refuse(place,
+                   fmt::format("a corner of a face is vertex {} of {} so far; count from 1, or back from the "
+                               "last with -1, and put vertices before faces",
+                               number, count));
   return number > 0 ? number - 1 : count + number;
 }
 

@@ -23,24 +23,37 @@ constexpr std::pair<std::string_view, PlyEncoding> kEncodings[] = {
     {"binary_little_endian", PlyEncoding::kLittleEndian},
     {"binary_big_endian", PlyEncoding::kBigEndian}};
 
+template <typename Value, std::size_t N>
+std::string namesIn(const std::pair<std::string_view, Value> (&table)[N]) {
+  std::string names;
+  for (const auto& [name, value] : table) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
 class HeaderReader {
  public:
   HeaderReader(LineReader& lines, const MeshBuilder& builder) : lines_(lines), builder_(builder) {}
 
   PlyHeader read() {
-    if (nextKey() != "ply") refuse("a PLY file begins with a line \"ply\"");
-    if (nextKey() != "format") refuse("the second line of a PLY file is its format");
+    if (nextKey() != "ply")
+      refuse("a PLY file begins with a line \"ply\"; give the file the ending of its own format");
+    if (nextKey() != "format")
+      refuse(
+          "the second line of a PLY file is its format, such as \"format ascii 1.0\"; add it, or export the mesh "
+          "again");
     header_.encoding = found(kEncodings, takeWord(line_), "a PLY format");
     for (std::string_view key = nextKey(); key != "end_header"; key = nextKey()) readLine(key);
     for (const PlyElement& element : header_.elements)
       if (element.properties.empty())
-        builder_.refuse(element.place, fmt::format("element {} has no property", core::printable(element.name)));
+        builder_.refuse(element.place,
+                        fmt::format("element {} has no property; remove it, or export the mesh again",
+                                    core::printable(element.name)));
     return std::move(header_);
   }
 
  private:
   std::string_view nextKey() {
-    if (!lines_.next()) refuse("the file ends within the PLY header");
+    if (!lines_.next()) refuse("the file ends within the PLY header; export the mesh again");
     line_ = lines_.line();
     return takeWord(line_);
   }
@@ -51,26 +64,30 @@ class HeaderReader {
     else if (key == "property")
       readProperty();
     else if (key != "comment" && key != "obj_info" && !key.empty())
-      refuse(fmt::format("expected element, property, comment or end_header, got \"{}\"", core::printable(key)));
+      refuse(fmt::format(
+          "expected element, property, comment or end_header, got \"{}\"; remove the line, or export the "
+          "mesh again",
+          core::printable(key)));
   }
 
   void readElement() {
     PlyElement element;
     element.name = takeWord(line_);
     const std::int64_t count = toWhole(takeWord(line_), lines_.place(), builder_);
-    if (count < 0) refuse(fmt::format("an element has 0 rows or more, got {}", count));
+    if (count < 0) refuse(fmt::format("an element has 0 rows or more, got {}; export the mesh again", count));
     element.count = static_cast<std::uint64_t>(count);
     element.place = lines_.place();
     header_.elements.push_back(std::move(element));
   }
 
   void readProperty() {
-    if (header_.elements.empty()) refuse("a property stands before the first element");
+    if (header_.elements.empty()) refuse("a property stands before the first element; export the mesh again");
     PlyProperty property;
     std::string_view type = takeWord(line_);
     if (type == "list") {
       property.countType = found(kScalars, takeWord(line_), "a PLY type");
-      if (!isWhole(*property.countType)) refuse("the count of a list must be of a whole type");
+      if (!isWhole(*property.countType))
+        refuse("the count of a list must be of a whole type, such as uchar; export the mesh again");
       type = takeWord(line_);
     }
     property.type = found(kScalars, type, "a PLY type");
@@ -83,7 +100,7 @@ class HeaderReader {
               const char* what) const {
     for (const auto& [name, value] : table)
       if (name == word) return value;
-    refuse(fmt::format("\"{}\" is not {}", core::printable(word), what));
+    refuse(fmt::format("\"{}\" is not {}; it is one of {}", core::printable(word), what, namesIn(table)));
   }
 
   [[noreturn]] void refuse(const std::string& message) const { builder_.refuse(lines_.place(), message); }

@@ -13,19 +13,38 @@
 namespace poinsot::geometry {
 namespace {
 
-/// The numbers of the body, one after another.
+constexpr const char* kEnd = "the file ends before the last row that its header counts; export the mesh again";
+
+/// The numbers of the body, one after another, in rows.
 class Values {
  public:
   virtual ~Values() = default;
+  virtual void beginRow() {}
+  /// Passes over what is left of the row, with a note.
+  virtual void endRow() {}
+  /// Notes what is left after the last row.
+  virtual void finish() = 0;
   virtual double next(PlyScalar type) = 0;
   /// Of a whole type.
   virtual std::int64_t nextWhole(PlyScalar type) = 0;
   virtual FilePlace place() const = 0;  ///< of the last one
 };
 
+bool isBlank(std::string_view line) { return takeWord(line).empty(); }
+
+/// Whether a text has a line for each row, which is how it should be. If it has not, rows go on across line ends,
+/// or several share a line.
+bool isByLines(LineReader lines, const PlyHeader& header) {
+  std::uint64_t rows = 0, filled = 0;
+  for (const PlyElement& element : header.elements) rows += element.count;
+  while (lines.next()) filled += isBlank(lines.line()) ? 0 : 1;
+  return filled == rows;
+}
+
 class AsciiValues : public Values {
  public:
-  AsciiValues(const LineReader& lines, const MeshBuilder& builder) : lines_(lines), builder_(builder) {}
+  AsciiValues(const LineReader& lines, bool byLines, MeshBuilder& builder)
+      : lines_(lines), byLines_(byLines), builder_(builder) {}
 
   double next(PlyScalar type) override {
     if (isWhole(type)) return static_cast<double>(nextWhole(type));
@@ -36,27 +55,50 @@ class AsciiValues : public Values {
     const std::string_view word = nextWord();
     return toWhole(word, place(), builder_);
   }
+  void beginRow() override {
+    if (byLines_) nextLine();
+  }
+  void endRow() override {
+    if (!byLines_) return;
+    if (!isBlank(line_))
+      builder_.note(place(), "the line has more numbers than the header promises; the rest is passed over");
+    line_ = {};
+  }
+  void finish() override {
+    while (isBlank(line_)) {
+      if (!lines_.next()) return;
+      line_ = lines_.line();
+    }
+    builder_.note(place(), "what follows the last row that the header counts is passed over");
+  }
   FilePlace place() const override { return lines_.place(); }
 
  private:
-  std::string_view nextWord() {
-    std::string_view word = takeWord(line_);
-    while (word.empty()) {
-      if (!lines_.next()) builder_.refuse(place(), "the file ends before the last row that its header counts");
+  /// Goes to the next line that is not blank.
+  void nextLine() {
+    do {
+      if (!lines_.next()) builder_.refuse(place(), kEnd);
       line_ = lines_.line();
-      word = takeWord(line_);
-    }
-    return word;
+    } while (isBlank(line_));
+  }
+
+  std::string_view nextWord() {
+    if (isBlank(line_) && byLines_)
+      builder_.refuse(place(),
+                      "the line has fewer numbers than the header promises; add them, or export the mesh again");
+    if (isBlank(line_)) nextLine();
+    return takeWord(line_);
   }
 
   LineReader lines_;
   std::string_view line_;
-  const MeshBuilder& builder_;
+  bool byLines_;
+  MeshBuilder& builder_;
 };
 
 class BinaryValues : public Values {
  public:
-  BinaryValues(std::string_view bytes, std::size_t begin, std::endian order, const MeshBuilder& builder)
+  BinaryValues(std::string_view bytes, std::size_t begin, std::endian order, MeshBuilder& builder)
       : bytes_(bytes), at_(begin), order_(order), builder_(builder) {}
 
   double next(PlyScalar type) override {
@@ -82,14 +124,18 @@ class BinaryValues : public Values {
   }
   /// All of 32 bits or fewer: a double holds each.
   std::int64_t nextWhole(PlyScalar type) override { return static_cast<std::int64_t>(next(type)); }
-  FilePlace place() const override { return {0, last_}; }
+  void finish() override {
+    if (at_ < bytes_.size())
+      builder_.note(atByte(at_), fmt::format("{} bytes after the last row that the header counts are passed over",
+                                             bytes_.size() - at_));
+  }
+  FilePlace place() const override { return atByte(last_); }
 
  private:
   template <typename T>
   T take() {
     last_ = at_;
-    if (bytes_.size() - at_ < sizeof(T))
-      builder_.refuse(place(), "the file ends before the last row that its header counts");
+    if (bytes_.size() - at_ < sizeof(T)) builder_.refuse(place(), kEnd);
     const T value = fromBytes<T>(bytes_.substr(at_), order_);
     at_ += sizeof(T);
     return value;
@@ -98,7 +144,7 @@ class BinaryValues : public Values {
   std::string_view bytes_;
   std::size_t at_, last_ = 0;
   std::endian order_;
-  const MeshBuilder& builder_;
+  MeshBuilder& builder_;
 };
 
 /// Reads the rows of the elements in their order.
@@ -109,11 +155,21 @@ class BodyReader {
   void read(const PlyElement& element) {
     if (element.name == "vertex") return readVertices(element);
     if (element.name == "face") return readFaces(element);
-    for (std::uint64_t row = 0; row < element.count; ++row)
+    readRows(element, [&] {
       for (const PlyProperty& property : element.properties) skip(property);
+    });
   }
 
  private:
+  template <typename ReadRow>
+  void readRows(const PlyElement& element, const ReadRow& readRow) {
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+      values_.beginRow();
+      readRow();
+      values_.endRow();
+    }
+  }
+
   void readVertices(const PlyElement& element) {
     builder_.expectVertices(element.count, element.place);
     std::vector<int> axes;  // of each property; -1: of no interest
@@ -121,8 +177,9 @@ class BodyReader {
       axes.push_back(p.countType ? -1 : p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1);
     for (int axis = 0; axis < 3; ++axis)
       if (std::ranges::count(axes, axis) != 1)
-        builder_.refuse(element.place, fmt::format("element vertex must have one number {}", "xyz"[axis]));
-    for (std::uint64_t row = 0; row < element.count; ++row) readVertex(element, axes);
+        builder_.refuse(element.place,
+                        fmt::format("element vertex must have one number {}; export the mesh again", "xyz"[axis]));
+    readRows(element, [&] { readVertex(element, axes); });
   }
 
   void readVertex(const PlyElement& element, const std::vector<int>& axes) {
@@ -141,13 +198,15 @@ class BodyReader {
       return p.countType && isWhole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     if (std::ranges::count_if(element.properties, isCorners) != 1)
-      builder_.refuse(element.place, "element face must have one list vertex_indices of a whole type");
-    for (std::uint64_t row = 0; row < element.count; ++row)
+      builder_.refuse(element.place,
+                      "element face must have one list vertex_indices of a whole type; export the mesh again");
+    readRows(element, [&] {
       for (const PlyProperty& property : element.properties)
         if (isCorners(property))
           readFace(property);
         else
           skip(property);
+    });
   }
 
   void readFace(const PlyProperty& property) {
@@ -166,7 +225,9 @@ class BodyReader {
 
   std::uint64_t countOf(const PlyProperty& list) {
     const std::int64_t count = values_.nextWhole(*list.countType);
-    if (count < 0) builder_.refuse(values_.place(), fmt::format("a list has 0 numbers or more, got {}", count));
+    if (count < 0)
+      builder_.refuse(values_.place(),
+                      fmt::format("a list has 0 numbers or more, got {}; export the mesh again", count));
     return static_cast<std::uint64_t>(count);
   }
 
@@ -175,8 +236,9 @@ class BodyReader {
 };
 
 std::unique_ptr<Values> valuesOf(const PlyHeader& header, const LineReader& lines, std::string_view bytes,
-                                 const MeshBuilder& builder) {
-  if (header.encoding == PlyEncoding::kAscii) return std::make_unique<AsciiValues>(lines, builder);
+                                 MeshBuilder& builder) {
+  if (header.encoding == PlyEncoding::kAscii)
+    return std::make_unique<AsciiValues>(lines, isByLines(lines, header), builder);
   const std::endian order = header.encoding == PlyEncoding::kLittleEndian ? std::endian::little : std::endian::big;
   return std::make_unique<BinaryValues>(bytes, bytes.size() - lines.rest().size(), order, builder);
 }
@@ -189,6 +251,7 @@ void readPly(std::string_view bytes, MeshBuilder& builder) {
   const std::unique_ptr<Values> values = valuesOf(header, lines, bytes, builder);
   BodyReader body(*values, builder);
   for (const PlyElement& element : header.elements) body.read(element);
+  values->finish();
 }
 
 }  // namespace poinsot::geometry

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <span>
 
 #include "core/expect.h"
 
@@ -33,16 +34,41 @@ std::vector<HalfEdge> sortedHalfEdges(const draw::TriangleMesh& mesh) {
   return sides;
 }
 
-// Where more than two faces share an edge they are taken in pairs; one left over borders on nothing.
+/// Orders the sides of one edge so that the faces it parts stand together: sides that run in opposite directions,
+/// in the order of the faces, so that a body of several parts keeps the edges of each. Sides that are left over
+/// come last. Two faces that ran the same way would both look at the eye where one ends the outline.
+void pairOpposites(std::span<HalfEdge> sides) {
+  const auto middle =
+      std::stable_partition(sides.begin(), sides.end(), [](const HalfEdge& s) { return s.from < s.to; });
+  const std::vector<HalfEdge> up(sides.begin(), middle), down(middle, sides.end());
+  const std::size_t pairs = std::min(up.size(), down.size());
+  auto at = sides.begin();
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const bool upFirst = up[i].face < down[i].face;
+    *at++ = upFirst ? up[i] : down[i];
+    *at++ = upFirst ? down[i] : up[i];
+  }
+  at = std::copy(up.begin() + static_cast<std::ptrdiff_t>(pairs), up.end(), at);
+  std::copy(down.begin() + static_cast<std::ptrdiff_t>(pairs), down.end(), at);
+}
+
+// One left over borders on nothing.
+void addPairs(std::span<const HalfEdge> sides, std::vector<MeshEdge>& edges) {
+  for (std::size_t i = 0; i < sides.size(); i += 2)
+    edges.push_back(
+        {sides[i].from, sides[i].to, sides[i].face, i + 1 < sides.size() ? sides[i + 1].face : kNoFace, false});
+}
+
 std::vector<MeshEdge> pairedEdges(const draw::TriangleMesh& mesh) {
-  const std::vector<HalfEdge> sides = sortedHalfEdges(mesh);
+  std::vector<HalfEdge> sides = sortedHalfEdges(mesh);
   std::vector<MeshEdge> edges;
   edges.reserve(sides.size() / 2);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const HalfEdge& s = sides[i];
-    const bool paired = i + 1 < sides.size() && s.sameEdge(sides[i + 1]);
-    edges.push_back({s.from, s.to, s.face, paired ? sides[i + 1].face : kNoFace, false});
-    if (paired) ++i;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto end = std::find_if(first, sides.end(), [&](const HalfEdge& s) { return !s.sameEdge(*first); });
+    const std::span<HalfEdge> same(first, end);
+    if (same.size() > 2) pairOpposites(same);
+    addPairs(same, edges);
+    first = end;
   }
   return edges;
 }

@@ -37,9 +37,21 @@ Matter matterOf(const physics::Solid& solid) {
   return {[&solid](double mass_kg) { return physics::massProperties(solid, mass_kg); }, physics::volume(solid)};
 }
 
+void expectClosed(const geometry::Mesh& mesh) {
+  try {
+    geometry::checkClosed(mesh);
+  } catch (const core::Error& error) {
+    throw core::Error(error.kind(),
+                      fmt::format("{} (to only draw this mesh, give the moments as numbers in "
+                                  "body.principal_moments and the mesh in show.body.shape = \"mesh\" "
+                                  "and show.body.file)",
+                                  error.message()));
+  }
+}
+
 /// @throws core::Error where the mesh is not closed.
 Matter matterOf(const std::shared_ptr<const geometry::Mesh>& mesh) {
-  geometry::checkClosed(*mesh);
+  expectClosed(*mesh);
   const geometry::MeshIntegrals integrals = geometry::integrals(*mesh);
   return {[integrals](double mass_kg) {
             return physics::MassProperties(mass_kg, integrals.centre_M, mass_kg * integrals.inertiaPerMass_M);

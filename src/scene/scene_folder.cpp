@@ -97,14 +97,15 @@ std::string SceneFolder::read(const std::string& relativePath) const {
   return text;
 }
 
-geometry::Mesh SceneFolder::readMesh(const std::string& relativePath) const {
+geometry::MeshReading SceneFolder::readMesh(const std::string& relativePath) const {
   const auto format = geometry::meshFormatOf(relativePath);  // before the file: what it is not, need not be read
   const std::string bytes = read(relativePath);
   const std::size_t most = limits_.bytes(Limit::kTriangles);
   try {
-    geometry::Mesh mesh = geometry::parseMesh(bytes, format, relativePath, {bytes.size(), most - triangles_});
-    triangles_ += mesh.triangles.size();
-    return mesh;
+    geometry::MeshReading reading =
+        geometry::parseMesh(bytes, format, relativePath, {bytes.size(), most - triangles_});
+    triangles_ += reading.mesh.triangles.size();
+    return reading;
   } catch (const core::Error& error) {
     if (error.kind() != ErrorKind::kLimit) throw;
     throw core::Error(ErrorKind::kLimit,

@@ -23,9 +23,9 @@ class SceneFolder {
   /// too large, by itself or with those read before.
   std::string read(const std::string& relativePath) const;
 
-  /// The mesh that a file is. @throws as read() and parseMesh(); core::Error(kLimit) also for too many triangles
-  /// in all meshes together.
-  geometry::Mesh readMesh(const std::string& relativePath) const;
+  /// Reads a mesh and the notes on its file. @throws as read() and parseMesh(); core::Error(kLimit) also for too
+  /// many triangles in all meshes together.
+  geometry::MeshReading readMesh(const std::string& relativePath) const;
 
   /// What was read so far, in that order.
   const std::vector<InputFile>& filesRead() const { return read_; }

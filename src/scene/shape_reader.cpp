@@ -126,16 +126,14 @@ std::optional<Figure> ShapeReader::solid() {
   return Figure(std::move(solid));
 }
 
-geometry::Mesh ShapeReader::readMesh() const {
-  return geometry::transformed(folder_.readMesh(*shape_.file),
-                               shape_.fileUnit_m.value_or(1) * Eigen::Matrix3d::Identity());
-}
-
 std::optional<Figure> ShapeReader::mesh() {
   try {
-    return Figure(std::make_shared<const geometry::Mesh>(readMesh()));
+    geometry::MeshReading reading = folder_.readMesh(*shape_.file);
+    for (const std::string& note : reading.notes) findings_.doubt(path("file"), note);
+    return Figure(std::make_shared<const geometry::Mesh>(geometry::transformed(
+        std::move(reading.mesh), shape_.fileUnit_m.value_or(1) * Eigen::Matrix3d::Identity())));
   } catch (const core::Error& error) {
-    findings_.refuse(path("file"), error.message());
+    findings_.refuse(path("file"), error.what());  // with the mesh's file and line
     return std::nullopt;
   }
 }

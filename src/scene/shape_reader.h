@@ -51,7 +51,6 @@ class ShapeReader {
   bool sizeFits();
   std::optional<Figure> solid();
   std::optional<Figure> mesh();
-  geometry::Mesh readMesh() const;
 
   const ShapeDraft& shape_;
   std::string table_;

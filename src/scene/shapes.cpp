@@ -216,7 +216,9 @@ std::vector<NamedShape> composites() {
        .usual = WingNut{0.5, 1, {1.2, 0.2, 0.9}, 1.1, 0.3}},
       {.word = "mesh",
        .help = "The inside of a closed surface of triangles, each counter-clockwise from outside; axes and origin "
-               "of the file.",
+               "of the file. Corners that differ by rounding are joined, with a note. A mesh that is not closed "
+               "can be "
+               "drawn with show.body, of a body whose moments are given as numbers.",
        .ways = {{"file"}},
        .optional = {"file_unit"}},
   };

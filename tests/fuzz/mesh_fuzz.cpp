@@ -12,9 +12,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                             : data[0] == 's' ? MeshFormat::kStl
                                              : MeshFormat::kPly;
   try {
-    const auto mesh = poinsot::geometry::parseMesh(poinsot::fuzz::textOf({data + 1, size - 1}), format, "mesh");
-    poinsot::geometry::checkClosed(mesh);
-    poinsot::geometry::integrals(mesh);
+    const auto read = poinsot::geometry::parseMesh(poinsot::fuzz::textOf({data + 1, size - 1}), format, "mesh");
+    for (const std::string& note : read.notes) poinsot::fuzz::expectPrintable(note);
+    poinsot::geometry::checkClosed(read.mesh);
+    poinsot::geometry::integrals(read.mesh);
   } catch (const poinsot::core::Error& error) {
     poinsot::fuzz::expectPrintable(error.what());
   }

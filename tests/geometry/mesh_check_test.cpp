@@ -17,8 +17,9 @@ TEST(MeshCheck, AnOpenMeshNamesTheEdge) {
   Mesh mesh = boxMesh({2, 4, 6});
   mesh.triangles.pop_back();  // half of the face z = -3
   EXPECT_EQ(verdict(mesh),
-            "the mesh is open at the edge from (1, 2, -3) to (-1, 2, -3); only a closed surface has a volume");
-  EXPECT_EQ(verdict(Mesh{}), "the mesh has no triangles");
+            "the mesh is open at the edge from (1, 2, -3) to (-1, 2, -3); only a closed surface has a volume: "
+            "close the hole in a mesh program");
+  EXPECT_EQ(verdict(Mesh{}), "the mesh has no triangles; a body is bounded by triangles");
 }
 
 TEST(MeshCheck, EveryMissingTriangleIsFound) {
@@ -38,7 +39,7 @@ TEST(MeshCheck, ATriangleFacingInwardNamesTheEdge) {
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
   EXPECT_EQ(verdict(mesh),
             "two neighbouring triangles of the mesh run the same way along the edge from (1, 2, 3) to (1, -2, 3); "
-            "one of them faces inward");
+            "one of them faces inward: swap two of its corners");
 }
 
 TEST(MeshCheck, InsideOutIsRefusedWithTheRepair) {
@@ -46,12 +47,87 @@ TEST(MeshCheck, InsideOutIsRefusedWithTheRepair) {
             "the mesh is inside out: its volume is -48 m³; flip its triangles (swap two corners of each)");
 }
 
-TEST(MeshCheck, FourTrianglesAtAnEdge) {
-  const Mesh two = welded(joined(cubeMesh(1), transformed(cubeMesh(1), Eigen::Matrix3d::Identity(), {1, 1, 0})));
+Mesh moved(Mesh mesh, const Vector3d& by) { return transformed(std::move(mesh), Eigen::Matrix3d::Identity(), by); }
+
+// Of a cube of mass 1 about its centre: 1/6. Each centre is (±1/2, ±1/2, 0) from that of both.
+TEST(MeshCheck, AcceptsFourTrianglesAtAnEdge) {
+  const Mesh two = welded(joined(cubeMesh(1), moved(cubeMesh(1), {1, 1, 0})));
+  EXPECT_EQ(two.vertices_M.size(), 14U);  // they share two corners
+  EXPECT_EQ(verdict(two), "accepted");
+  Eigen::Matrix3d expected = Vector3d(1. / 6 + 1. / 4, 1. / 6 + 1. / 4, 1. / 6 + 1. / 2).asDiagonal();
+  expected(0, 1) = expected(1, 0) = -1. / 4;
+  const MeshIntegrals both = integrals(two);
+  EXPECT_NEAR(both.volume_m3, 2, 1e-15);                                       // measured 0
+  EXPECT_LE((both.centre_M - Vector3d(.5, .5, 0)).norm(), 1e-15);              // measured 0
+  EXPECT_LE((both.inertiaPerMass_M - expected).cwiseAbs().maxCoeff(), 1e-15);  // measured 1.1e-16
+}
+
+TEST(MeshCheck, AcceptsPartsThatShareAFace) {
+  const Mesh two = welded(joined(cubeMesh(1), moved(cubeMesh(1), {1, 0, 0})));
+  EXPECT_EQ(two.vertices_M.size(), 12U);
+  EXPECT_EQ(verdict(two), "accepted");
+  const Mesh box = boxMesh({2, 1, 1});
+  EXPECT_LE((integrals(two).inertiaPerMass_M - integrals(box).inertiaPerMass_M).cwiseAbs().maxCoeff(),
+            1e-15);  // measured 1.1e-16
+}
+
+TEST(MeshCheck, AcceptsATetrahedronThatTouchesAnotherAtAnEdge) {
+  Mesh mesh{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {}};
+  for (const auto& [c, d] : {std::pair{2U, 3U}, std::pair{4U, 5U}})
+    for (const Mesh::Triangle& t :
+         {Mesh::Triangle{0, d, c}, Mesh::Triangle{0, c, 1}, Mesh::Triangle{1, c, d}, Mesh::Triangle{0, 1, d}})
+      mesh.triangles.push_back(t);
+  EXPECT_EQ(verdict(mesh), "accepted");
+  EXPECT_NEAR(integrals(mesh).volume_m3, 1. / 3, 1e-16);  // measured 0
+}
+
+TEST(MeshCheck, RejectsAFin) {
+  Mesh mesh = cubeMesh(1);
+  const auto [a, b, c] = mesh.triangles[0];
+  const auto tip = static_cast<std::uint32_t>(mesh.vertices_M.size());
+  mesh.vertices_M.emplace_back(2, 2, 2);
+  mesh.triangles.push_back({a, b, tip});
+  EXPECT_NE(verdict(mesh), "accepted");
+  mesh.triangles.push_back({b, a, tip});  // seen from both sides it bounds nothing
+  EXPECT_EQ(verdict(mesh), "accepted");
+  EXPECT_NEAR(integrals(mesh).volume_m3, 1, 1e-15);  // measured 0
+}
+
+TEST(MeshCheck, NamesAnEdgeWithMoreTrianglesOneWay) {
+  Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
+            {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {1, 2, 0}, {2, 0, 1}}};
+  EXPECT_EQ(verdict(mesh),
+            "the mesh has the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) more than once; remove all but one");
+  mesh.triangles.resize(3);
   EXPECT_EQ(
-      verdict(two),
-      "more than two triangles of the mesh meet at the edge from (0.5, 0.5, 0.5) to (0.5, 0.5, -0.5); a body's "
-      "surface has two at every edge");
+      verdict(mesh),
+      "2 triangles of the mesh run one way along the edge from (0, 0, 0) to (1, 0, 0) and 1 the other way; a "
+      "closed surface has as many of each: remove a triangle, or add what is missing, in a mesh program");
+}
+
+TEST(MeshCheck, RejectsASurfaceThatIsThereTwice) {
+  const Mesh twice = welded(joined(cubeMesh(1), cubeMesh(1)));  // every edge is balanced
+  EXPECT_EQ(verdict(twice).substr(0, 29), "the mesh has the triangle (0.");
+  EXPECT_TRUE(verdict(twice).ends_with(") more than once; remove all but one")) << verdict(twice);
+  Mesh cancelled = twice;  // and once more, inside out
+  for (const auto& [a, b, c] : cubeMesh(1).triangles) cancelled.triangles.push_back({c, b, a});
+  EXPECT_EQ(verdict(cancelled), "accepted");
+}
+
+TEST(MeshCheck, NamesThePlacesInTheFile) {
+  Mesh mesh = tetrahedronMesh(1);
+  for (std::uint64_t line = 10; line < 14; ++line) mesh.places.push_back(atLine(line));
+  Mesh open = mesh;
+  open.triangles.erase(open.triangles.begin());
+  open.places.erase(open.places.begin());
+  EXPECT_NE(verdict(open).find(" (of the triangle at line 1"), std::string::npos) << verdict(open);
+  Mesh twice = mesh;
+  twice.triangles.push_back(twice.triangles[1]);
+  twice.places.push_back(atByte(684));
+  EXPECT_NE(verdict(twice).find(" more than once (at line 11 and byte 684);"), std::string::npos)
+      << verdict(twice);
+  std::swap(mesh.triangles[2][0], mesh.triangles[2][1]);
+  EXPECT_NE(verdict(mesh).find("line 12"), std::string::npos) << verdict(mesh);
 }
 
 TEST(MeshCheck, AFoldedSheetHasNoVolume) {
@@ -60,7 +136,10 @@ TEST(MeshCheck, AFoldedSheetHasNoVolume) {
   sheet.triangles = {{0, 1, 3}, {0, 3, 2}, {0, 3, 1}, {0, 2, 3}};
   EXPECT_NE(verdict(sheet), "accepted");
   sheet.triangles = {{0, 1, 2}, {0, 2, 1}};
-  EXPECT_EQ(verdict(sheet), "the mesh encloses no volume");
+  EXPECT_EQ(
+      verdict(sheet),
+      "the volume of the mesh is 0: its triangles lie in one plane, or each faces another at the same place; "
+      "remove the triangles that face inward, or give the surface a thickness");
 }
 
 TEST(MeshCheck, TrianglesWithoutAreaDoNoHarm) {
@@ -79,6 +158,11 @@ TEST(MeshCheck, TrianglesWithoutAreaDoNoHarm) {
 
 TEST(MeshCheck, ACavityIsAMeshInsideOut) {
   EXPECT_EQ(verdict(joined(boxMesh({1.2, .9, .5}), flipped(boxMesh({1.1, .8, .4})))), "accepted");
+}
+
+TEST(MeshCheck, RejectsWhatIsTooLargeForANumber) {
+  EXPECT_EQ(verdict(cubeMesh(1e110)),
+            "the mesh is too large for its volume to be a number; give its lengths in a larger unit");
 }
 
 TEST(MeshCheck, IndicesAreAContract) {

@@ -26,15 +26,16 @@ void expectSame(const Mesh& read, const Mesh& written, const char* name) {
 
 TEST(MeshFile, EveryFormatGivesTheMeshThatWasWritten) {
   for (const Sample& sample : primitives(12)) {
-    expectSame(parseMesh(asObj(sample.mesh), MeshFormat::kObj, "a.obj"), sample.mesh, sample.name);
-    expectSame(parseMesh(asAsciiStl(sample.mesh), MeshFormat::kStl, "a.stl"), sample.mesh, sample.name);
-    expectSame(parseMesh(asAsciiPly(sample.mesh), MeshFormat::kPly, "a.ply"), sample.mesh, sample.name);
+    expectSame(parseMesh(asObj(sample.mesh), MeshFormat::kObj, "a.obj").mesh, sample.mesh, sample.name);
+    expectSame(parseMesh(asAsciiStl(sample.mesh), MeshFormat::kStl, "a.stl").mesh, sample.mesh, sample.name);
+    expectSame(parseMesh(asAsciiPly(sample.mesh), MeshFormat::kPly, "a.ply").mesh, sample.mesh, sample.name);
     for (const std::endian order : {std::endian::little, std::endian::big})
-      expectSame(parseMesh(asBinaryPly(sample.mesh, order), MeshFormat::kPly, "a.ply"), sample.mesh, sample.name);
+      expectSame(parseMesh(asBinaryPly(sample.mesh, order), MeshFormat::kPly, "a.ply").mesh, sample.mesh,
+                 sample.name);
     Mesh floats = sample.mesh;
     for (Vector3d& v : floats.vertices_M)
       for (double& x : v) x = static_cast<double>(static_cast<float>(x));
-    const Mesh read = parseMesh(asBinaryStl(sample.mesh), MeshFormat::kStl, "a.stl");
+    const Mesh read = parseMesh(asBinaryStl(sample.mesh), MeshFormat::kStl, "a.stl").mesh;
     expectSame(read, floats, sample.name);
     EXPECT_NO_THROW(checkClosed(read)) << sample.name;  // welding closes it again
   }
@@ -42,22 +43,29 @@ TEST(MeshFile, EveryFormatGivesTheMeshThatWasWritten) {
 
 TEST(MeshFile, ObjPolygonsNegativeIndicesAndWhatElseALineHolds) {
   const Mesh mesh = parseMesh(
-      "mtllib x.mtl\r\n"
-      "v +1 1 -1 1.0\r\n"
-      "v 1 -1 -1 0.5 0.5 0.5 # red\r\n"
-      "v -1 -1 -1\r\nv -1 1 -1\r\nvt 0 0\r\n"
-      "v 1 1e0 1\r\nv 1 -1 1\r\nv -1 -1 1\r\nv -1 1 1\r\n\r\n"
-      "f 1 2 3 4\r\n"
-      "f -4//1 -1/2/3 -2/1 -3\r\n"
-      "f 1/1 5/1 \\\r\n 6/1 2/1\r\n"
-      "f 2 6 7 3#comment\r\n"
-      "\tf 3 7 8 4\r\n"
-      "f 5 1 4 8",
-      MeshFormat::kObj, "cube.obj");
+                        "mtllib x.mtl\r\n"
+                        "v +1 1 -1 1.0\r\n"
+                        "v 1 -1 -1 0.5 0.5 0.5 # red\r\n"
+                        "v -1 -1 -1\r\nv -1 1 -1\r\nvt 0 0\r\n"
+                        "v 1 1e0 1\r\nv 1 -1 1\r\nv -1 -1 1\r\nv -1 1 1\r\n\r\n"
+                        "f 1 2 3 4\r\n"
+                        "f -4//1 -1/2/3 -2/1 -3\r\n"
+                        "f 1/1 5/1 \\\r\n 6/1 2/1\r\n"
+                        "f 2 6 7 3#comment\r\n"
+                        "\tf 3 7 8 4\r\n"
+                        "f 5 1 4 8",
+                        MeshFormat::kObj, "cube.obj")
+                        .mesh;
   EXPECT_NO_THROW(checkClosed(mesh));
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_EQ(integrals(mesh).volume_m3, 8);
 }
+
+const std::string kAgain = "; export the mesh again";
+const std::string kCorrect = "; correct it, or export the mesh again";
+const std::string kNoFaces = "; export the surface of the body, not points or lines alone";
+const std::string kObjCount = "; count from 1, or back from the last with -1, and put vertices before faces";
+const std::string kPlyCount = "; name one of these, and put vertices before faces";
 
 std::string parsed(const std::string& bytes, MeshFormat format) {
   return refusal([&] { parseMesh(bytes, format, "body"); });
@@ -66,56 +74,75 @@ std::string parsed(const std::string& bytes, MeshFormat format) {
 TEST(MeshFile, BadObj) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const auto obj = [](const std::string& text) { return parsed(text, MeshFormat::kObj); };
-  EXPECT_EQ(obj(three + "f 1 2 4\n"), "body:4: a corner of a face is vertex 4 of 3 so far");
-  EXPECT_EQ(obj(three + "f 1 2 -4\n"), "body:4: a corner of a face is vertex -4 of 3 so far");
-  EXPECT_EQ(obj(three + "f 1 2 0\n"), "body:4: a corner of a face is vertex 0 of 3 so far");
-  EXPECT_EQ(obj(three + "f 1 2\n"), "body:4: a face has three corners or more, got 2");
-  EXPECT_EQ(obj(three + "f 1 2 3x\n"), "body:4: expected a whole number, got \"3x\"");
+  EXPECT_EQ(obj(three + "f 1 2 4\n"), "body:4: a corner of a face is vertex 4 of 3 so far" + kObjCount);
+  EXPECT_EQ(obj(three + "f 1 2 -4\n"), "body:4: a corner of a face is vertex -4 of 3 so far" + kObjCount);
+  EXPECT_EQ(obj(three + "f 1 2 0\n"), "body:4: a corner of a face is vertex 0 of 3 so far" + kObjCount);
+  EXPECT_EQ(obj(three + "f 1 2\n"), "body:4: a face has three corners or more, got 2; remove the face");
+  EXPECT_EQ(obj(three + "f 1 2 3x\n"), "body:4: expected a whole number, got \"3x\"" + kCorrect);
   EXPECT_EQ(obj(three + "f 1 2 99999999999999999999\n"),
-            "body:4: expected a whole number, got \"99999999999999999999\"");
-  EXPECT_EQ(obj("v 1 2\n"), "body:1: expected a number, got \"\"");
-  EXPECT_EQ(obj("v 1 2 +-3\n"), "body:1: expected a number, got \"+-3\"");
-  EXPECT_EQ(obj("v 1 2 nan\n"), "body:1: expected a number, got \"nan\"");
-  EXPECT_EQ(obj("v 1 2 1e999\n"), "body:1: 1e999 is beyond the numbers that a double holds");
-  EXPECT_EQ(obj(three), "body: the file has no faces");
-  EXPECT_EQ(obj(""), "body: the file has no faces");
+            "body:4: expected a whole number, got \"99999999999999999999\"" + kCorrect);
+  EXPECT_EQ(obj("v 1 2\n"), "body:1: expected a number, but the line ends; add it, or export the mesh again");
+  EXPECT_EQ(obj("v 1 2 +-3\n"), "body:1: expected a number, got \"+-3\"" + kCorrect);
+  EXPECT_EQ(obj("v 1 2 nan\n"), "body:1: expected a number, got \"nan\"" + kCorrect);
+  EXPECT_EQ(obj("v 1 2 1e999\n"),
+            "body:1: 1e999 is beyond the numbers that a double holds; give lengths in a larger unit");
+  EXPECT_EQ(obj(three), "body: the file has no faces" + kNoFaces);
+  EXPECT_EQ(obj(""), "body: the file is empty; export the mesh again");
 }
 
 TEST(MeshFile, BadStl) {
   const auto stl = [](const std::string& text) { return parsed(text, MeshFormat::kStl); };
   EXPECT_EQ(stl("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"),
-            "body:6: a loop has three vertices, got 2");
-  EXPECT_EQ(stl("solid x\nvertex 0 0 zero\n"), "body:2: expected a number, got \"zero\"");
+            "body:6: a loop has three vertices, got 2; divide polygons into triangles");
+  EXPECT_EQ(stl("solid x\nvertex 0 0 zero\n"), "body:2: expected a number, got \"zero\"" + kCorrect);
   EXPECT_EQ(stl("solid x\n<html>\n"),
-            "body:2: expected facet, outer loop, vertex, endloop, endfacet or endsolid, got \"<html>\"");
-  EXPECT_EQ(stl("solid x\nfacet normal 0 0 1\nouter loop\n"), "body:3: the file ends before endsolid");
-  EXPECT_EQ(stl("solid x\nendsolid x\n"), "body: the file has no faces");
-  EXPECT_EQ(stl("PNG"), "body: byte 3: the file ends within the header of a binary STL");
+            "body:2: expected facet, outer loop, vertex, endloop, endfacet or endsolid, got \"<html>\"; remove "
+            "the line, or "
+            "export the mesh again");
+  EXPECT_EQ(stl("solid x\nfacet normal 0 0 1\nouter loop\n"),
+            "body:3: the file ends before endsolid, so that triangles may be missing; export the mesh again");
+  EXPECT_EQ(stl("solid x\nendsolid x\n"), "body: the file has no faces" + kNoFaces);
+  EXPECT_EQ(stl("PNG"),
+            "body: byte 3: the file ends within the 84 bytes that begin a binary STL; an ASCII STL begins with "
+            "\"solid\", this file with \"PNG\"; export the mesh again");
   std::string binary = asBinaryStl(cubeMesh(1));
+  for (const char first : {'x', 's'}) {
+    binary[0] = first;
+    EXPECT_EQ(
+        stl(binary.substr(0, 600)),
+        "body: byte 80: the file is cut short or no STL: here a binary one counts its triangles, and 12 take 684 "
+        "bytes, the file has 600; an ASCII STL begins with \"solid\", this file with \"" +
+            std::string(1, first) + "olid\"; export the mesh again");
+  }
   binary[0] = 'x';
-  EXPECT_EQ(stl(binary + "more"), "body: byte 80: 12 triangles make a binary STL of 684 bytes, got 688");
-  EXPECT_EQ(stl(binary.substr(0, 600)), "body: byte 80: 12 triangles make a binary STL of 684 bytes, got 600");
   binary.replace(96, 4, std::string("\0\0\xc0\x7f", 4));
-  EXPECT_EQ(stl(binary), "body: byte 96: coordinates of a vertex must be finite, got (nan, 0.5, 0.5)");
+  EXPECT_EQ(stl(binary),
+            "body: byte 96: coordinates of a vertex must be finite, got (nan, 0.5, 0.5); export the mesh again");
 }
 
 TEST(MeshFile, BadPlyHeader) {
   const auto ply = [](const std::string& text) { return parsed(text, MeshFormat::kPly); };
-  EXPECT_EQ(ply("plx\n"), "body:1: a PLY file begins with a line \"ply\"");
-  EXPECT_EQ(ply("ply\nformat cbor 1.0\n"), "body:2: \"cbor\" is not a PLY format");
-  EXPECT_EQ(ply("ply\nformat ascii 1.0\n"), "body:2: the file ends within the PLY header");
-  EXPECT_EQ(ply("ply\nformat ascii 1.0\nproperty int x\n"), "body:3: a property stands before the first element");
-  EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement vertex -1\n"), "body:3: an element has 0 rows or more, got -1");
+  EXPECT_EQ(ply("plx\n"),
+            "body:1: a PLY file begins with a line \"ply\"; give the file the ending of its own format");
+  EXPECT_EQ(ply("ply\nformat cbor 1.0\n"),
+            "body:2: \"cbor\" is not a PLY format; it is one of ascii, binary_little_endian, binary_big_endian");
+  EXPECT_EQ(ply("ply\nformat ascii 1.0\n"), "body:2: the file ends within the PLY header" + kAgain);
+  EXPECT_EQ(ply("ply\nformat ascii 1.0\nproperty int x\n"),
+            "body:3: a property stands before the first element" + kAgain);
+  EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement vertex -1\n"),
+            "body:3: an element has 0 rows or more, got -1" + kAgain);
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement vertex 1\nproperty long x\n"),
-            "body:4: \"long\" is not a PLY type");
+            "body:4: \"long\" is not a PLY type; it is one of char, int8, uchar, uint8, short, int16, ushort, "
+            "uint16, int, "
+            "int32, uint, uint32, float, float32, double, float64");
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_index\n"),
-            "body:4: the count of a list must be of a whole type");
+            "body:4: the count of a list must be of a whole type, such as uchar" + kAgain);
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement dust 9000000000\nend_header\n"),
-            "body:3: element dust has no property");
+            "body:3: element dust has no property; remove it, or export the mesh again");
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nend_header\n1 2\n"),
-            "body:3: element vertex must have one number z");
+            "body:3: element vertex must have one number z" + kAgain);
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement face 1\nproperty int vertex_index\nend_header\n1\n"),
-            "body:3: element face must have one list vertex_indices of a whole type");
+            "body:3: element face must have one list vertex_indices of a whole type" + kAgain);
 }
 
 TEST(MeshFile, BadPlyBody) {
@@ -126,22 +153,23 @@ TEST(MeshFile, BadPlyBody) {
     return copy.replace(copy.find(old), old.size(), changed);
   };
   EXPECT_EQ(ply(with("element face 12", "element face 13")),
-            "body:30: the file ends before the last row that its header counts");
+            "body:30: the file ends before the last row that its header counts" + kAgain);
   const std::string face = text.substr(text.rfind('\n', text.size() - 2) + 1);
-  EXPECT_EQ(ply(with(face, "3 0 1 8\n")), "body:30: a corner of a face is vertex 8 (counted from 0) of 8 so far");
+  EXPECT_EQ(ply(with(face, "3 0 1 8\n")),
+            "body:30: a corner of a face is vertex 8 (counted from 0) of 8 so far" + kPlyCount);
   EXPECT_EQ(ply(with(face, "3 0 1 -1\n")),
-            "body:30: a corner of a face is vertex -1 (counted from 0) of 8 so far");
+            "body:30: a corner of a face is vertex -1 (counted from 0) of 8 so far" + kPlyCount);
   // 2^63 - 1, which becomes 2^63 as a double.
   EXPECT_EQ(ply(with(face, "3 0 1 9223372036854775807\n")),
-            "body:30: a corner of a face is vertex 9223372036854775807 (counted from 0) of 8 so far");
+            "body:30: a corner of a face is vertex 9223372036854775807 (counted from 0) of 8 so far" + kPlyCount);
   EXPECT_EQ(ply(with(face, "9223372036854775807 0 1 2\n")),
             "body:30: the mesh has more than 2000000 triangles, the most that are read");
-  EXPECT_EQ(ply(with(face, "3 0 1 1.5\n")), "body:30: expected a whole number, got \"1.5\"");
-  EXPECT_EQ(ply(with(face, "-3 0 1 2\n")), "body:30: a list has 0 numbers or more, got -3");
-  EXPECT_EQ(ply(with(face, "2 0 1\n")), "body:30: a face has three corners or more, got 2");
+  EXPECT_EQ(ply(with(face, "3 0 1 1.5\n")), "body:30: expected a whole number, got \"1.5\"" + kCorrect);
+  EXPECT_EQ(ply(with(face, "-3 0 1 2\n")), "body:30: a list has 0 numbers or more, got -3" + kAgain);
+  EXPECT_EQ(ply(with(face, "2 0 1\n")), "body:30: a face has three corners or more, got 2; remove the face");
   const std::string binary = asBinaryPly(cubeMesh(1), std::endian::big);
   EXPECT_EQ(ply(binary.substr(0, binary.size() - 1)),
-            "body: byte 702: the file ends before the last row that its header counts");
+            "body: byte 702: the file ends before the last row that its header counts" + kAgain);
 }
 
 TEST(MeshFile, AmountsAreLimitedBeforeAnythingIsRead) {
@@ -170,9 +198,9 @@ TEST(MeshFile, AmountsAreLimitedBeforeAnythingIsRead) {
 TEST(MeshFile, FilesByTheirEnding) {
   const ScratchFolder folder;
   for (const char* name : {"a.obj", "b.OBJ"})
-    EXPECT_EQ(readMesh(folder.put(name, asObj(cubeMesh(1)))).triangles.size(), 12U);
-  EXPECT_EQ(readMesh(folder.put("a.stl", asBinaryStl(cubeMesh(1)))).triangles.size(), 12U);
-  EXPECT_EQ(readMesh(folder.put("a.Ply", asAsciiPly(cubeMesh(1)))).triangles.size(), 12U);
+    EXPECT_EQ(readMesh(folder.put(name, asObj(cubeMesh(1)))).mesh.triangles.size(), 12U);
+  EXPECT_EQ(readMesh(folder.put("a.stl", asBinaryStl(cubeMesh(1)))).mesh.triangles.size(), 12U);
+  EXPECT_EQ(readMesh(folder.put("a.Ply", asAsciiPly(cubeMesh(1)))).mesh.triangles.size(), 12U);
   EXPECT_EQ(refusal([&] { readMesh(folder / "a.gltf"); }),
             "the name of a mesh file must end in .obj, .stl or .ply, got a.gltf");
 }

@@ -47,6 +47,19 @@ TriangleMesh subdivided(TriangleMesh mesh) {
 
 }  // namespace
 
+MeshPointer cubesAtAnEdge() {
+  const MeshPointer one = cube();
+  TriangleMesh mesh;
+  for (const float side : {-0.5f, 0.5f})
+    for (const vec3& v : one->vertices_M) mesh.vertices_M.push_back(0.5f * v + vec3(side, side, 0));
+  const auto other = [](Index i) { return i == 0 ? Index{3} : i == 4 ? Index{7} : i + 8; };  // the shared corners
+  for (const auto& [a, b, c] : one->triangles) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({other(a), other(b), other(c)});
+  }
+  return share(mesh);
+}
+
 MeshPointer cube() {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) mesh.vertices_M.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);

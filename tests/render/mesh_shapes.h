@@ -24,6 +24,9 @@ MeshPointer roughSphere(int subdivisions, float depth);
 MeshPointer torus(float tubeRadius, int around, int along);
 /// An L of thickness 1 in z with arms 2 long and 1 wide; its hollow edge is at the origin.
 MeshPointer lPrism();
+/// Two cubes with edges of 1 that share the edge along z, so that four faces meet at it. The triangles of the two
+/// alternate.
+MeshPointer cubesAtAnEdge();
 /// The half z >= 0 of the unit sphere, closed by a disc.
 MeshPointer hemisphere(int around, int along);
 

@@ -72,6 +72,7 @@ std::vector<Body> bodies() {
   return {{"cube", cube(), 0.4f},
           {"tetrahedron", tetrahedron(), 0.5f},
           {"L prism", lPrism(), 0.5f},
+          {"two cubes that share an edge", cubesAtAnEdge(), 0.4f},
           {"icosahedron", icosphere(0), 0.6f},
           {"sphere of 20480 triangles", icosphere(5), 0.6f},
           {"the same, 8 pixels wide", icosphere(5), 0.05f},

@@ -68,6 +68,23 @@ TEST(MeshTopology, ADegenerateFaceBendsNothing) {
   for (const MeshCorner& c : topology.corners) EXPECT_EQ(c.normal_M, glm::vec3(0, 0, 1));
 }
 
+/// Whether a face of cubesAtAnEdge() belongs to the cube at x, y > 0, not to the one at x, y < 0.
+bool isOfTheSecond(const draw::TriangleMesh& mesh, std::uint32_t face) {
+  glm::vec3 sum(0);
+  for (const std::uint32_t i : mesh.triangles[face]) sum += mesh.vertices_M[i];
+  return sum.x + sum.y > 0;
+}
+
+// The shared edge is there once for each cube.
+TEST(MeshTopology, PairsOppositeSidesWhereFourFacesMeet) {
+  const MeshPointer mesh = cubesAtAnEdge();
+  const MeshTopology topology = meshTopology(*mesh, 0.6f);
+  EXPECT_EQ(topology.edges.size(), 36);  // 12 edges and 6 diagonals of each cube
+  EXPECT_EQ(sharpEdges(topology), 24);
+  for (const MeshEdge& e : topology.edges)
+    EXPECT_EQ(isOfTheSecond(*mesh, e.left), isOfTheSecond(*mesh, e.right)) << e.from << " to " << e.to;
+}
+
 TEST(MeshTopology, RefusesAnIndexWithoutAVertex) {
   EXPECT_THROW(meshTopology({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3}}}, 0.6f), std::logic_error);
 }

@@ -133,7 +133,8 @@ TEST_F(SceneFolderTest, ReadsSoManyTrianglesOfAllMeshes) {
   Allowance allowance;
   allowance.limits.set(Limit::kTriangles, 4);
   const SceneFolder enough(root_ / "scene", allowance);
-  EXPECT_EQ(enough.readMesh("two.obj").triangles.size() + enough.readMesh("more.obj").triangles.size(), 4u);
+  EXPECT_EQ(enough.readMesh("two.obj").mesh.triangles.size() + enough.readMesh("more.obj").mesh.triangles.size(),
+            4u);
   allowance.limits.set(Limit::kTriangles, 3);
   const SceneFolder tooLittle(root_ / "scene", allowance);
   tooLittle.readMesh("two.obj");
