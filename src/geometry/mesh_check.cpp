@@ -48,7 +48,7 @@ std::vector<std::size_t> trianglesAlong(const Mesh& mesh, Edge edge) {
 
 /// Returns 1 for one of the two ways that a triangle can face, and -1 for the other.
 int facing(Mesh::Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   return t[1] < t[2] ? 1 : -1;
 }
 

@@ -17,7 +17,7 @@ enum class MeshFormat {
   kPly,  ///< ASCII or binary of either byte order; elements vertex (x, y, z) and face (vertex_indices)
 };
 
-/// Limits on one file, so that a hostile one costs a second and a few hundred MiB, not the machine.
+/// Limits on one file, so that a hostile one costs a few seconds and some hundred MiB, not the machine.
 struct MeshLimits {
   std::size_t bytes = std::size_t{128} << 20;
   std::size_t triangles = 2'000'000;

@@ -77,8 +77,7 @@ std::vector<Corner> cornersOf(const Mesh& mesh, const std::vector<Edge>& edges) 
   ends.reserve(2 * edges.size());
   for (const Edge e : edges) ends.insert(ends.end(), {lowerEnd(e), higherEnd(e)});
   std::ranges::sort(ends);
-  const auto rest = std::ranges::unique(ends);
-  ends.erase(rest.begin(), rest.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   std::vector<Corner> corners;
   corners.reserve(ends.size());
   for (const std::uint32_t i : ends) corners.push_back({mesh.vertices_M[i], i});

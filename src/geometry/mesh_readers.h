@@ -32,7 +32,8 @@ class MeshBuilder {
   void expectTriangles(std::uint64_t count, const FilePlace& place) const;
   void expectVertices(std::uint64_t count, const FilePlace& place) const;
 
-  /// Notes what is passed over at `place`. Of notes with the same text the first is kept, with their number.
+  /// Notes what is passed over at `place`. Notes with the same text become one, at the first place, with their
+  /// number.
   void note(const FilePlace& place, const std::string& text);
 
   /// Gives the mesh away: welded, and with corners joined where that closes it.

@@ -34,9 +34,10 @@ std::vector<HalfEdge> sortedHalfEdges(const draw::TriangleMesh& mesh) {
   return sides;
 }
 
-/// Orders the sides of one edge so that the faces it parts stand together: sides that run in opposite directions,
-/// in the order of the faces, so that a body of several parts keeps the edges of each. Sides that are left over
-/// come last. Two faces that ran the same way would both look at the eye where one ends the outline.
+/// Orders the sides of one edge so that neighbours make a pair: sides that run in opposite directions, in the
+/// order of the faces, so that a body of several parts keeps the edges of each. Sides that are left over come
+/// last. A pair that ran the same way could both look at the eye at an outline, which would then stay unmarked and
+/// jagged.
 void pairOpposites(std::span<HalfEdge> sides) {
   const auto middle =
       std::stable_partition(sides.begin(), sides.end(), [](const HalfEdge& s) { return s.from < s.to; });
@@ -52,7 +53,7 @@ void pairOpposites(std::span<HalfEdge> sides) {
   std::copy(down.begin() + static_cast<std::ptrdiff_t>(pairs), down.end(), at);
 }
 
-// One left over borders on nothing.
+/// Adds an edge for each pair of neighbours. A last side without a partner is a border of the mesh.
 void addPairs(std::span<const HalfEdge> sides, std::vector<MeshEdge>& edges) {
   for (std::size_t i = 0; i < sides.size(); i += 2)
     edges.push_back(

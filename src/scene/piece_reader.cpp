@@ -41,11 +41,10 @@ void expectClosed(const geometry::Mesh& mesh) {
   try {
     geometry::checkClosed(mesh);
   } catch (const core::Error& error) {
-    throw core::Error(error.kind(),
-                      fmt::format("{} (to only draw this mesh, give the moments as numbers in "
-                                  "body.principal_moments and the mesh in show.body.shape = \"mesh\" "
-                                  "and show.body.file)",
-                                  error.message()));
+    throw core::Error(error.kind(), error.message() +
+                                        "; to only draw this mesh, give the moments as numbers in "
+                                        "body.principal_moments, and the mesh in show.body.shape = \"mesh\" and "
+                                        "show.body.file");
   }
 }
 

@@ -83,8 +83,8 @@ TEST(MeshFuzz, RandomDamage) {
   int read = 0, refused = 0;
   for (const File& file : files())
     for (int i = 0; i < 1500; ++i) ++(attempt(mutated(file.bytes, draw), file.format) ? read : refused);
-  EXPECT_GT(read, 300);      // measured 699 of 18000: closed after all, so that the readers are entered deeply
-  EXPECT_GT(refused, 9000);  // measured 17301
+  EXPECT_GT(read, 300);      // measured 924 of 18000: closed after all, so that the readers are entered deeply
+  EXPECT_GT(refused, 9000);  // measured 17076
 }
 
 TEST(MeshFuzz, OneFormatTakenForAnother) {

@@ -51,8 +51,8 @@ TEST(MeshFiles, ThatAreOpenCanBeDrawn) {
               HasSubstr("body.file: the mesh is open at the edge from (1, 0, 0) to (0, 1, 0) (of the triangle "
                         "at line 5); only a closed surface has a volume: close the hole in a mesh program"));
   EXPECT_THAT(said,
-              HasSubstr("(to only draw this mesh, give the moments as numbers in body.principal_moments and the "
-                        "mesh in show.body.shape = \"mesh\" and show.body.file)"));
+              HasSubstr("; to only draw this mesh, give the moments as numbers in body.principal_moments, and the "
+                        "mesh in show.body.shape = \"mesh\" and show.body.file\n"));
   EXPECT_EQ(notesWith(kSpin + "body.principal_moments = [1, 2, 3]\n[show.body]\nshape = 'mesh'\nfile = 'a.obj'\n",
                       "a.obj", open),
             "");
