@@ -10,6 +10,7 @@
 #include "core/expect.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_integrals.h"
+#include "geometry/mesh_parts.h"
 
 namespace poinsot::geometry {
 namespace {
@@ -118,6 +119,16 @@ void checkVolume(const Mesh& mesh) {
         "remove the triangles that face inward, or give the surface a thickness");
 }
 
+void checkParts(const Mesh& mesh) {
+  const std::optional<std::size_t> triangle = strayCavity(mesh);
+  if (!triangle) return;
+  const Eigen::Vector3d& corner = mesh.vertices_M[mesh.triangles[*triangle][0]];
+  refuse(fmt::format(
+      "the part of the mesh that has a corner at {}{} is inside out and lies in no other part; flip its "
+      "triangles (swap two corners of each)",
+      text(corner), inFile(mesh, "of the triangle at", {*triangle})));
+}
+
 /// Refuses a triangle that the mesh has twice. Only then do two triangles run the same way along all three edges.
 void checkDistinct(const Mesh& mesh, const std::vector<Edge>& edges) {
   if (std::ranges::adjacent_find(edges) == edges.end()) return;
@@ -138,6 +149,7 @@ void checkClosed(const Mesh& mesh) {
   if (!unbalanced.empty()) refuseEdge(mesh, unbalanced.front(), edges);
   checkVolume(mesh);
   checkDistinct(mesh, edges);
+  checkParts(mesh);
 }
 
 }  // namespace poinsot::geometry

@@ -24,8 +24,8 @@ struct MeshIntegrals {
 MeshIntegrals integrals(const Mesh& mesh);
 
 /// Checks that the mesh bounds a volume: along each edge as many triangles run one way as the other, so that parts
-/// may touch at an edge or a face, the outsides face outward, and no triangle is there twice. Triangles with a
-/// corner repeated or without area do no harm.
+/// may touch at an edge or a face, the outsides face outward (also of each part that lies in no other), and no
+/// triangle is there twice. Triangles with a corner repeated or without area do no harm.
 /// @throws core::Error(kScene) otherwise. Names an edge by its ends, and a triangle by its place in the file.
 /// @pre indices in range, coordinates finite.
 void checkClosed(const Mesh& mesh);

@@ -69,6 +69,14 @@ TEST(MeshFiles, WithRoundingAreJoinedWithANote) {
       "the mesh's size), to close the surface; the file has them at different places by rounding\n");
 }
 
+TEST(MeshFiles, WithAPartInsideOutAreRefused) {
+  const std::string second = "v 5 0 0\nv 5.5 0 0\nv 5 0.5 0\nv 5 0 0.5\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n";
+  EXPECT_THAT(
+      problemsWith("a.obj", kTetrahedron + second),
+      HasSubstr("body.file: the part of the mesh that has a corner at (5, 0, 0) (of the triangle at line 13) is "
+                "inside out and lies in no other part; flip its triangles (swap two corners of each)"));
+}
+
 TEST(MeshFiles, AreNotedWhereverTheyAreNamed) {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement "
