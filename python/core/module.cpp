@@ -91,6 +91,8 @@ void declareTrajectory(const py::module_& module) {
       .def_readonly("omega_W", &TrajectoryArrays::omega_W)
       .def_readonly("L_W", &TrajectoryArrays::L_W)
       .def_readonly("T", &TrajectoryArrays::T)
+      .def_readonly("rate_B", &TrajectoryArrays::rate_B)
+      .def_readonly("rate_W", &TrajectoryArrays::rate_W)
       .def_readonly("note", &TrajectoryArrays::note);
 }
 

@@ -42,6 +42,7 @@ class Rows {
 TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const std::vector<double>& times_s) {
   const auto n = static_cast<py::ssize_t>(times_s.size());
   Rows q_WB(n, {4}), R_WB(n, {3, 3}), omega_B(n, {3}), omega_W(n, {3}), L_W(n, {3}), T(n, {});
+  Rows rate_B(n, {3}), rate_W(n, {3});
   std::string note;
   if (n > 0) {
     const py::gil_scoped_release others;
@@ -57,9 +58,13 @@ TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const std::vector<doubl
       omega_W.add(state.omega_W);
       L_W.add(state.L_W);
       T.add(state.kineticEnergy);
+      const Eigen::Vector3d turning_B = physics::turningRate_B(*motion, state), turning_W = state.q_WB * turning_B;
+      rate_B.add(turning_B);
+      rate_W.add(turning_W);
     }
   }
-  return {q_WB.take(), R_WB.take(), omega_B.take(), omega_W.take(), L_W.take(), T.take(), note};
+  return {q_WB.take(),   R_WB.take(), omega_B.take(), omega_W.take(), L_W.take(), T.take(), rate_B.take(),
+          rate_W.take(), note};
 }
 
 }  // namespace poinsot::python

@@ -136,6 +136,8 @@ class Scene:
             omega_W=rows.omega_W.reshape(*t.shape, 3),
             L_W=rows.L_W.reshape(*t.shape, 3),
             T=rows.T.reshape(t.shape),
+            rate_B=rows.rate_B.reshape(*t.shape, 3),
+            rate_W=rows.rate_W.reshape(*t.shape, 3),
         )
 
     def info(self) -> dict[str, Any]:

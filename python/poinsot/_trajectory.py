@@ -19,10 +19,12 @@ class Trajectory:
     t: Array  #: motion time, s
     q_WB: Array  #: (..., 4) unit quaternion w, x, y, z with w >= 0; takes components in B to those in W
     R_WB: Array  #: (..., 3, 3) the same rotation as a matrix
-    omega_B: Array  #: (..., 3) angular velocity in B, rad/s
+    omega_B: Array  #: (..., 3) angular velocity I^-1 L in B, rad/s
     omega_W: Array  #: (..., 3) the same vector in W
     L_W: Array  #: (..., 3) angular momentum, kg m^2/s
     T: Array  #: (...) energy of rotation, J
+    rate_B: Array  #: (..., 3) rate at which the attitude turns in B, rad/s; omega_B unless motion.dissipation acts
+    rate_W: Array  #: (..., 3) the same vector in W
 
     @property
     def L_B(self) -> Array:

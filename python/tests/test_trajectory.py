@@ -42,6 +42,20 @@ def test_the_attitude_follows_omega():
     assert np.abs(omega_W - now.omega_W).max() < 1e-8  # 5e-10: differences of second order
 
 
+def test_the_attitude_of_a_dissipating_body_turns_at_the_rate():
+    t, h = np.linspace(1, 19, 20), 1e-4
+    scene = free(dissipation={"alpha": 0.005})
+    before, now, after = (scene.trajectory(t + shift) for shift in (-h, 0, h))
+    turning_W = (after.R_WB - before.R_WB) / (2 * h) @ np.swapaxes(now.R_WB, -1, -2)
+    rate_W = np.stack([turning_W[:, 2, 1], turning_W[:, 0, 2], turning_W[:, 1, 0]], axis=-1)
+    assert np.abs(rate_W - now.rate_W).max() < 1e-7  # differences of second order
+    assert np.abs(rate_W - now.omega_W).max() > 1e-2
+    L_B = MOMENTS * now.omega_B
+    assert np.abs(now.rate_B - now.omega_B - 0.005 * np.cross(L_B, now.omega_B)).max() < 1e-14
+    plain = free().trajectory(t)
+    assert np.array_equal(plain.rate_B, plain.omega_B) and np.array_equal(plain.rate_W.shape, plain.omega_W.shape)
+
+
 def test_what_is_kept_is_kept():
     motion = free().trajectory(np.linspace(-1e6, 1e6, 1001))
     assert np.abs(motion.L_W - motion.L_W[0]).max() < 1e-13

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app/interrupt.h"
 #include "app/trajectory_number.h"
@@ -16,7 +17,7 @@ namespace poinsot::app {
 namespace {
 
 constexpr std::size_t kPiece = 1 << 16;   // a pipe's capacity
-constexpr std::size_t kLongestRow = 480;  // of 15 numbers, reserved beyond a piece: it never grows
+constexpr std::size_t kLongestRow = 660;  // of 21 numbers, reserved beyond a piece: it never grows
 
 constexpr const char* kJsonFormat = "poinsot trajectory 1";
 constexpr const char* kAxes =
@@ -26,9 +27,9 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-std::string jsonHead(const std::string& sceneName) {
+std::string jsonHead(const std::string& sceneName, double alpha) {
   std::string columns, units;
-  for (const TrajectoryColumn& column : kTrajectoryColumns) {
+  for (const TrajectoryColumn& column : trajectoryColumns(alpha)) {
     columns += fmt::format("{}\"{}\"", columns.empty() ? "" : ",", column.name);
     units += fmt::format("{}\"{}\":\"{}\"", units.empty() ? "" : ",", column.name, column.unit);
   }
@@ -36,7 +37,7 @@ std::string jsonHead(const std::string& sceneName) {
                      trajectoryMark(TrajectoryFormat::kJson), quoted(sceneName), kAxes, units, columns);
 }
 
-void appendNumbers(std::string& text, const TrajectoryRow& row) {
+void appendNumbers(std::string& text, std::span<const double> row) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (i > 0) text += ',';
     appendNumber(text, row[i]);
@@ -47,7 +48,7 @@ void appendNumbers(std::string& text, const TrajectoryRow& row) {
 TrajectoryRow checkedRow(const physics::Motion& motion, double t_s) {
   constexpr double kFarthest = 1e300;  // room for the factors of a phase
   if (std::abs(t_s) < kFarthest) {
-    const TrajectoryRow row = trajectoryRow(motion.at(t_s));
+    const TrajectoryRow row = trajectoryRow(motion, motion.at(t_s));
     if (std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) return row;
   }
   throw core::Error(core::ErrorKind::kLimit,
@@ -56,9 +57,9 @@ TrajectoryRow checkedRow(const physics::Motion& motion, double t_s) {
 
 }  // namespace
 
-std::string trajectoryHeader() {
+std::string trajectoryHeader(double alpha) {
   std::string header;
-  for (const TrajectoryColumn& column : kTrajectoryColumns) {
+  for (const TrajectoryColumn& column : trajectoryColumns(alpha)) {
     if (!header.empty()) header += ',';
     header += column.name;
   }
@@ -72,11 +73,14 @@ std::string trajectoryMark(TrajectoryFormat format) {
 void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times, TrajectoryFormat format,
                      const std::string& sceneName, const TextSink& sink) {
   const bool json = format == TrajectoryFormat::kJson;
-  std::string piece = json ? jsonHead(sceneName) : trajectoryHeader() + '\n';
+  const double alpha = motion.dissipation();
+  const std::size_t width = trajectoryColumns(alpha).size();
+  std::string piece = json ? jsonHead(sceneName, alpha) : trajectoryHeader(alpha) + '\n';
   piece.reserve(kPiece + kLongestRow);
   for (std::int64_t k = 0; k < times.count(); ++k) {
     if (json) piece += k == 0 ? "\n[" : ",\n[";
-    appendNumbers(piece, checkedRow(motion, times[k]));
+    const TrajectoryRow row = checkedRow(motion, times[k]);
+    appendNumbers(piece, std::span(row).first(width));
     piece += json ? ']' : '\n';
     if (piece.size() < kPiece) continue;
     throwIfInterrupted();

@@ -11,12 +11,12 @@
 namespace poinsot::app {
 
 enum class TrajectoryFormat {
-  kCsv,   ///< the header of kTrajectoryColumns, then a line per time; nothing else
+  kCsv,   ///< a header with the names of the columns, then a line per time; nothing else
   kJson,  ///< an object: format, scene, units, axes, columns, rows
 };
 
-/// First line of every trajectory in CSV, without its newline.
-std::string trajectoryHeader();
+/// First line of a trajectory in CSV, without its newline. @param alpha  energy loss of the motion, s/(kg·m²).
+std::string trajectoryHeader(double alpha = 0);
 
 /// First bytes of every trajectory in this format: what tells an earlier output from somebody's file.
 std::string trajectoryMark(TrajectoryFormat format);

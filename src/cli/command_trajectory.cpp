@@ -8,6 +8,7 @@
 
 #include "app/interrupt.h"
 #include "app/trajectory_accuracy.h"
+#include "app/trajectory_row.h"
 #include "app/trajectory_target.h"
 #include "app/trajectory_text.h"
 #include "cli/commands.h"
@@ -78,10 +79,11 @@ void noteFarTimes(const scene::Scene& scene, const app::TrajectoryTimes& times) 
     writeErr("poinsot: note: " + note + "\n");
 }
 
-/// A row is 15 numbers of about 18 characters: those of the gallery have 271 to 303 bytes.
-void checkOutput(const app::TrajectoryTimes& times, const scene::Limits& limits) {
-  constexpr double kRow_bytes = 290;
-  const double estimate = kRow_bytes * static_cast<double>(times.count());
+/// A number has about 18 characters: rows of 15 in the gallery have 271 to 303 bytes.
+void checkOutput(const app::TrajectoryTimes& times, const scene::Scene& scene, const scene::Limits& limits) {
+  constexpr double kNumber_bytes = 290. / 15;
+  const auto columns = app::trajectoryColumns(scene.motion.forcing.dissipation);
+  const double estimate = kNumber_bytes * static_cast<double>(columns.size()) * static_cast<double>(times.count());
   const std::int64_t most = limits[scene::Limit::kOutput];
   if (estimate <= static_cast<double>(most)) return;
   throw core::Error(
@@ -96,7 +98,7 @@ int trajectory(const TrajectoryOptions& options) {
   const scene::Allowance allowance = granted(options);
   const scene::Scene scene = loadScene(options, allowance);
   const app::TrajectoryTimes times = requestedTimes(options, scene);
-  checkOutput(times, allowance.limits);
+  checkOutput(times, scene, allowance.limits);
   noteFarTimes(scene, times);
   app::watchInterrupts();
   const auto motion = scene::makeMotion(scene, times.earliest_s(), times.latest_s());

@@ -61,6 +61,7 @@ class DrivenMotion final : public Motion {
   RigidBodyState at(double t_s) const override;
 
   const PrincipalAxes& axes() const override;
+  double dissipation() const override { return forcing().dissipation; }
   const Forcing& forcing() const;
   const DrivenMotionReport& report() const;
   /// Kinetic and potential energy, J (eq 12; potentialEnergy()).

@@ -18,6 +18,9 @@ class Motion {
 
   virtual const PrincipalAxes& axes() const = 0;
 
+  /// Energy loss alpha at constant L, s/(kg·m²) (forcing.h); 0 where nothing is lost so.
+  virtual double dissipation() const { return 0; }
+
  protected:
   Motion() = default;
   Motion(const Motion&) = default;
@@ -25,5 +28,10 @@ class Motion {
   Motion& operator=(const Motion&) = default;
   Motion& operator=(Motion&&) = default;
 };
+
+/// Rate at which the attitude turns, along the body's axes B, rad/s: R' = R [rate]. It is omega + alpha m × omega,
+/// m = I omega, so that energy is lost at constant L (docs/physics.md, "Driven motion"); omega itself without
+/// dissipation. @param state  a state of this motion.
+Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state);
 
 }  // namespace poinsot::physics

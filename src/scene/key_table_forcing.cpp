@@ -122,8 +122,9 @@ std::vector<Key> lossKeys() {
        .dimension = kInverseAction,
        .range = kAlphas,
        .example = "0.02",
-       .help =
-           "Loss of energy inside the body at constant L: dL/dt = L x omega + alpha L x (L x omega) in the body.",
+       .help = "Loss of energy inside the body at constant L: dL/dt = L x omega + alpha L x (L x omega) in the "
+               "body. The "
+               "attitude then turns at omega + alpha L x omega, not at omega = I^-1 L; trajectory writes both.",
        .put = into([](Draft& d) { return &d.forcing.dissipation; })},
   };
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/trajectory_number.h"
@@ -11,6 +12,7 @@
 #include "app/trajectory_text.h"
 #include "app/trajectory_times.h"
 #include "core/error.h"
+#include "physics/driven_motion.h"
 #include "physics/free_motion.h"
 #include "support/scratch_folder.h"
 
@@ -136,6 +138,86 @@ TEST(TrajectoryText, RowsReadBackAsTheSameDoubles) {
     EXPECT_FALSE(std::getline(fields, field, ','));
   }
   EXPECT_FALSE(std::getline(lines, line));
+}
+
+/// A body that loses energy, and the same integrated here: m' = m x r, q' = q r/2, r = omega + alpha m x omega, by
+/// Runge and Kutta's step of fourth order.
+struct Dissipating {
+  Eigen::Vector3d I{2, 3, 4}, omega0{.5, .25, 1};
+  double alpha = 0.03;
+
+  physics::DrivenMotion motion(double to_s) const {
+    physics::Forcing forcing;
+    forcing.dissipation = alpha;
+    return {physics::PrincipalMoments(I), omega0, Eigen::Quaterniond(1, 0, 0, 0), forcing, {0, to_s}};
+  }
+  Eigen::Vector3d rate(const Eigen::Vector3d& m) const {
+    const Eigen::Vector3d omega = m.cwiseQuotient(I);
+    return omega + alpha * m.cross(omega);
+  }
+  using State = Eigen::Matrix<double, 7, 1>;  // x, y, z, w of q, then m
+  State derivative(const State& s) const {
+    const Eigen::Vector3d m = s.tail<3>(), r = rate(m);
+    const Eigen::Quaterniond q(s[3], s[0], s[1], s[2]);
+    State d;
+    d << (q * Eigen::Quaterniond(0, r[0], r[1], r[2])).coeffs() / 2, m.cross(r);
+    return d;
+  }
+  State integrated(double to_s, int steps) const {
+    State s;
+    s << 0, 0, 0, 1, I.cwiseProduct(omega0);
+    const double h = to_s / steps;
+    for (int k = 0; k < steps; ++k) {
+      const State a = derivative(s), b = derivative(s + h / 2 * a), c = derivative(s + h / 2 * b),
+                  d = derivative(s + h * c);
+      s += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return s;
+  }
+};
+
+std::vector<std::vector<std::string>> fieldsOf(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    auto& row = rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
+  }
+  return rows;
+}
+
+TEST(TrajectoryText, AppendsTheRateOfTurningWhereDissipationActs) {
+  const Dissipating body;
+  std::string text;
+  writeTrajectory(body.motion(5), TrajectoryTimes({5}), TrajectoryFormat::kCsv, "s",
+                  [&](std::string_view piece) { text += piece; });
+  EXPECT_THAT(text, StartsWith(trajectoryHeader() + ",rate_B_x,rate_B_y,rate_B_z,rate_W_x,rate_W_y,rate_W_z\n"));
+  const auto row = fieldsOf(text).at(1);
+  ASSERT_EQ(row.size(), 21u);
+  const Dissipating::State end = body.integrated(5, 20000);
+  const Eigen::Quaterniond q(end[3], end[0], end[1], end[2]);
+  const Eigen::Vector3d rate_B = body.rate(end.tail<3>()), rate_W = q * rate_B;
+  const double sign = q.w() < 0 ? -1 : 1;
+  const double expected[] = {sign * q.w(), sign * q.x(), sign * q.y(), sign * q.z()};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(std::stod(row[1 + i]), expected[i], 1e-12);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    EXPECT_NEAR(std::stod(row[15 + i]), rate_B[at], 1e-12);  // measured
+    EXPECT_NEAR(std::stod(row[18 + i]), rate_W[at], 1e-12);
+  }
+  EXPECT_GT(std::abs(std::stod(row[15]) - std::stod(row[5])), 1e-3);  // not omega
+}
+
+TEST(TrajectoryText, JsonNamesTheRateOfTurningToo) {
+  std::string text;
+  writeTrajectory(Dissipating().motion(1), TrajectoryTimes({0, 1}), TrajectoryFormat::kJson, "s",
+                  [&](std::string_view piece) { text += piece; });
+  const auto json = nlohmann::json::parse(text);
+  ASSERT_EQ(json.at("columns").size(), 21u);
+  EXPECT_EQ(json.at("columns")[15], "rate_B_x");
+  EXPECT_EQ(json.at("units").at("rate_W_z"), "rad/s");
+  EXPECT_EQ(json.at("rows")[1].size(), 21u);
 }
 
 TEST(TrajectoryText, ComesInPiecesOfBoundedSize) {

@@ -158,6 +158,26 @@ TEST(TrajectoryCommand, JsonHoldsTheSameNumbers) {
       EXPECT_EQ(json.at("rows")[i][j].get<double>(), std::stod(rows[i][j])) << i << " " << j;
 }
 
+TEST(TrajectoryCommand, AppendsTheRateOfTurningOfADissipatingBodyOnly) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const auto lossy =
+      run(folder, {"trajectory", "a.toml", "--at", "0", "-D", "motion.dissipation.alpha=0.001"}).out;
+  EXPECT_THAT(lossy, testing::StartsWith(kHeader + ",rate_B_x,rate_B_y,rate_B_z,rate_W_x,rate_W_y,rate_W_z\n"));
+  const auto none = run(folder, {"trajectory", "a.toml", "--at", "0", "-D", "motion.dissipation.alpha=0"}).out;
+  EXPECT_EQ(none, run(folder, {"trajectory", "a.toml", "--at", "0"}).out);
+}
+
+TEST(TrajectoryCommand, NotesTimesAtWhichRoundedInputDecidesTheAttitude) {
+  // 3 omega_3^2 = omega_1^2 puts L on the separatrix, up to rounding; info counts the digits that are left.
+  const ScratchFolder folder;
+  folder.put("s.toml",
+             "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [1.7320508075688772, 2, 1]\n");
+  EXPECT_THAT(run(folder, {"trajectory", "s.toml", "--at", "10"}).err, IsEmpty());  // info: 8.3 digits
+  EXPECT_THAT(run(folder, {"trajectory", "s.toml", "--at", "0,100"}).err,
+              HasSubstr("note: at t = 100 s the attitude is uncertain by 3.1 rad"));  // info: 0 digits
+}
+
 struct BadRequest {
   std::vector<std::string> words;
   int exitCode;

@@ -107,6 +107,38 @@ TEST(DrivenLoss, ExplorerEndsInFlatSpin) {
   }
 }
 
+/// Twice the vector part of q(-h)^-1 q(h) over 2 h: the rate of turning at t, up to (h rate)^3.
+Vector3d differencedRate(const DrivenMotion& motion, double t, double h) {
+  const Eigen::Quaterniond turn = motion.at(t - h).q_WB.conjugate() * motion.at(t + h).q_WB;
+  return turn.vec() * (turn.w() < 0 ? -1 : 1) / h;
+}
+
+// Oracle: central differences of q, extrapolated from steps h and h/2 (error h^4), and the rate itself by hand.
+TEST(DrivenLoss, AttitudeTurnsAtTheTurningRateAndNotAtOmega) {
+  DrivenCase c;
+  c.forcing.dissipation = 0.02;
+  c.forcing.torque_B = {0.1, -0.05, 0.2};
+  c.forcing.dragRate_P = {0.01, 0.03, 0.02};
+  const DrivenMotion motion = c.motion();
+  double ofRate = 0, ofOmega = 0;
+  for (double t = 1; t <= 19; t += 0.75) {
+    const RigidBodyState state = motion.at(t);
+    const Vector3d coarse = differencedRate(motion, t, 2e-3), fine = differencedRate(motion, t, 1e-3);
+    const Vector3d turning = fine + (fine - coarse) / 3;
+    ofRate = std::max(ofRate, (turningRate_B(motion, state) - turning).norm());
+    ofOmega = std::max(ofOmega, (state.omega_B - turning).norm());
+  }
+  expectResidual("turning rate", ofRate, 1e-9);
+  EXPECT_GT(ofOmega, 1e-2);
+}
+
+TEST(DrivenLoss, TurningRateIsOmegaWithoutDissipation) {
+  DrivenCase c;
+  c.forcing.dragRate_P = {0.01, 0.03, 0.02};
+  const DrivenMotion motion = c.motion();
+  EXPECT_EQ(turningRate_B(motion, motion.at(3)), motion.at(3).omega_B);
+}
+
 // With gravity and torques L changes by them alone: dL/dt = N, dissipation adding none of its own.
 TEST(DrivenLoss, OnlyTorquesChangeTheMomentum) {
   DrivenCase c;
