@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include "app/trajectory_number.h"
 #include "core/error.h"
@@ -14,6 +16,7 @@
 namespace poinsot::app {
 namespace {
 
+constexpr std::ptrdiff_t kFewestNames = 2;  // that make a comment a header
 constexpr std::size_t kForeign = static_cast<std::size_t>(-1);
 
 struct Vector {
@@ -21,38 +24,44 @@ struct Vector {
   std::size_t length;
 };
 
-constexpr Vector kVectors[] = {{kQAt, 4}, {kOmegaBAt, 3}, {kOmegaWAt, 3}, {kLWAt, 3}};
+constexpr Vector kVectors[] = {{kQAt, 4},  {kOmegaBAt, 3}, {kOmegaWAt, 3},
+                               {kLWAt, 3}, {kRateBAt, 3},  {kRateWAt, 3}};
 
 struct Field {
   std::string_view text;
   int column = 1;  ///< of its first byte, from 1
 };
 
+constexpr std::string_view kBlanks = " \t\r";
+
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
   const auto first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// Where the field that starts at `from` ends: at a comma outside quotes, or the end of the line.
-std::size_t endOfField(std::string_view line, std::size_t from) {
+/// Where the field that starts at `from` ends: at a separator outside quotes, or the end of the line.
+std::size_t endOfField(std::string_view line, std::size_t from, std::string_view separators) {
   bool quoted = false;
   for (std::size_t i = from; i < line.size(); ++i) {
     if (line[i] == '"') quoted = !quoted;
-    if (line[i] == ',' && !quoted) return i;
+    if (!quoted && separators.find(line[i]) != std::string_view::npos) return i;
   }
   return line.size();
 }
 
-void splitFields(std::string_view line, std::vector<Field>& fields) {
+/// Splits a line at commas or, where it has none, at blanks: numpy.savetxt separates numbers by a blank, and
+/// writes the header as it is given.
+void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t start = 0) {
   fields.clear();
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t end = endOfField(line, from);
+  const bool commas = endOfField(line, start, ",") < line.size();
+  for (std::size_t from = start; from <= line.size();) {
+    if (!commas) from = std::min(line.find_first_not_of(kBlanks, from), line.size());
+    const std::size_t end = endOfField(line, from, commas ? "," : kBlanks);
     std::string_view text = trimmed(line.substr(from, end - from));
     const auto column = text.empty() ? from : static_cast<std::size_t>(text.data() - line.data());
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    fields.push_back({text, static_cast<int>(column) + 1});
+    if (commas || from < line.size()) fields.push_back({text, static_cast<int>(column) + 1});
     from = end + 1;
   }
 }
@@ -72,10 +81,17 @@ std::size_t columnNamed(std::string_view name) {
                                            : static_cast<std::size_t>(found - kTrajectoryColumns.begin());
 }
 
+/// Where a reader is in a file.
+struct Cursor {
+  std::string_view rest;  ///< lines that are still to be read
+  std::string_view line;
+  int number = 0;  ///< of the line, from 1
+};
+
 /// Goes through the lines of one file.
 class Reader {
  public:
-  Reader(std::string_view csv, const std::string& fileName) : rest_(csv), fileName_(fileName) {}
+  Reader(std::string_view csv, const std::string& fileName) : cursor_{csv, {}, 0}, fileName_(fileName) {}
 
   TrajectoryTable table() {
     readHeader();
@@ -95,29 +111,53 @@ class Reader {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    throw core::Error(core::ErrorKind::kLimit, what, core::SourceLocation{core::printable(fileName_), number_, 0});
+    throw core::Error(core::ErrorKind::kLimit, what,
+                      core::SourceLocation{core::printable(fileName_), cursor_.number, 0});
   }
 
-  /// The next line that says something.
+  /// Goes to the next line that is neither blank nor a comment; comments above the header may be it.
   bool nextLine() {
-    while (!rest_.empty()) {
-      line_ = rest_.substr(0, rest_.find('\n'));
-      rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
-      if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
-      if (line_.size() > kLongestTableLine) refuse(fmt::format("a line of more than {} bytes", kLongestTableLine));
-      const std::string_view text = trimmed(line_);
-      if (!text.empty() && text.front() != '#') return true;
+    while (!cursor_.rest.empty()) {
+      std::string_view& line = cursor_.line;
+      line = cursor_.rest.substr(0, cursor_.rest.find('\n'));
+      cursor_.rest.remove_prefix(std::min(line.size() + 1, cursor_.rest.size()));
+      if (++cursor_.number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+      if (line.size() > kLongestTableLine) refuse(fmt::format("a line of more than {} bytes", kLongestTableLine));
+      const std::string_view text = trimmed(line);
+      if (text.empty()) continue;
+      if (text.front() != '#') return true;
+      if (columns_.empty()) readComment();
     }
     return false;
   }
 
+  /// Remembers the first comment that names columns.
+  void readComment() {
+    hasComments_ = true;
+    if (names_) return;
+    splitFields(cursor_.line, fields_, cursor_.line.find('#') + 1);
+    const auto known = [](const Field& field) { return columnNamed(field.text) != kForeign; };
+    if (std::ranges::count_if(fields_, known) >= kFewestNames) names_ = cursor_;
+  }
+
+  /// The first line names the columns, or where it holds numbers, a comment above it, as numpy.savetxt writes it.
+  void findHeader() {
+    const bool found = nextLine();
+    if (found) splitFields(cursor_.line, fields_);
+    if (found && !parseNumber(fields_[0].text)) return;
+    if (!found && !names_) fail("is empty; its first line names the columns");
+    if (!names_) return;
+    cursor_ = *names_;
+    splitFields(cursor_.line, fields_, cursor_.line.find('#') + 1);
+  }
+
   void readHeader() {
-    if (!nextLine()) fail("is empty; its first line names the columns");
-    splitFields(line_, fields_);
+    findHeader();
     for (const Field& field : fields_) {
       columns_.push_back(columnNamed(field.text));
       if (columns_.back() == kForeign) continue;
-      if (has(columns_.back())) fail(fmt::format("column {} is there twice", field.text), number_, field.column);
+      if (has(columns_.back()))
+        fail(fmt::format("column {} is there twice", field.text), cursor_.number, field.column);
       known_.push_back(columns_.back());
     }
     checkColumns();
@@ -137,22 +177,26 @@ class Reader {
 
   /// What to say of a first line without t.
   std::string withoutTime() const {
-    if (fields_.size() == 1 && fields_[0].text.find(';') != std::string_view::npos)
-      return "semicolons: columns are separated by commas here, and numbers have a decimal point";
+    if (std::ranges::any_of(fields_, [](const Field& f) { return f.text.find(';') != std::string_view::npos; }))
+      return "semicolons: columns are separated by commas or blanks here, and numbers have a decimal point";
     if (parseNumber(fields_[0].text))
-      return "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
+      return hasComments_
+                 ? "no line names the columns: this one holds numbers, and no comment above has names that "
+                   "are known here; name them as in t,q_w,q_x,q_y,q_z,..., with or without a # before"
+                 : "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
     const auto field = std::ranges::find_if(fields_, [](const Field& f) { return meansTime(f.text); });
     const std::string meant =
         field == fields_.end() ? "" : fmt::format("; is it '{}'?", core::printable(std::string(field->text)));
-    return "no column t" + (meant.empty() ? "; the first line names the columns, separated by commas" : meant);
+    return "no column t" +
+           (meant.empty() ? "; the first line names the columns, separated by commas or blanks" : meant);
   }
 
   void checkColumns() const {
-    if (!has(kTimeAt)) fail(withoutTime(), number_);
+    if (!has(kTimeAt)) fail(withoutTime(), cursor_.number);
     for (const Vector& vector : kVectors) checkVector(vector);
     if (!has(kQAt) && !has(kOmegaBAt) && !has(kOmegaWAt))
       fail("no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z" + foreign(),
-           number_);
+           cursor_.number);
   }
 
   void checkVector(const Vector& vector) const {
@@ -162,14 +206,15 @@ class Reader {
       if (!has(i)) missing = i;
     }
     if (count > 0 && count < vector.length)
-      fail(fmt::format("column {} is missing beside its fellows", kTrajectoryColumns[missing].name), number_);
+      fail(fmt::format("column {} is missing beside its fellows", kTrajectoryColumns[missing].name),
+           cursor_.number);
   }
 
   void readRow() {
-    splitFields(line_, fields_);
+    splitFields(cursor_.line, fields_);
     if (fields_.size() != columns_.size())
       fail(fmt::format("{} values in a row, where the header has {} columns", fields_.size(), columns_.size()),
-           number_);
+           cursor_.number);
     std::size_t next = 0;
     for (std::size_t i = 0; i < fields_.size(); ++i)
       if (columns_[i] != kForeign) row_[next++] = number(fields_[i], columns_[i]);
@@ -178,16 +223,17 @@ class Reader {
   double number(const Field& field, std::size_t column) const {
     const auto value = parseNumber(field.text);
     const std::string_view name = kTrajectoryColumns[column].name;
-    if (!value) fail(fmt::format("{}: no number: '{}'", name, core::printable(field.text)), number_, field.column);
+    if (!value)
+      fail(fmt::format("{}: no number: '{}'", name, core::printable(field.text)), cursor_.number, field.column);
     if (column == kTimeAt && !std::isfinite(*value))
-      fail(fmt::format("t: no time: {}", *value), number_, field.column);
+      fail(fmt::format("t: no time: {}", *value), cursor_.number, field.column);
     return *value;
   }
 
-  std::string_view rest_;
+  Cursor cursor_;
+  std::optional<Cursor> names_;  // at a comment that names columns
+  bool hasComments_ = false;
   std::string fileName_;
-  std::string_view line_;
-  int number_ = 0;
   std::vector<Field> fields_;
   std::vector<std::size_t> columns_;  // of the file: which of ours, or foreign
   std::vector<std::size_t> known_;    // ours that are there, in the file's order

@@ -37,8 +37,10 @@ inline constexpr std::size_t kMostTableBytes = std::size_t{1} << 30;
 inline constexpr std::size_t kMostTableRows = 4'000'000;
 inline constexpr std::size_t kLongestTableLine = std::size_t{64} << 10;
 
-/// Reads CSV with a header: names of kTrajectoryColumns in any order, other columns ignored. At least t and one of
-/// q, omega_B, omega_W; of a vector all components or none. Blank lines, blanks round a field, "quoted" fields, a
+/// Reads a table with a header: names of kTrajectoryColumns in any order, other columns ignored. At least t and
+/// one of q, omega_B, omega_W; of a vector all components or none. The header is the first line or, where that
+/// holds numbers, the first comment above it with names of two columns or more (numpy.savetxt). A line is split at
+/// its commas or, where it has none, at blanks and tabs. Blank lines, blanks round a field, "quoted" fields, a
 /// byte order mark, CRLF and lines that start with # are all right; values may be inf or nan, times may not.
 /// @throws core::Error(kIo) with file, line and column; core::Error(kLimit) beyond the limits above.
 TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName);

@@ -37,6 +37,29 @@ TEST(GradeTable, WhatOtherProgramsWrite) {
   EXPECT_TRUE(std::isnan(t.at(0, kOmegaBAt + 2)));
 }
 
+/// One row of omega, however it is written.
+void expectRow(const std::string& csv) {
+  const auto t = table(csv);
+  ASSERT_EQ(t.rows(), 1u) << csv;
+  EXPECT_EQ(t.t_s(0), 0.5) << csv;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(t.at(0, kOmegaBAt + i), static_cast<double>(i + 1)) << csv;
+}
+
+TEST(GradeTable, ReadsAHeaderInAComment) {
+  // numpy.savetxt(file, rows, header=names) writes "# " before the names and e-notation; delimiter is a blank.
+  expectRow("# t,omega_B_x,omega_B_y,omega_B_z\n5e-01,1e+00,2e+00,3e+00\n");
+  expectRow("# t,omega_B_x,omega_B_y,omega_B_z\n5e-01 1e+00 2e+00 3e+00\n");
+  expectRow("# my engine, 1.2\n#\n#t omega_B_x omega_B_y omega_B_z\n# s rad/s\n.5,1,2,3\n");
+  // A header proper is the one that counts.
+  expectRow("# t,q_w,q_x,q_y,q_z: also available\nt,omega_B_x,omega_B_y,omega_B_z\n.5,1,2,3\n");
+}
+
+TEST(GradeTable, ReadsColumnsSeparatedByBlanksAndTabs) {
+  expectRow("t omega_B_x omega_B_y omega_B_z\n0.5 1 2 3\n");
+  expectRow("  t   omega_B_x omega_B_y  omega_B_z  \r\n  0.5    1  2\t3 \r\n");
+  expectRow("t\tomega_B_x\tomega_B_y\tomega_B_z\tnote\n0.5\t1\t2\t3\t\"two words\"\n");
+}
+
 TEST(GradeTable, NoNewlineAtTheEnd) { EXPECT_EQ(table("t,q_w,q_x,q_y,q_z\n0,1,0,0,0").rows(), 1u); }
 
 std::string complaint(const std::string& csv) {
@@ -53,11 +76,23 @@ TEST(GradeTable, MistakesHaveTheirPlace) {
   const std::string header = "t,omega_B_x,omega_B_y,omega_B_z\n";
   EXPECT_EQ(complaint(""), "a.csv: is empty; its first line names the columns");
   EXPECT_EQ(complaint(header), "a.csv: has a header and no rows");
-  EXPECT_EQ(complaint("x,y\n"), "a.csv:1: no column t; the first line names the columns, separated by commas");
+  EXPECT_EQ(complaint("x,y\n"),
+            "a.csv:1: no column t; the first line names the columns, separated by commas or blanks");
   EXPECT_EQ(complaint("0,1,2,3\n"),
             "a.csv:1: the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...");
-  EXPECT_EQ(complaint("t;q_w;q_x\n"),
-            "a.csv:1: semicolons: columns are separated by commas here, and numbers have a decimal point");
+  EXPECT_EQ(complaint("# my engine\n0,1,2,3\n"),
+            "a.csv:2: no line names the columns: this one holds numbers, and no comment above has names that are "
+            "known here; name them as in t,q_w,q_x,q_y,q_z,..., with or without a # before");
+  EXPECT_EQ(complaint("# time,q_w,q_x,q_y,q_z\n0,1,0,0,0\n"), "a.csv:1: no column t; is it 'time'?");
+  EXPECT_EQ(complaint("# t,t,q_w\n0,1,2\n"), "a.csv:1:5: column t is there twice");
+  EXPECT_EQ(complaint("# t,omega_B_x,omega_B_y,omega_B_z\n# none\n"), "a.csv: has a header and no rows");
+  EXPECT_EQ(complaint("t omega_B_x omega_B_y omega_B_z\n0 1 2 x\n"), "a.csv:2:7: omega_B_z: no number: 'x'");
+  EXPECT_EQ(complaint("t omega_B_x omega_B_y omega_B_z\n0 1  2\n"),
+            "a.csv:2: 3 values in a row, where the header has 4 columns");
+  EXPECT_EQ(complaint("t; q_w; q_x\n"), complaint("t;q_w;q_x\n"));
+  EXPECT_EQ(
+      complaint("t;q_w;q_x\n"),
+      "a.csv:1: semicolons: columns are separated by commas or blanks here, and numbers have a decimal point");
   EXPECT_EQ(
       complaint("t,qx,qy,qz,qw\n"),
       "a.csv:1: no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z, not qx, qy, "
@@ -65,7 +100,7 @@ TEST(GradeTable, MistakesHaveTheirPlace) {
   for (const std::string time : {"time", "Time [s]", "t_s", "T (s)"})
     EXPECT_EQ(complaint("q_w," + time + "\n"), "a.csv:1: no column t; is it '" + time + "'?");
   EXPECT_EQ(complaint("torque,title\n"),
-            "a.csv:1: no column t; the first line names the columns, separated by commas");
+            "a.csv:1: no column t; the first line names the columns, separated by commas or blanks");
   EXPECT_EQ(complaint("t,q_w,q_x,q_z\n"), "a.csv:1: column q_y is missing beside its fellows");
   EXPECT_EQ(complaint("t,t,q_w\n"), "a.csv:1:3: column t is there twice");
   EXPECT_EQ(complaint("t,L_W_x,L_W_y,L_W_z\n0,1,2,3\n"),
