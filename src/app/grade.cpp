@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,69 +11,72 @@
 #include <utility>
 
 #include "app/grade_convention.h"
+#include "app/grade_shift.h"
 #include "core/expect.h"
 
 namespace poinsot::app {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kUnitLength = 1e-6;  // a quaternion printed with six digits is as near to unit length
-
-/// What they say of one time, read or worked out.
-struct TheirState {
-  std::optional<Quaterniond> q_WB;
-  std::optional<Vector3d> omega_B, omega_W, L_W;
-  std::optional<double> lengthOfL, kineticEnergy;
-};
+constexpr double kClose = 0.02;       // rad, or of omega: a reading that leaves more only fits better
 
 /// Which columns each quantity comes from; empty: none.
 struct Origins {
-  std::string attitude, omega_B, omega_W, directionOfL, lengthOfL, kineticEnergy;
+  std::string attitude, omega_B, omega_W, rate_B, rate_W, directionOfL, lengthOfL, kineticEnergy;
 };
 
-Origins originsOf(const TrajectoryTable& theirs) {
-  const bool q = theirs.has(kQAt), wB = theirs.has(kOmegaBAt), wW = theirs.has(kOmegaWAt), L = theirs.has(kLWAt);
+Origins originsOf(const LoggedState& theirs) {
+  const bool q = theirs.q_WB.has_value(), wB = theirs.omega_B.has_value(), wW = theirs.omega_W.has_value(),
+             L = theirs.L_W.has_value();
   const std::string body = wB ? "omega_B" : wW && q ? "omega_W, q" : "";
   Origins origins;
   if (q) origins.attitude = "q";
   if (wB) origins.omega_B = "omega_B";
   if (wW) origins.omega_W = "omega_W";
+  if (theirs.rate_B) origins.rate_B = "rate_B";
+  if (theirs.rate_W) origins.rate_W = "rate_W";
   origins.lengthOfL = L ? "L_W" : body;
   origins.directionOfL = L ? "L_W" : q && wB ? "omega_B, q" : wW && q ? body : "";
-  origins.kineticEnergy = theirs.has(kEnergyAt) ? "T" : body;
+  origins.kineticEnergy = theirs.kineticEnergy ? "T" : body;
   return origins;
 }
 
+/// The log, read so, against the motion.
 class Comparison {
  public:
-  Comparison(const physics::Motion& motion, const TrajectoryTable& theirs) : motion_(motion), theirs_(theirs) {
+  Comparison(const KnownMotion& motion, const TrajectoryTable& theirs, std::vector<Reading> readings)
+      : motion_(motion), theirs_(theirs), readings_(std::move(readings)) {
     sortRows();
-    for (const std::size_t row : order_) compare(row);
+    for (const std::size_t row : order_) compare(stateOf(row));
   }
 
-  Grade grade();
+  std::vector<GradedQuantity> quantities();
+  double firstTime_s() const { return t_s_.front(); }
+  double lastTime_s() const { return t_s_.back(); }
+  double worstLength() const { return worstLength_; }
 
  private:
   void sortRows();
-  void compare(std::size_t row);
-  TheirState stateOf(std::size_t row);
-  Vector3d vectorAt(std::size_t row, TrajectoryPlace place) const {
-    return {theirs_.at(row, place), theirs_.at(row, place + 1), theirs_.at(row, place + 2)};
-  }
-  std::optional<Quaterniond> attitudeAt(std::size_t row);
+  LoggedState stateOf(std::size_t row) const;
+  void compare(const LoggedState& theirs);
+  void compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs);
+  void compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs);
   GradedQuantity summary(std::string_view key, std::string_view label, std::string_view unit,
                          const std::string& from, std::vector<double>& errors, double scale) const;
+  GradedQuantity signedSummary(std::string_view key, const std::string& from, std::vector<double>& differences,
+                               double scale) const;
 
-  const physics::Motion& motion_;
+  const KnownMotion& motion_;
   const TrajectoryTable& theirs_;
+  std::vector<Reading> readings_;
   std::vector<std::size_t> order_;
   std::vector<double> t_s_;
-  std::vector<double> attitude_, omega_B_, omega_W_, directionOfL_, lengthOfL_, kineticEnergy_;
+  std::vector<double> attitude_, omega_B_, omega_W_, rate_B_, rate_W_, directionOfL_;
+  std::vector<double> lengthOfL_, kineticEnergy_;  // with their signs
   double largestOmega_ = 0, largestL_ = 0, largestT_ = 0;
   double worstLength_ = 0;  // of a quaternion, off 1
-  ConventionSearch conventions_;
 };
 
 void Comparison::sortRows() {
@@ -84,67 +86,43 @@ void Comparison::sortRows() {
   std::ranges::stable_sort(order_, [&](std::size_t a, std::size_t b) {
     return backwards ? theirs_.t_s(a) > theirs_.t_s(b) : theirs_.t_s(a) < theirs_.t_s(b);
   });
-  for (const std::size_t row : order_) t_s_.push_back(theirs_.t_s(row));
 }
 
-std::optional<Quaterniond> Comparison::attitudeAt(std::size_t row) {
-  if (!theirs_.has(kQAt)) return std::nullopt;
-  const Quaterniond q(theirs_.at(row, kQAt), theirs_.at(row, kQAt + 1), theirs_.at(row, kQAt + 2),
-                      theirs_.at(row, kQAt + 3));
-  const double length = q.coeffs().stableNorm();
-  if (std::isfinite(length)) worstLength_ = std::max(worstLength_, std::abs(length - 1));
-  return Quaterniond(q.coeffs() / length);  // not a number where there is no direction
-}
+LoggedState Comparison::stateOf(std::size_t row) const { return readAs(loggedState(theirs_, row), readings_); }
 
-TheirState Comparison::stateOf(std::size_t row) {
-  const physics::PrincipalAxes& axes = motion_.axes();
-  TheirState s;
-  s.q_WB = attitudeAt(row);
-  if (theirs_.has(kOmegaBAt)) s.omega_B = vectorAt(row, kOmegaBAt);
-  if (theirs_.has(kOmegaWAt)) s.omega_W = vectorAt(row, kOmegaWAt);
-  std::optional<Vector3d> body = s.omega_B;
-  if (!body && s.omega_W && s.q_WB) body = s.q_WB->conjugate() * *s.omega_W;
-  if (body) {
-    const Vector3d m_B = axes.angularMomentum(*body);
-    s.lengthOfL = m_B.norm();
-    s.kineticEnergy = 0.5 * body->dot(m_B);
-    if (s.q_WB) s.L_W = *s.q_WB * m_B;
-  }
-  if (theirs_.has(kLWAt)) {
-    s.L_W = vectorAt(row, kLWAt);
-    s.lengthOfL = s.L_W->norm();
-  }
-  if (theirs_.has(kEnergyAt)) s.kineticEnergy = theirs_.at(row, kEnergyAt);
-  return s;
-}
-
-/// What is not finite is as wrong as can be.
+/// An error that is not finite is as large as can be.
 double worst(double error) { return std::isfinite(error) ? error : std::numeric_limits<double>::infinity(); }
 
-double angleBetween(const Quaterniond& a, const Quaterniond& b) {
-  const Quaterniond d = a.conjugate() * b;
-  return 2 * std::atan2(d.vec().norm(), std::abs(d.w()));
+void Comparison::compare(const LoggedState& theirs) {
+  const physics::RigidBodyState ours = motion_.at(theirs.t_s);
+  t_s_.push_back(theirs.t_s);
+  if (std::isfinite(theirs.quaternionLength))
+    worstLength_ = std::max(worstLength_, std::abs(theirs.quaternionLength - 1));
+  if (theirs.q_WB) attitude_.push_back(worst(angleBetween(ours.q_WB, *theirs.q_WB)));
+  compareVectors(ours, theirs);
+  compareMomenta(ours, theirs);
 }
 
-double angleBetween(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
-void Comparison::compare(std::size_t row) {
-  const physics::RigidBodyState ours = motion_.at(theirs_.t_s(row));
-  const TheirState their = stateOf(row);
+void Comparison::compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs) {
   largestOmega_ = std::max(largestOmega_, ours.omega_B.norm());
+  const auto add = [](std::vector<double>& errors, const std::optional<Vector3d>& their, const Vector3d& our) {
+    if (their) errors.push_back(worst((*their - our).norm()));
+  };
+  add(omega_B_, theirs.omega_B, ours.omega_B);
+  add(omega_W_, theirs.omega_W, ours.omega_W);
+  if (!theirs.rate_B && !theirs.rate_W) return;
+  const Vector3d rate_B = physics::turningRate_B(motion_.motion(), ours);
+  add(rate_B_, theirs.rate_B, rate_B);
+  add(rate_W_, theirs.rate_W, ours.q_WB * rate_B);
+}
+
+void Comparison::compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs) {
+  const DerivedState their = derivedState(motion_.motion().axes(), theirs);
   largestL_ = std::max(largestL_, ours.L_W.norm());
   largestT_ = std::max(largestT_, ours.kineticEnergy);
-  if (their.q_WB) conventions_.addAttitude(ours.q_WB, *their.q_WB);
-  if (their.omega_B)
-    conventions_.addOmega(ours.omega_B, ours.omega_W, *their.omega_B);
-  else if (their.omega_W)
-    conventions_.addOmega(ours.omega_W, ours.omega_B, *their.omega_W);
-  if (their.q_WB) attitude_.push_back(worst(angleBetween(ours.q_WB, *their.q_WB)));
-  if (their.omega_B) omega_B_.push_back(worst((*their.omega_B - ours.omega_B).norm()));
-  if (their.omega_W) omega_W_.push_back(worst((*their.omega_W - ours.omega_W).norm()));
   if (their.L_W) directionOfL_.push_back(worst(angleBetween(ours.L_W, *their.L_W)));
-  if (their.lengthOfL) lengthOfL_.push_back(worst(std::abs(*their.lengthOfL - ours.L_W.norm())));
-  if (their.kineticEnergy) kineticEnergy_.push_back(worst(std::abs(*their.kineticEnergy - ours.kineticEnergy)));
+  if (their.lengthOfL) lengthOfL_.push_back(worst(*their.lengthOfL - ours.L_W.norm()));
+  if (their.kineticEnergy) kineticEnergy_.push_back(worst(*their.kineticEnergy - ours.kineticEnergy));
 }
 
 double rootMeanSquare(const std::vector<double>& errors, double largest) {
@@ -162,28 +140,82 @@ GradedQuantity Comparison::summary(std::string_view key, std::string_view label,
   const auto largest = std::ranges::max_element(errors);
   const double at_s = t_s_[static_cast<std::size_t>(largest - errors.begin())];
   return {key, label, unit, from,
-          ErrorSummary{*largest, at_s, errors.back(), rootMeanSquare(errors, *largest), findDrift(t_s_, errors)}};
+          ErrorSummary{*largest, at_s, errors.back(), rootMeanSquare(errors, *largest), findDrift(t_s_, errors),
+                       std::nullopt, Trend::kNone}};
 }
 
-Grade Comparison::grade() {
-  const Origins from = originsOf(theirs_);
-  Grade result{t_s_.size(), t_s_.front(), t_s_.back(), {}, {}};
-  result.quantities = {
+/// The sign that most of the last quarter has.
+Trend trendOf(const std::vector<double>& differences) {
+  double sum = 0, sizes = 0;
+  for (std::size_t i = differences.size() - (differences.size() + 3) / 4; i < differences.size(); ++i) {
+    sum += differences[i];
+    sizes += std::abs(differences[i]);
+  }
+  if (!(std::abs(sum) > 0.5 * sizes)) return Trend::kNone;
+  return sum < 0 ? Trend::kLoses : Trend::kGains;
+}
+
+/// As summary(), of differences with a sign.
+GradedQuantity Comparison::signedSummary(std::string_view key, const std::string& from,
+                                         std::vector<double>& differences, double scale) const {
+  std::vector<double> errors;
+  for (const double difference : differences) errors.push_back(std::abs(difference));
+  GradedQuantity quantity = summary(key, key == "T" ? "T" : "|L|", "1", from, errors, scale);
+  if (!quantity.errors) return quantity;
+  quantity.errors->signedFinal = scale > 0 ? differences.back() / scale : differences.back();
+  const DriftKind kind = quantity.errors->drift.kind;
+  if (kind == DriftKind::kDrift || (kind == DriftKind::kTooFewRows && quantity.errors->final > kRoundingError))
+    quantity.errors->trend = trendOf(differences);
+  return quantity;
+}
+
+std::vector<GradedQuantity> Comparison::quantities() {
+  const Origins from = originsOf(stateOf(0));
+  std::vector<GradedQuantity> all = {
       summary("attitude", "attitude", "rad", from.attitude, attitude_, 1),
       summary("omega_B", "omega in the body", "1", from.omega_B, omega_B_, largestOmega_),
       summary("omega_W", "omega in space", "1", from.omega_W, omega_W_, largestOmega_),
       summary("direction_of_L", "direction of L", "rad", from.directionOfL, directionOfL_, 1),
-      summary("length_of_L", "|L|", "1", from.lengthOfL, lengthOfL_, largestL_),
-      summary("T", "T", "1", from.kineticEnergy, kineticEnergy_, largestT_),
+      signedSummary("length_of_L", from.lengthOfL, lengthOfL_, largestL_),
+      signedSummary("T", from.kineticEnergy, kineticEnergy_, largestT_),
   };
-  if (worstLength_ > kUnitLength)
-    result.notes.push_back(
-        fmt::format("quaternions are off unit length by up to {:.2g}; graded as normalised", worstLength_));
-  for (std::string& hint : conventions_.hints()) result.notes.push_back(std::move(hint));
-  return result;
+  if (motion_.motion().dissipation() == 0 && from.rate_B.empty() && from.rate_W.empty()) return all;
+  all.push_back(summary("rate_B", "rate in the body", "1", from.rate_B, rate_B_, largestOmega_));
+  all.push_back(summary("rate_W", "rate in space", "1", from.rate_W, rate_W_, largestOmega_));
+  return all;
+}
+
+/// "q is conjugated (...) and omega is in deg/s (...)".
+std::string causesText(const std::vector<FitCause>& causes) {
+  std::string text;
+  for (const FitCause& cause : causes)
+    text += fmt::format("{}{} ({})", text.empty() ? "" : " and ", cause.condition, cause.remark);
+  return text;
+}
+
+bool isOfState(const GradedQuantity& quantity) {
+  return quantity.errors && (quantity.key == "attitude" || quantity.key.starts_with("omega"));
+}
+
+/// "attitude 3.4e-13 rad, omega in the body 2.1e-12": the largest errors.
+std::string largestErrors(const std::vector<GradedQuantity>& quantities) {
+  std::string text;
+  for (const GradedQuantity& quantity : quantities)
+    if (isOfState(quantity))
+      text += fmt::format("{}{} {:.1e}{}", text.empty() ? "" : ", ", quantity.label, quantity.errors->largest,
+                          quantity.unit == "rad" ? " rad" : "");
+  return text;
 }
 
 }  // namespace
+
+std::string fitNote(const Fit& fit) {
+  const bool close = std::ranges::none_of(fit.quantities, [](const GradedQuantity& quantity) {
+    return isOfState(quantity) && quantity.errors->rms > kClose;
+  });
+  return fmt::format("{} if {}: {}", close ? "fits" : "fits better", causesText(fit.causes),
+                     largestErrors(fit.quantities));
+}
 
 const GradedQuantity& Grade::quantity(std::string_view key) const {
   const auto found = std::ranges::find(quantities, key, &GradedQuantity::key);
@@ -200,8 +232,28 @@ physics::TimeSpan spanOf(const TrajectoryTable& theirs) {
   return span;
 }
 
-Grade grade(const physics::Motion& motion, const TrajectoryTable& theirs) {
-  return Comparison(motion, theirs).grade();
+Fit gradeFromZero(const MotionMaker& maker, const TrajectoryTable& theirs) {
+  const physics::TimeSpan span = spanOf(theirs), wanted{0, span.to_s - span.from_s};
+  const auto motion = maker(wanted);
+  const KnownMotion known(*motion, wanted);
+  const Reading reading = shiftReading(-span.from_s, span.from_s);
+  return {{reading.cause}, Comparison(known, theirs, {reading}).quantities()};
+}
+
+Grade grade(const physics::Motion& motion, const TrajectoryTable& theirs, const MotionMaker& maker) {
+  KnownMotion known(motion, spanOf(theirs));
+  Comparison asWritten(known, theirs, {});
+  Grade result{theirs.rows(), asWritten.firstTime_s(), asWritten.lastTime_s(), asWritten.quantities(), {}, {}};
+  const std::vector<Reading> readings = fittingReadings(known, maker, theirs);
+  if (!readings.empty()) {
+    result.fit = Fit{{}, Comparison(known, theirs, readings).quantities()};
+    for (const Reading& reading : readings) result.fit->causes.push_back(reading.cause);
+    result.notes.push_back(fitNote(*result.fit));
+  }
+  if (asWritten.worstLength() > kUnitLength)
+    result.notes.push_back(fmt::format("quaternions are off unit length by up to {:.2g}; graded as normalised",
+                                       asWritten.worstLength()));
+  return result;
 }
 
 }  // namespace poinsot::app

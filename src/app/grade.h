@@ -8,10 +8,14 @@
 #include <vector>
 
 #include "app/grade_drift.h"
+#include "app/grade_known_motion.h"
 #include "app/grade_table.h"
 #include "physics/driven_motion.h"
 
 namespace poinsot::app {
+
+/// Which way an engine's energy or angular momentum is off.
+enum class Trend { kNone, kLoses, kGains };
 
 /// Errors of one quantity over all rows.
 struct ErrorSummary {
@@ -20,6 +24,10 @@ struct ErrorSummary {
   double final = 0;        ///< at the row farthest from the start
   double rms = 0;          ///< over the rows
   Drift drift;
+  /// |L| and T: theirs minus the motion's at the last row, relative as the other errors are. Negative: too little.
+  std::optional<double> signedFinal;
+  /// |L| and T: the sign that their error has over the last quarter of the rows, where it drifts; else none.
+  Trend trend = Trend::kNone;
 };
 
 struct GradedQuantity {
@@ -30,12 +38,25 @@ struct GradedQuantity {
   std::optional<ErrorSummary> errors;  ///< none: the columns it takes are absent
 };
 
+/// One thing that a log means otherwise than its columns' names say.
+struct FitCause {
+  std::string condition;  ///< completes "fits if ...": "t is 0.5 s later"
+  std::string remark;     ///< whose convention that is, and what to do
+};
+
+/// Another way to read a log, in which it fits.
+struct Fit {
+  std::vector<FitCause> causes;            ///< that hold together
+  std::vector<GradedQuantity> quantities;  ///< graded as read so
+};
+
 /// How far a trajectory is off the motion.
 struct Grade {
   std::size_t rows = 0;
   double first_s = 0, last_s = 0;  ///< motion times, in the order judged
   std::vector<GradedQuantity> quantities;
-  std::vector<std::string> notes;  ///< what was forgiven, and how else theirs may be meant
+  std::optional<Fit> fit;          ///< none: it fits as it is written, or in no usual way
+  std::vector<std::string> notes;  ///< how else theirs may be meant, and what was forgiven
 
   /// @pre the key exists
   const GradedQuantity& quantity(std::string_view key) const;
@@ -46,12 +67,22 @@ physics::TimeSpan spanOf(const TrajectoryTable& theirs);
 
 /// Compares row by row with the motion at the row's own t:
 ///   attitude: angle of q^-1 q', 2 atan2(|vector|, |scalar|); q' of either sign, and normalised
-///   omega_B, omega_W: |omega' - omega|, relative to the largest |omega| of the run
+///   omega_B, omega_W, rate_B, rate_W: |omega' - omega|, relative to the largest |omega| of the run
 ///   direction of L: angle between L' and L;   |L|, T: difference, relative to the largest of the run
 /// L' and T' are their columns; else worked out from what they have: L' = q' (I omega_B'), T' = omega_B' I
 /// omega_B' / 2, omega_B' from omega_W' by q'. Rows are judged in the order of time, backwards from 0 where no
-/// time is positive.
+/// time is positive. Where they are off, a usual other way to read them is looked for (grade_convention.h).
+/// @param maker  makes the same motion over another span, to look for a clock with another zero; without it, none
+/// is looked for.
 /// @pre the motion is known over spanOf(theirs)
-Grade grade(const physics::Motion& motion, const TrajectoryTable& theirs);
+Grade grade(const physics::Motion& motion, const TrajectoryTable& theirs, const MotionMaker& maker = {});
+
+/// Grades a log as if its first row were at motion time 0: where a clock's time is too late for the motion to be
+/// known there. @throws core::Error as the maker does.
+Fit gradeFromZero(const MotionMaker& maker, const TrajectoryTable& theirs);
+
+/// "fits if t is 0.5 s later (...): attitude 3.4e-13 rad, omega in the body 2.1e-12": the largest errors that are
+/// left.
+std::string fitNote(const Fit& fit);
 
 }  // namespace poinsot::app

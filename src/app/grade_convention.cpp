@@ -1,130 +1,174 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/grade_convention.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "app/grade.h"
+#include "app/grade_shift.h"
+#include "app/grade_turn.h"
 
 namespace poinsot::app {
 namespace {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
+constexpr std::size_t kFewRows = 3;  // fit by chance
+constexpr std::size_t kSampleRows = 64;
+constexpr std::size_t kMostReadings = 3;
+constexpr double kWrong = 1e-3;       // rad, or of omega: more than the rounding of a log
+constexpr double kFarBetter = 0.05;   // of the misfit before
+constexpr double kUnrelated = 0.5;    // rad, or of omega: what is left must be less
+constexpr double kWorse = 2;          // times the misfit before
+const double kAlike = std::log(10.);  // scores that differ by less: the plainer reading is meant
 
-constexpr std::size_t kFewRows = 3;    // fit by chance
-constexpr double kWrong = 0.02;        // rad, or of omega: nobody takes that for rounding
-constexpr double kFarBetter = 0.05;    // of the misfit as it was read
-constexpr double kTurned_rad = 0.001;  // less is no choice of axes
+bool isWrong(const std::optional<double>& misfit) { return misfit && *misfit > kWrong; }
+bool isWrong(const Misfit& misfit) { return isWrong(misfit.attitude) || isWrong(misfit.omega); }
 
-/// The square of the angle between two attitudes where it is small; grows with it elsewhere.
-double squaredAngle(const Quaterniond& a, const Quaterniond& b) {
-  return 8 * std::max(0., 1 - std::abs(a.dot(b)));
+bool helps(const std::optional<double>& after, const std::optional<double>& before) {
+  return isWrong(before) && after && *after < std::min(kFarBetter * *before, kUnrelated);
 }
 
-double angleOf(const Quaterniond& turn) { return 2 * std::atan2(turn.vec().norm(), std::abs(turn.w())); }
+bool harms(const std::optional<double>& after, const std::optional<double>& before) {
+  return before && !(after && *after <= std::max(kWorse * *before, kFarBetter * kWrong));
+}
 
-std::string turnText(const Quaterniond& turn) {
-  const Vector3d axis = (turn.w() < 0 ? -1 : 1) * turn.vec().normalized();
-  return fmt::format("{:.4g} deg about ({:.3g}, {:.3g}, {:.3g})", angleOf(turn) * 180 / EIGEN_PI, axis[0] + 0.,
-                     axis[1] + 0., axis[2] + 0.);
+bool isBetter(const Misfit& after, const Misfit& before) {
+  if (harms(after.attitude, before.attitude) || harms(after.omega, before.omega)) return false;
+  return helps(after.attitude, before.attitude) || helps(after.omega, before.omega);
+}
+
+/// Whether all that was wrong is better.
+bool explains(const Misfit& after, const Misfit& before) {
+  return isBetter(after, before) && (!isWrong(before.attitude) || helps(after.attitude, before.attitude)) &&
+         (!isWrong(before.omega) || helps(after.omega, before.omega));
+}
+
+bool isFinite(const LoggedState& s) {
+  const auto finite = [](const std::optional<Eigen::Vector3d>& v) { return !v || v->allFinite(); };
+  return (!s.q_WB || s.q_WB->coeffs().allFinite()) && finite(s.omega_B) && finite(s.omega_W);
+}
+
+/// Rows spread evenly over those in which all is finite, in the order of time.
+LogSample sampleOf(const KnownMotion& motion, const TrajectoryTable& theirs) {
+  std::vector<std::size_t> rows(theirs.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::erase_if(rows, [&](std::size_t row) { return !isFinite(loggedState(theirs, row)); });
+  std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return theirs.t_s(row); });
+  LogSample sample;
+  const std::size_t count = std::min(rows.size(), kSampleRows);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = rows[count == 1 ? 0 : i * (rows.size() - 1) / (count - 1)];
+    sample.theirs.push_back(loggedState(theirs, row));
+    sample.ours.push_back(motion.at(theirs.t_s(row)));
+  }
+  return sample;
+}
+
+/// Readings found together, in the order of their aspects, and the sample read so.
+struct Finding {
+  std::vector<Reading> readings;
+  LogSample sample;
+};
+
+class ConventionSearch {
+ public:
+  ConventionSearch(KnownMotion& motion, const MotionMaker& maker, const physics::TimeSpan& span, LogSample sample)
+      : motion_(motion), asWritten_(std::move(sample)), usual_(namedHypotheses(motion.motion())) {
+    usual_.push_back(shiftHypothesis(motion, maker, span));
+    for (Hypothesis& hypothesis : turnHypotheses()) usual_.push_back(std::move(hypothesis));
+  }
+
+  std::vector<Reading> readings() const;
+
+ private:
+  std::optional<Finding> oneMore(const Finding& found, const Hypothesis& hypothesis) const;
+  std::vector<Finding> singles(const Finding& found, std::span<const Hypothesis> hypotheses) const;
+  std::vector<Finding> pairs(const Finding& found) const;
+  std::optional<Finding> better(const Finding& found) const;
+
+  const KnownMotion& motion_;
+  LogSample asWritten_;
+  std::vector<Hypothesis> usual_;  // the plainest first
+  const std::vector<Hypothesis> exchanges_ = exchangeHypotheses(), twoTurns_{twoTurnsHypothesis()};
+};
+
+std::optional<Finding> ConventionSearch::oneMore(const Finding& found, const Hypothesis& hypothesis) const {
+  if (std::ranges::find(found.readings, hypothesis.aspect, &Reading::aspect) != found.readings.end())
+    return std::nullopt;
+  auto reading = hypothesis.reading(found.sample);
+  if (!reading) return std::nullopt;
+  std::vector<Reading> readings = found.readings;
+  readings.push_back(std::move(*reading));
+  std::ranges::stable_sort(readings, {}, &Reading::aspect);
+  auto sample = readAs(asWritten_, readings, motion_);
+  return sample ? std::optional(Finding{std::move(readings), std::move(*sample)}) : std::nullopt;
+}
+
+std::vector<Finding> ConventionSearch::singles(const Finding& found,
+                                               std::span<const Hypothesis> hypotheses) const {
+  std::vector<Finding> all;
+  for (const Hypothesis& hypothesis : hypotheses)
+    if (auto more = oneMore(found, hypothesis)) all.push_back(std::move(*more));
+  return all;
+}
+
+std::vector<Finding> ConventionSearch::pairs(const Finding& found) const {
+  std::vector<Finding> all;
+  const auto add = [&](const Hypothesis& hypothesis, std::span<const Hypothesis> others) {
+    const auto first = oneMore(found, hypothesis);
+    if (!first) return;
+    for (Finding& second : singles(*first, others)) all.push_back(std::move(second));
+  };
+  for (std::size_t i = 0; i < usual_.size(); ++i) add(usual_[i], std::span(usual_).subspan(i + 1));
+  for (const Hypothesis& exchange : exchanges_) add(exchange, usual_);
+  return all;
+}
+
+/// The first of the findings that fit best; nothing where none is better than before.
+std::optional<Finding> bestOf(std::vector<Finding> findings, const Misfit& before) {
+  std::erase_if(findings, [&](const Finding& finding) { return !isBetter(misfitOf(finding.sample), before); });
+  double least = std::numeric_limits<double>::infinity();
+  for (const Finding& finding : findings) least = std::min(least, scoreOf(finding.sample));
+  for (Finding& finding : findings)
+    if (scoreOf(finding.sample) <= least + kAlike) return std::move(finding);
+  return std::nullopt;
+}
+
+/// The plainest finding that makes all better that is wrong; else the plainest that makes some of it better.
+std::optional<Finding> ConventionSearch::better(const Finding& found) const {
+  const Misfit before = misfitOf(found.sample);
+  std::optional<Finding> partly;
+  for (int stage = 0; stage < 3; ++stage) {
+    auto best = bestOf(stage == 0   ? singles(found, usual_)
+                       : stage == 1 ? pairs(found)
+                                    : singles(found, twoTurns_),
+                       before);
+    if (best && explains(misfitOf(best->sample), before)) return best;
+    if (!partly) partly = std::move(best);
+  }
+  return partly;
+}
+
+std::vector<Reading> ConventionSearch::readings() const {
+  Finding found{{}, asWritten_};
+  while (found.readings.size() < kMostReadings && isWrong(misfitOf(found.sample))) {
+    auto more = better(found);
+    if (!more) break;
+    found = std::move(*more);
+  }
+  return found.readings;
 }
 
 }  // namespace
 
-void ConventionSearch::Misfit::add(double squared) {
-  sum += squared;
-  ++count;
-}
-
-double ConventionSearch::Misfit::rms() const { return std::sqrt(sum / static_cast<double>(count)); }
-
-bool ConventionSearch::Misfit::muchLessThan(const Misfit& asRead) const {
-  return asRead.count >= kFewRows && asRead.rms() > kWrong && rms() < kFarBetter * asRead.rms();
-}
-
-Quaterniond ConventionSearch::read(Reading reading, const Quaterniond& q) const {
-  switch (reading) {
-    case kScalarLast:
-      return {q.z(), q.w(), q.x(), q.y()};
-    case kConjugate:
-      return q.conjugate();
-    case kScalarLastConjugate:
-      return read(kScalarLast, q).conjugate();
-    case kBodyTurned:
-      return q * *bodyTurn_;
-    case kSpaceTurned:
-      return *spaceTurn_ * q;
-    case kAsRead:
-    case kReadings:
-      break;
-  }
-  return q;
-}
-
-void ConventionSearch::addAttitude(const Quaterniond& ours, const Quaterniond& theirs) {
-  if (!theirs.coeffs().allFinite()) return;
-  if (!bodyTurn_) {
-    bodyTurn_ = theirs.conjugate() * ours;
-    spaceTurn_ = ours * theirs.conjugate();
-  }
-  for (int reading = kAsRead; reading < kReadings; ++reading)
-    attitude_[static_cast<std::size_t>(reading)].add(
-        squaredAngle(ours, read(static_cast<Reading>(reading), theirs)));
-}
-
-void ConventionSearch::addOmega(const Vector3d& ours, const Vector3d& other, const Vector3d& theirs) {
-  const double size = ours.squaredNorm();
-  if (!theirs.allFinite() || size == 0) return;
-  omega_.add((theirs - ours).squaredNorm() / size);
-  omegaInOtherFrame_.add((theirs - other).squaredNorm() / size);
-  omegaInDegrees_.add((EIGEN_PI / 180 * theirs - ours).squaredNorm() / size);
-  omegaInRpm_.add((EIGEN_PI / 30 * theirs - ours).squaredNorm() / size);
-}
-
-std::string ConventionSearch::attitudeHint() const {
-  const auto best = std::ranges::min_element(attitude_, {}, [](const Misfit& misfit) { return misfit.sum; });
-  if (!best->muchLessThan(attitude_[kAsRead])) return "";
-  switch (static_cast<Reading>(best - attitude_.begin())) {
-    case kScalarLast:
-      return "the attitudes fit if q_w, q_x, q_y, q_z hold x, y, z, w: name the columns q_x, q_y, q_z, q_w";
-    case kConjugate:
-      return "the attitudes fit if q is conjugated: poinsot's q takes components along the body's axes to those "
-             "in space";
-    case kScalarLastConjugate:
-      return "the attitudes fit if q_w, q_x, q_y, q_z hold x, y, z, w of the conjugate";
-    case kBodyTurned:
-      return turnHint("the body's axes", *bodyTurn_);
-    case kSpaceTurned:
-      return turnHint("the axes of space", *spaceTurn_);
-    case kAsRead:
-    case kReadings:
-      break;
-  }
-  return "";
-}
-
-std::string ConventionSearch::turnHint(std::string_view axes, const Quaterniond& turn) {
-  if (angleOf(turn) < kTurned_rad) return "";
-  return fmt::format("the attitudes fit if {} are turned by {}: are they the scene's?", axes, turnText(turn));
-}
-
-std::string ConventionSearch::omegaHint() const {
-  if (omegaInOtherFrame_.muchLessThan(omega_))
-    return "omega fits the columns of the other frame: omega_B is along the body's axes, omega_W along those of "
-           "space";
-  if (omegaInDegrees_.muchLessThan(omega_)) return "omega fits in deg/s: its columns are in rad/s";
-  if (omegaInRpm_.muchLessThan(omega_)) return "omega fits in rpm: its columns are in rad/s";
-  return "";
-}
-
-std::vector<std::string> ConventionSearch::hints() const {
-  std::vector<std::string> hints;
-  if (bodyTurn_)
-    if (std::string hint = attitudeHint(); !hint.empty()) hints.push_back(std::move(hint));
-  if (std::string hint = omegaHint(); !hint.empty()) hints.push_back(std::move(hint));
-  return hints;
+std::vector<Reading> fittingReadings(KnownMotion& motion, const MotionMaker& maker,
+                                     const TrajectoryTable& theirs) {
+  LogSample sample = sampleOf(motion, theirs);
+  if (sample.theirs.size() < kFewRows) return {};
+  return ConventionSearch(motion, maker, spanOf(theirs), std::move(sample)).readings();
 }
 
 }  // namespace poinsot::app

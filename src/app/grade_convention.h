@@ -1,51 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
+
+#include "app/grade_reading.h"
 
 namespace poinsot::app {
 
-/// Tells a motion that is wrong from one that is written down otherwise: reads each row in the ways that are usual
-/// elsewhere, too (order of a quaternion, its conjugate, axes of the body or of space turned once and for all,
-/// omega along the other axes or in other units), and finds which way fits.
-class ConventionSearch {
- public:
-  /// q_WB: unit quaternions; theirs as it was read.
-  void addAttitude(const Eigen::Quaterniond& ours, const Eigen::Quaterniond& theirs);
-
-  /// rad/s; `theirs` as it was read from the columns of one frame, `other`: ours along the other frame's axes.
-  void addOmega(const Eigen::Vector3d& ours, const Eigen::Vector3d& other, const Eigen::Vector3d& theirs);
-
-  /// What to look for, in words; nothing where they fit as they are, or in no way by far.
-  std::vector<std::string> hints() const;
-
- private:
-  enum Reading { kAsRead, kScalarLast, kConjugate, kScalarLastConjugate, kBodyTurned, kSpaceTurned, kReadings };
-
-  /// Mean of squares.
-  struct Misfit {
-    double sum = 0;
-    std::size_t count = 0;
-
-    void add(double squared);
-    double rms() const;
-    bool muchLessThan(const Misfit& asRead) const;
-  };
-
-  Eigen::Quaterniond read(Reading reading, const Eigen::Quaterniond& theirs) const;
-  std::string attitudeHint() const;
-  std::string omegaHint() const;
-  static std::string turnHint(std::string_view axes, const Eigen::Quaterniond& turn);
-
-  std::optional<Eigen::Quaterniond> bodyTurn_, spaceTurn_;  ///< that make the first row fit
-  std::array<Misfit, kReadings> attitude_;
-  Misfit omega_, omegaInOtherFrame_, omegaInDegrees_, omegaInRpm_;
-};
+/// Readings of a log that together make it fit the motion; empty where it fits as it is written, or in no usual
+/// way.
+///
+/// Tells a motion that is wrong from one that is written down otherwise: some rows, spread over the log, are read
+/// in each usual way (grade_reading.h, grade_shift.h, grade_turn.h). One counts if a misfit of the attitude or of
+/// omega beyond a thousandth falls to a twentieth, and none grows. Of those the one that fits best is taken, of
+/// equals the plainest; two together are tried where none alone makes all better that is wrong. What is still
+/// wrong is looked into again.
+///
+/// @param motion  known over the log's times; afterwards also at the times that the readings give it.
+/// @param maker  makes it known elsewhere; without it, no reading has another zero of time.
+std::vector<Reading> fittingReadings(KnownMotion& motion, const MotionMaker& maker, const TrajectoryTable& theirs);
 
 }  // namespace poinsot::app

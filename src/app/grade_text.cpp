@@ -40,12 +40,39 @@ std::string driftText(const Drift& drift) {
   return "";
 }
 
+constexpr std::array kTrendWords{"none", "loses", "gains"};
+
+constexpr const char* trendWord(Trend trend) { return kTrendWords[static_cast<std::size_t>(trend)]; }
+
+/// "-5.91e-02" where the error has a sign and is more than rounding.
+std::string finalText(const ErrorSummary& errors) {
+  const bool hasSign = errors.signedFinal && errors.drift.kind != DriftKind::kRounding;
+  return hasSign ? fmt::format("{:+.2e}", *errors.signedFinal) : fmt::format("{:.2e}", errors.final);
+}
+
 std::string row(const GradedQuantity& quantity) {
   if (!quantity.errors) return fmt::format("{:<18}{:>10}\n", quantity.label, "absent");
   const ErrorSummary& e = *quantity.errors;
+  const std::string trend = e.trend == Trend::kNone ? "" : fmt::format(" ({})", trendWord(e.trend));
   return fmt::format(kRow, quantity.label, fmt::format("{:.2e}", e.largest),
                      quantity.unit == "1" ? "rel" : quantity.unit, fmt::format("{:.6g}", e.largestAt_s),
-                     fmt::format("{:.2e}", e.final), fmt::format("{:.2e}", e.rms), driftText(e.drift));
+                     finalText(e), fmt::format("{:.2e}", e.rms), driftText(e.drift) + trend);
+}
+
+/// What the words of a trend mean: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
+std::string trendText(const Grade& grade) {
+  std::string text;
+  for (const GradedQuantity& quantity : grade.quantities) {
+    if (!quantity.errors || quantity.errors->trend == Trend::kNone) continue;
+    text += fmt::format("{}{} {:+.1e} ({})", text.empty() ? "" : ", ", quantity.label,
+                        *quantity.errors->signedFinal, trendWord(quantity.errors->trend));
+  }
+  return text.empty() ? "" : "At the last row, against the motion: " + text + ".\n";
+}
+
+/// A note as a sentence.
+std::string sentence(const std::string& note) {
+  return fmt::format("Note: {}{}\n", note, note.ends_with('?') || note.ends_with('.') ? "" : ".");
 }
 
 /// Only what their columns do not say themselves needs saying.
@@ -77,9 +104,26 @@ Json driftJson(const Drift& drift) {
 Json quantityJson(const GradedQuantity& quantity) {
   if (!quantity.errors) return {};
   const ErrorSummary& e = *quantity.errors;
-  return {{"unit", quantity.unit},         {"from", quantity.from},    {"largest", finite(e.largest)},
-          {"largest_at_s", e.largestAt_s}, {"final", finite(e.final)}, {"rms", finite(e.rms)},
-          {"drift", driftJson(e.drift)}};
+  Json json{{"unit", quantity.unit},         {"from", quantity.from},    {"largest", finite(e.largest)},
+            {"largest_at_s", e.largestAt_s}, {"final", finite(e.final)}, {"rms", finite(e.rms)},
+            {"drift", driftJson(e.drift)}};
+  if (!e.signedFinal) return json;
+  json["signed_final"] = finite(*e.signedFinal);
+  json["trend"] = e.trend == Trend::kNone ? Json() : Json(trendWord(e.trend));
+  return json;
+}
+
+Json quantitiesJson(const std::vector<GradedQuantity>& quantities) {
+  Json json = Json::object();
+  for (const GradedQuantity& quantity : quantities) json[std::string(quantity.key)] = quantityJson(quantity);
+  return json;
+}
+
+Json fitJson(const std::optional<Fit>& fit) {
+  if (!fit) return {};
+  Json causes = Json::array();
+  for (const FitCause& cause : fit->causes) causes.push_back({{"if", cause.condition}, {"remark", cause.remark}});
+  return {{"causes", causes}, {"quantities", quantitiesJson(fit->quantities)}};
 }
 
 }  // namespace
@@ -89,18 +133,16 @@ std::string gradeTable(const Grade& grade) {
                                  grade.first_s, grade.last_s);
   text += fmt::format(kRow, "error of", "largest", "", "at t (s)", "final", "rms", "drift");
   for (const GradedQuantity& quantity : grade.quantities) text += row(quantity);
-  text += "\nrel: relative to the largest true value of the run.\n" + derivedText(grade);
-  for (const std::string& note : grade.notes) text += fmt::format("Note: {}.\n", note);
+  text += "\nrel: relative to the largest true value of the run.\n" + derivedText(grade) + trendText(grade);
+  for (const std::string& note : grade.notes) text += sentence(note);
   return text;
 }
 
 std::string gradeJson(const Grade& grade, const std::string& fileName, const std::string& sceneName) {
-  Json quantities = Json::object();
-  for (const GradedQuantity& quantity : grade.quantities)
-    quantities[std::string(quantity.key)] = quantityJson(quantity);
-  const Json json{{"file", fileName},        {"scene", sceneName},   {"rows", grade.rows},
-                  {"from_s", grade.first_s}, {"to_s", grade.last_s}, {"quantities", quantities},
-                  {"notes", grade.notes}};
+  const Json json{{"file", fileName},           {"scene", sceneName},
+                  {"rows", grade.rows},         {"from_s", grade.first_s},
+                  {"to_s", grade.last_s},       {"quantities", quantitiesJson(grade.quantities)},
+                  {"fits", fitJson(grade.fit)}, {"notes", grade.notes}};
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

@@ -63,10 +63,24 @@ std::string timeNote(const app::Grade& grade, const scene::Scene& scene, const p
   constexpr double kFar = 20;
   const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
   const double theirs_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
-  if (!isFarOff(grade) || !(std::abs(end_s) > 0) || theirs_s < kFar * std::abs(end_s)) return "";
+  if (grade.fit || !isFarOff(grade) || !(std::abs(end_s) > 0) || theirs_s < kFar * std::abs(end_s)) return "";
   return fmt::format(
       "their times go to {:.4g} s, the film's motion to {:.4g} s; t is the motion's time in seconds", theirs_s,
       end_s);
+}
+
+/// The motion over their times. @throws core::Error(kLimit) for a driven motion that is too long, and says how a
+/// log on a clock's time, which is far from 0, would be graded from its first row on.
+std::unique_ptr<const physics::Motion> motionOver(const app::MotionMaker& maker,
+                                                  const app::TrajectoryTable& theirs) {
+  const physics::TimeSpan span = app::spanOf(theirs);
+  try {
+    return maker(span);
+  } catch (const core::Error& error) {
+    if (error.kind() != core::ErrorKind::kLimit || span.from_s <= span.to_s - span.from_s) throw;
+    throw core::Error(error.kind(), fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s,
+                                                app::fitNote(app::gradeFromZero(maker, theirs))));
+  }
 }
 
 int gradeTheirs(const GradeOptions& options) {
@@ -74,8 +88,11 @@ int gradeTheirs(const GradeOptions& options) {
   const scene::Scene scene = loadScene(options);
   const app::TrajectoryTable theirs = app::readTrajectoryTable(options.theirs);
   const physics::TimeSpan span = app::spanOf(theirs);
-  const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  app::Grade grade = app::grade(*motion, theirs);
+  const app::MotionMaker maker = [&](const physics::TimeSpan& wanted) {
+    return scene::makeMotion(scene, wanted.from_s, wanted.to_s);
+  };
+  const auto motion = motionOver(maker, theirs);
+  app::Grade grade = app::grade(*motion, theirs, maker);
   if (std::string note = timeNote(grade, scene, span); !note.empty()) grade.notes.push_back(std::move(note));
   writeOut(options.json ? app::gradeJson(grade, options.theirs, scene.name) : app::gradeTable(grade));
   return !limit || within(grade, *limit, options.theirs) ? kDone : kNo;

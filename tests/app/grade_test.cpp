@@ -14,6 +14,7 @@
 #include "app/grade_text.h"
 #include "app/trajectory_text.h"
 #include "core/error.h"
+#include "physics/driven_motion.h"
 #include "physics/free_motion.h"
 
 namespace poinsot::app {
@@ -24,6 +25,7 @@ using Eigen::Vector3d;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 const Vector3d kMoments{2, 3, 4};
 const EngineState kStart{Quaterniond(1, 0, 0, 0), Vector3d(.5, .25, 1)};
@@ -54,72 +56,6 @@ TEST(Grade, ACopyIsRight) {
   EXPECT_THAT(grade.notes, IsEmpty());
 }
 
-/// The exact motion, written down by somebody with other conventions.
-std::string writtenAs(const std::string& columns,
-                      const std::function<std::vector<double>(const physics::RigidBodyState&)>& values) {
-  std::string csv = "t," + columns + "\n";
-  for (int i = 0; i < 50; ++i) {
-    const physics::RigidBodyState state = truth().at(0.3 * i);
-    csv += fmt::format("{},{}\n", 0.3 * i, fmt::join(values(state), ","));
-  }
-  return csv;
-}
-
-constexpr const char* kQuaternion = "q_w,q_x,q_y,q_z";
-
-std::vector<double> scalarFirst(const Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-
-TEST(Grade, SaysInWhichOtherOrderTheQuaternionsFit) {
-  const auto notes = [](const std::function<std::vector<double>(const physics::RigidBodyState&)>& values) {
-    return gradeOf(writtenAs(kQuaternion, values)).notes;
-  };
-  EXPECT_THAT(notes([](const auto& s) { return scalarFirst(s.q_WB); }), IsEmpty());
-  EXPECT_THAT(notes([](const auto& s) {
-                return std::vector{s.q_WB.x(), s.q_WB.y(), s.q_WB.z(), s.q_WB.w()};
-              }),
-              ElementsAre(HasSubstr("fit if q_w, q_x, q_y, q_z hold x, y, z, w: name")));
-  EXPECT_THAT(notes([](const auto& s) { return scalarFirst(s.q_WB.conjugate()); }),
-              ElementsAre(HasSubstr("fit if q is conjugated")));
-  EXPECT_THAT(notes([](const auto& s) {
-                return std::vector{-s.q_WB.x(), -s.q_WB.y(), -s.q_WB.z(), s.q_WB.w()};
-              }),
-              ElementsAre(HasSubstr("hold x, y, z, w of the conjugate")));
-}
-
-TEST(Grade, SaysByWhichTurnOfTheAxesTheQuaternionsFit) {
-  const Quaterniond turn(Eigen::AngleAxisd(EIGEN_PI / 2, Vector3d::UnitY()));
-  EXPECT_THAT(gradeOf(writtenAs(kQuaternion, [&](const auto& s) { return scalarFirst(s.q_WB * turn); })).notes,
-              ElementsAre(HasSubstr("the body's axes are turned by 90 deg about (0, -1, 0)")));
-  EXPECT_THAT(gradeOf(writtenAs(kQuaternion, [&](const auto& s) { return scalarFirst(turn * s.q_WB); })).notes,
-              ElementsAre(HasSubstr("the axes of space are turned by 90 deg about (0, -1, 0)")));
-}
-
-TEST(Grade, SaysThatOmegaIsOfTheOtherFrame) {
-  EXPECT_THAT(gradeOf(writtenAs("omega_B_x,omega_B_y,omega_B_z",
-                                [](const auto& s) {
-                                  return std::vector{s.omega_W[0], s.omega_W[1], s.omega_W[2]};
-                                }))
-                  .notes,
-              ElementsAre(HasSubstr("omega fits the columns of the other frame")));
-}
-
-TEST(Grade, SaysThatOmegaIsInOtherUnits) {
-  const auto notes = [](double perSi) {
-    return gradeOf(
-               writtenAs("omega_B_x,omega_B_y,omega_B_z",
-                         [perSi](const auto& s) {
-                           return std::vector{perSi * s.omega_B[0], perSi * s.omega_B[1], perSi * s.omega_B[2]};
-                         }))
-        .notes;
-  };
-  EXPECT_THAT(notes(180 / EIGEN_PI), ElementsAre(HasSubstr("omega fits in deg/s")));
-  EXPECT_THAT(notes(30 / EIGEN_PI), ElementsAre(HasSubstr("omega fits in rpm")));
-}
-
-TEST(Grade, OfAWrongMotionBlamesNoConvention) {
-  EXPECT_THAT(gradeOf(engineCsv(explicitEuler, kMoments, kStart, 1e-2, 10000, 10)).notes, IsEmpty());
-}
-
 TEST(Grade, ExplicitEulerGainsEnergyFromTheStart) {
   const Grade grade = gradeOf(engineCsv(explicitEuler, kMoments, kStart, 1e-3, 10000, 10));
   for (const char* key : {"T", "length_of_L", "omega_B", "attitude"}) {
@@ -138,6 +74,57 @@ TEST(Grade, ExplicitEulerGainsEnergyFromTheStart) {
     gained += 1e-6 / 2 * kMoments.dot(rate.cwiseProduct(rate));
   }
   EXPECT_NEAR(errorsOf(grade, "T").final * truth().kineticEnergy(), gained, 0.01 * gained);
+  EXPECT_EQ(errorsOf(grade, "T").signedFinal, errorsOf(grade, "T").final);
+  EXPECT_EQ(errorsOf(grade, "T").trend, Trend::kGains);
+}
+
+/// The motion with omega times `factor(t)`, as a log of omega alone.
+std::string scaledOmega(const std::function<double(double)>& factor) {
+  std::string csv = "t,omega_B_x,omega_B_y,omega_B_z\n";
+  for (int k = 0; k <= 60; ++k) {
+    const Vector3d omega = factor(0.5 * k) * truth().at(0.5 * k).omega_B;
+    csv += fmt::format("{},{},{},{}\n", 0.5 * k, omega[0], omega[1], omega[2]);
+  }
+  return csv;
+}
+
+TEST(Grade, SaysWhetherEnergyIsLostOrGained) {
+  // omega falls to 0.97 of it in 30 s: |L| by 3 %, T by 1 - 0.97^2 = 5.91 %; it grows to 1.03: 3 % and 6.09 %.
+  const Grade loses = gradeOf(scaledOmega([](double t) { return 1 - 1e-3 * t; }));
+  EXPECT_NEAR(*errorsOf(loses, "T").signedFinal, -0.0591, 1e-14);  // measured 1e-16
+  EXPECT_NEAR(*errorsOf(loses, "length_of_L").signedFinal, -0.03, 1e-14);
+  const Grade gains = gradeOf(scaledOmega([](double t) { return 1 + 1e-3 * t; }));
+  EXPECT_NEAR(*errorsOf(gains, "T").signedFinal, 0.0609, 1e-14);
+  EXPECT_NEAR(errorsOf(gains, "T").final, 0.0609, 1e-14);
+  EXPECT_EQ(errorsOf(gains, "T").trend, Trend::kGains);
+  EXPECT_FALSE(errorsOf(gains, "omega_B").signedFinal);  // a length has no sign
+  EXPECT_THAT(gradeTable(loses), HasSubstr("T                   5.91e-02 rel          30  -5.91e-02   3.44e-02   "
+                                           "from t = 0, linear (loses)\n"));
+  EXPECT_THAT(gradeTable(loses), HasSubstr("|L| -3.0e-02 (loses), T -5.9e-02 (loses).\n"));
+  EXPECT_THAT(gradeTable(gains), HasSubstr("+6.09e-02"));
+  const auto json = nlohmann::json::parse(gradeJson(loses, "theirs.csv", "s")).at("quantities");
+  EXPECT_NEAR(json.at("T").at("signed_final").get<double>(), -0.0591, 1e-14);
+  EXPECT_NEAR(json.at("T").at("final").get<double>(), 0.0591, 1e-14);
+  EXPECT_EQ(json.at("T").at("trend"), "loses");
+  EXPECT_FALSE(json.at("omega_B").contains("signed_final"));
+}
+
+TEST(Grade, CallsABoundedOscillationOfEnergyNeitherLossNorGain) {
+  const Grade grade = gradeOf(scaledOmega([](double t) { return 1 + 1e-3 * std::sin(2 * t); }));
+  EXPECT_EQ(errorsOf(grade, "T").trend, Trend::kNone);
+  EXPECT_THAT(gradeTable(grade), Not(HasSubstr("loses")));
+  EXPECT_TRUE(nlohmann::json::parse(gradeJson(grade, "a", "s")).at("quantities").at("T").at("trend").is_null());
+}
+
+TEST(Grade, ComparesEnergyWithThatOfADrivenMotion) {
+  // Drag takes e^(-0.2) of omega in 10 s; a log that keeps all of it has 1 - e^(-0.4) of T(0) too much.
+  physics::Forcing drag;
+  drag.dragRate_P.setConstant(0.02);
+  const physics::DrivenMotion motion(physics::PrincipalMoments(kMoments), kStart.omega_B, kStart.q_WB, drag,
+                                     {0, 10});
+  const Grade kept = grade(motion, table(engineCsv(rungeKutta, kMoments, kStart, 1e-2, 1000, 10)));
+  EXPECT_NEAR(*errorsOf(kept, "T").signedFinal, 1 - std::exp(-0.4), 1e-9);  // measured 1.6e-13
+  EXPECT_EQ(errorsOf(kept, "T").trend, Trend::kGains);
 }
 
 TEST(Grade, SemiImplicitEulerLosesItsAttitudeLinearly) {

@@ -203,7 +203,7 @@ TEST(TrajectoryText, AppendsTheRateOfTurningWhereDissipationActs) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(std::stod(row[1 + i]), expected[i], 1e-12);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    EXPECT_NEAR(std::stod(row[15 + i]), rate_B[at], 1e-12);  // measured
+    EXPECT_NEAR(std::stod(row[15 + i]), rate_B[at], 1e-12);  // measured 1.5e-14
     EXPECT_NEAR(std::stod(row[18 + i]), rate_W[at], 1e-12);
   }
   EXPECT_GT(std::abs(std::stod(row[15]) - std::stod(row[5])), 1e-3);  // not omega

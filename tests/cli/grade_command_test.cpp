@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/program_run.h"
 
@@ -55,6 +57,40 @@ TEST_F(GradeCommand, TimesOfAnotherClockAreSuspected) {
   EXPECT_THAT(grade({"ms.csv"}, "grade", {"-D", "time.speed=1"}).out, HasSubstr(note));
   // A long run that is right is a long run.
   EXPECT_EQ(grade({"copy.csv"}, "grade", {"-D", "time.speed=0.001"}).out.find("their times"), std::string::npos);
+}
+
+/// The copy with t moved on: its first row is no longer the start.
+std::string withTimes(const std::string& csv, double shift_s) {
+  std::string moved = csv.substr(0, csv.find('\n') + 1);
+  std::istringstream lines(csv.substr(moved.size()));
+  for (std::string line; std::getline(lines, line);) {
+    std::ostringstream t;
+    t << std::setprecision(17) << std::stod(line) + shift_s;
+    moved += t.str() + line.substr(line.find(',')) + "\n";
+  }
+  return moved;
+}
+
+TEST_F(GradeCommand, NamesAClockWithAnotherZero) {
+  folder_.put("late.csv", withTimes(bytesOf(folder_ / "copy.csv"), -0.25));
+  EXPECT_THAT(
+      grade({"late.csv"}).out,
+      HasSubstr("\nNote: fits if t is 0.25 s later (t + 0.25; the first row is the motion at 0 s): attitude "));
+  folder_.put("epoch.csv", withTimes(bytesOf(folder_ / "copy.csv"), 1.7e9));
+  const auto epoch = grade({"epoch.csv"});
+  EXPECT_THAT(epoch.out, HasSubstr("\nNote: fits if t is 1700000000 s earlier (a clock's time: t - 1700000000; "));
+  EXPECT_EQ(epoch.out.find("their times"), std::string::npos);  // the cause is named once
+}
+
+TEST_F(GradeCommand, SaysWhatAClockTooLateForADrivenMotionGives) {
+  const std::vector<std::string> drag{"-D", "motion.drag.rate=[0.01,0.02,0.03]"};
+  ASSERT_EQ(
+      grade({}, "trajectory", {"--rate", "20", "-D", "time.speed=1", "-o", "drag.csv", drag[0], drag[1]}).exitCode,
+      0);
+  folder_.put("epoch.csv", withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9));
+  const auto result = grade({"epoch.csv"}, "grade", drag);
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.err, HasSubstr("; their t starts at 1700000000 s: fits if t is 1700000000 s earlier ("));
 }
 
 TEST_F(GradeCommand, Json) {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/grade_state.h"
+
+#include <cmath>
+
+namespace poinsot::app {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+std::optional<Vector3d> vectorAt(const TrajectoryTable& theirs, std::size_t row, TrajectoryPlace place) {
+  if (!theirs.has(place)) return std::nullopt;
+  return Vector3d(theirs.at(row, place), theirs.at(row, place + 1), theirs.at(row, place + 2));
+}
+
+void readAttitude(LoggedState& state, const TrajectoryTable& theirs, std::size_t row) {
+  if (!theirs.has(kQAt)) return;
+  const Quaterniond q(theirs.at(row, kQAt), theirs.at(row, kQAt + 1), theirs.at(row, kQAt + 2),
+                      theirs.at(row, kQAt + 3));
+  state.quaternionLength = q.coeffs().stableNorm();
+  state.q_WB = Quaterniond(q.coeffs() / state.quaternionLength);
+}
+
+}  // namespace
+
+LoggedState loggedState(const TrajectoryTable& theirs, std::size_t row) {
+  LoggedState state;
+  state.t_s = theirs.t_s(row);
+  readAttitude(state, theirs, row);
+  state.omega_B = vectorAt(theirs, row, kOmegaBAt);
+  state.omega_W = vectorAt(theirs, row, kOmegaWAt);
+  state.rate_B = vectorAt(theirs, row, kRateBAt);
+  state.rate_W = vectorAt(theirs, row, kRateWAt);
+  state.L_W = vectorAt(theirs, row, kLWAt);
+  if (theirs.has(kEnergyAt)) state.kineticEnergy = theirs.at(row, kEnergyAt);
+  return state;
+}
+
+DerivedState derivedState(const physics::PrincipalAxes& axes, const LoggedState& state) {
+  DerivedState derived;
+  std::optional<Vector3d> omega_B = state.omega_B;
+  if (!omega_B && state.omega_W && state.q_WB) omega_B = state.q_WB->conjugate() * *state.omega_W;
+  if (omega_B) {
+    const Vector3d m_B = axes.angularMomentum(*omega_B);
+    derived.lengthOfL = m_B.norm();
+    derived.kineticEnergy = 0.5 * omega_B->dot(m_B);
+    if (state.q_WB) derived.L_W = *state.q_WB * m_B;
+  }
+  if (state.L_W) {
+    derived.L_W = state.L_W;
+    derived.lengthOfL = state.L_W->norm();
+  }
+  if (state.kineticEnergy) derived.kineticEnergy = state.kineticEnergy;
+  return derived;
+}
+
+double angleBetween(const Quaterniond& a, const Quaterniond& b) {
+  const Quaterniond d = a.conjugate() * b;
+  return 2 * std::atan2(d.vec().norm(), std::abs(d.w()));
+}
+
+double angleBetween(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+}  // namespace poinsot::app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Geometry>
+#include "app/grade.h"
+
+namespace poinsot::app {
+
+/// Which axes of a log are turned against the scene's.
+enum class TurnedAxes { kBoth, kBody, kSpace, kBodyOfAttitude, kSpaceOfAttitude, kOmega };
+
+/// Names the turn that makes a log fit, whose axes it is of, and which axis is which.
+/// @param toScene  takes components along the log's axes to those along the scene's.
+FitCause turnCause(TurnedAxes axes, const Eigen::Quaterniond& toScene);
+
+/// Angle of a rotation, rad, 0 to pi.
+double angleOf(const Eigen::Quaterniond& turn);
+
+}  // namespace poinsot::app
