@@ -15,9 +15,6 @@
 namespace poinsot::geometry {
 namespace {
 
-// A volume this small beside that of its bounding box is rounding: a surface folded onto itself.
-constexpr double kNoVolume = 1e-14;
-
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kScene, message); }
 
 std::string text(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }

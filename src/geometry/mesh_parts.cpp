@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A volume this small beside that of its bounding box has no sign.
-constexpr double kNoVolume = 1e-14;
 constexpr std::size_t kMostComparisons = 100'000'000;  // a second
 
 struct Part {

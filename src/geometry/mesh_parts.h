@@ -9,6 +9,9 @@
 // Internal to this layer.
 namespace poinsot::geometry {
 
+/// A volume this small beside that of its bounding box is rounding: of a surface folded onto itself.
+inline constexpr double kNoVolume = 1e-14;
+
 /// Finds a part of a closed mesh that is inside out and lies in no other part, so that it is no cavity: its volume
 /// would count as less than nothing. Parts are what common vertices join; "lies in" compares bounding boxes, so
 /// that a true cavity is never taken for such a part.
