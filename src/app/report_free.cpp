@@ -83,7 +83,7 @@ void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
 
 void addPolhode(Section& section, const scene::Scene& scene) {
   const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
-  section.add("regime", "polhode", regimeWord(polhode.regime()), "", "L^2 - 2 T I_mid: its sign").inWords =
+  section.add("regime", "polhode", regimeWord(polhode.regime()), "", "sign of L^2 - 2 T I_mid").inWords =
       inWords(polhode.regime(), scene);
   if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
   section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
@@ -94,7 +94,7 @@ void addPolhode(Section& section, const scene::Scene& scene) {
   section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
   const bool symmetric = conesOf(scene).has_value();
   section.add("body_flips", "the body flips", flips.turnsOver, "",
-              symmetric ? "two moments are equal" : "L within 20 deg of the middle axis");
+              symmetric ? "two moments are equal" : "yes with L within 20 deg of the middle axis");
   if (!symmetric) addMiddleAxis(section, flips);
 }
 
@@ -122,8 +122,8 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
 }
 
-/// True of a top with the Earth's flattening and spin, whatever the unit of its moments: each within what
-/// separates one rigid model of the Earth from another (I3/I1 - 1 from 1/306 to 0.0033).
+/// True of a top within 2 % of the Earth's (C - A)/A and 1 % of its spin, whatever the unit of its moments. Rigid
+/// models of the Earth differ by 1 % (0.0033 and 1/306), a turn a solar day from one a sidereal day by 0.3 %.
 bool isEarth(const PrecessionCones& cones) {
   constexpr double kEllipticity = 0.0032845, kSpin = 7.292115e-5;  // (C - A)/A and rad/s; IERS Conventions (2010)
   const double ellipticity = cones.bodyRate / cones.spinRate;      // eq 29
@@ -135,7 +135,7 @@ void addChandler(Section& section, const PrecessionCones& cones) {
   section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
               "eq 29; observed, not rigid: 433 d");
   section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
-              "sidereal d", "");
+              "sidereal d", "86 164.09 s each; the Earth turns once in one");
 }
 
 /// A steady spin rolls no cone.
@@ -176,7 +176,8 @@ Section symmetricSection(const scene::Scene& scene) {
   section.add("tilt", "angle theta between k and L", cones->tilt_rad, "rad", "eq 20");
   section.add("body_cone_half_angle", "body cone, half-angle (omega, k)", cones->bodyCone_rad, "rad", "eq 30");
   section.add("space_cone_half_angle", "space cone, half-angle (omega, L)", cones->spaceCone_rad, "rad", "eq 35");
-  section.add("rolling", "the body cone rolls on the other's", senseWord(*cones), "", "prolate out, oblate in");
+  section.add("rolling", "the body cone rolls on the other's", senseWord(*cones), "",
+              "outside if prolate, inside if oblate");
   section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
   section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; >= 0 by the choice of k");
   section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");

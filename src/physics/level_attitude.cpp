@@ -45,7 +45,7 @@ Eigen::Quaterniond turnOnto(const Vector& d, Vertical vertical) {
   const Horizontal across(scaled(d[0], -exponent), scaled(d[1], -exponent));
   const DD c = scaled(d[2], -exponent) * DD(v), norm = sqrt(across.length * across.length + c * c);
   const bool near = !(c < DD(0));
-  // The axis d × v, as a direction; of a direction exactly opposite, that of one that leans towards +y.
+  // Unit axis d × v. If d is exactly opposite to v, the axis for a direction that leans towards +y.
   const bool opposite = across.length.hi == 0;
   const DD x = opposite ? DD(v) : DD(v) * across.y, y = opposite ? DD(0) : DD(-v) * across.x;
   const DD w = near ? norm + c : across.length / (norm - c), sine = near ? across.length : DD(1);

@@ -23,7 +23,7 @@ Eigen::Quaterniond turnOntoVertical(const Eigen::Vector3d& direction, Vertical v
 /// Returns the attitude q_WB reached by the shortest turn from B = W that brings the angular momentum onto the
 /// vertical of W.
 /// @param omega_B rad/s. A body at rest gives the identity.
-/// Measured in tests/physics/level_attitude_test.cpp: L_W is off the vertical by 1.5e-16 |L| at most.
+/// Measured in tests/physics/level_attitude_test.cpp: L_W is off the vertical by 1.6e-16 |L| at most.
 Eigen::Quaterniond levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical);
 
 }  // namespace poinsot::physics

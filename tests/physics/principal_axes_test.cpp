@@ -102,6 +102,23 @@ TEST(PrincipalAxes, ChangeOfAxesThereAndBack) {
   }
 }
 
+// By definition, whatever the axes B: a vector along a principal axis has no component along the others. A
+// component of 20 units in the last place is more than rounding and stays.
+TEST(PrincipalAxes, ComponentsOfAVectorAlongAnAxisAreExact) {
+  Draw draw(45);
+  for (int i = 0; i < 100000; ++i) {
+    const PrincipalAxes axes(draw.moments(), draw.attitude());
+    const double size = draw.decade(-8, 8) * draw.sign();
+    const Vector3d along = axes.toP(axes.toB(size * Vector3d::Unit(i % 3)));
+    EXPECT_EQ(along[(i + 1) % 3], 0);
+    EXPECT_EQ(along[(i + 2) % 3], 0);
+    EXPECT_NEAR(along[i % 3] / size, 1, 1e-14);  // measured 2.2e-15
+    Vector3d leaning = Vector3d::Unit(i % 3);
+    leaning[(i + 1) % 3] = 20 * std::numeric_limits<double>::epsilon();
+    EXPECT_NE(axes.toP(axes.toB(leaning))[(i + 1) % 3], 0);
+  }
+}
+
 // Three different moments: of the four proper frames the nearest to B, a turn of at most 120 degrees.
 TEST(PrincipalAxes, TakeTheSmallestTurn) {
   Draw draw(44);
