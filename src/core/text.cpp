@@ -99,6 +99,13 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
   return best;
 }
 
+std::string lowered(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 std::string printable(std::string_view untrusted) {
   std::string shown;
   for (int count = 0; !untrusted.empty(); ++count) {

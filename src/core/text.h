@@ -25,6 +25,9 @@ int editDistance(std::string_view a, std::string_view b);
 /// differ, or two of five and more, and not all), else the first that contains it; for "did you mean".
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// Returns the text with its ASCII capitals as small letters.
+std::string lowered(std::string_view text);
+
 /// Untrusted text made safe for a terminal, a log or a message: control characters, DEL, C1, bidi controls,
 /// characters that are not seen, line separators and invalid UTF-8 become \xNN or \u{N}; cut at 200 characters
 /// with an ellipsis.

@@ -10,7 +10,7 @@
 namespace poinsot::geometry {
 
 MeshFormat meshFormatOf(const std::filesystem::path& path) {
-  const std::string ending = lowered(path.extension().string());
+  const std::string ending = core::lowered(path.extension().string());
   if (ending == ".obj") return MeshFormat::kObj;
   if (ending == ".stl") return MeshFormat::kStl;
   if (ending == ".ply") return MeshFormat::kPly;

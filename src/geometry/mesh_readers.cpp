@@ -125,13 +125,6 @@ MeshReading MeshBuilder::finished() {
   return reading;
 }
 
-std::string lowered(std::string_view word) {
-  std::string text(word);
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
 bool LineReader::next() {
   if (rest_.empty()) return false;
   const std::size_t length = rest_.find('\n');

@@ -82,9 +82,6 @@ class LineReader {
   std::uint64_t number_ = 0;
 };
 
-/// Returns the word with its ASCII capitals as small letters.
-std::string lowered(std::string_view word);
-
 /// Cuts the first word off a line; empty if there is none.
 std::string_view takeWord(std::string_view& line);
 

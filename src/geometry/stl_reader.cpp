@@ -54,8 +54,8 @@ class Ascii {
 
   void read(std::string_view line, const FilePlace& place) {
     const std::string_view given = takeWord(line);
-    std::string word = lowered(given);
-    if (word == "end") word += lowered(takeWord(line));
+    std::string word = core::lowered(given);
+    if (word == "end") word += core::lowered(takeWord(line));
     if (word == "vertex")
       readVertex(line, place);
     else if (word == "outer")
@@ -121,7 +121,7 @@ std::string_view firstWord(std::string_view text) {
 
 /// Many binary files begin with "solid" too, but their count of triangles has a zero byte.
 bool isAscii(std::string_view bytes) {
-  return lowered(firstWord(bytes.substr(0, kLongestStart))) == "solid" &&
+  return core::lowered(firstWord(bytes.substr(0, kLongestStart))) == "solid" &&
          bytes.substr(0, kHeaderBytes).find('\0') == bytes.npos;
 }
 

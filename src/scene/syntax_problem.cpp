@@ -40,10 +40,8 @@ Place placeOf(const Source& source, int lineNumber, int column, std::string_view
   return place;
 }
 
-std::string lowered(std::string text) {
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  return text;
-}
+/// Returns the text with its first letter small, to stand after a colon.
+std::string continued(std::string text) { return text.replace(0, 1, core::lowered(text.substr(0, 1))); }
 
 // ---- given twice
 
@@ -94,7 +92,7 @@ std::string messageOf(const Source& source, int lineNumber, std::string_view des
   const std::string_view line = source.line(lineNumber);
   const bool typographic = line.find("\u201c") != line.npos || line.find("\u201d") != line.npos ||
                            line.find("\u2018") != line.npos || line.find("\u2019") != line.npos;
-  const std::string text = lowered(core::printable(description));
+  const std::string text = continued(core::printable(description));
   const auto says = [&](std::string_view part) { return text.find(part) != std::string::npos; };
   if (says("cannot redefine")) return twice(source, lineNumber, text);
   if (says("parsing string") && (says("control characters") || says("end-of-file")))

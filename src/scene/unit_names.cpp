@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/text.h"
+
 namespace poinsot::scene {
 namespace {
 
@@ -31,13 +33,6 @@ Names expandedTable() {
   Names names;
   for (const UnitRow& row : kUnits) addRow(names, row);
   return names;
-}
-
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return small;
 }
 
 /// Whether the SI has a prefix with the letter's other case. Of those in the table only m and M are such a pair; P
@@ -83,10 +78,10 @@ std::optional<Unit> unitNamed(std::string_view name) {
 }
 
 std::optional<std::string> recased(std::string_view name) {
-  const std::string small = inSmallLetters(name);
+  const std::string small = core::lowered(name);
   const NamedUnit* meant = nullptr;
   for (const NamedUnit& known : namedUnits()) {
-    if (inSmallLetters(known.name) != small) continue;
+    if (core::lowered(known.name) != small) continue;
     if (!keepsPrefix(known, name)) return std::nullopt;
     if (meant && (meant->unit.factor != known.unit.factor || meant->unit.exponents != known.unit.exponents))
       return std::nullopt;

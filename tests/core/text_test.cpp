@@ -45,6 +45,12 @@ TEST(Printable, NeutralisesWhatATerminalObeys) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate half
 }
 
+TEST(Lowered, ChangesAsciiCapitalsOnly) {
+  EXPECT_EQ(lowered("@AZ[`az{ .STL"), "@az[`az{ .stl");
+  EXPECT_EQ(lowered("Ångström ΩΩ"), "Ångström ΩΩ");
+  EXPECT_EQ(lowered(""), "");
+}
+
 TEST(Printable, LinesStay) {
   EXPECT_EQ(printableLines("a\n\tω\r\n\x1b[2J\xff"), "a\n\tω\\x0d\n\\x1b[2J\\xff");
   EXPECT_EQ(printableLines(std::string(1000, 'x')), std::string(1000, 'x'));
