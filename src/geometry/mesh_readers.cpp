@@ -99,7 +99,7 @@ std::vector<std::string> MeshBuilder::noteTexts() const {
   for (const Note& note : notes_)
     texts.push_back(fmt::format("{}: {}{}", core::toString(locationOf(name_, note.first)),
                                 withByte(note.first, note.text),
-                                note.count > 1 ? fmt::format(" (so at {} places)", note.count) : ""));
+                                note.count > 1 ? fmt::format(" ({} places)", note.count) : ""));
   return texts;
 }
 

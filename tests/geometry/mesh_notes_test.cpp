@@ -92,9 +92,9 @@ TEST(MeshNotes, NumbersAfterThoseOfAPlyLine) {
   const std::string text = asAsciiPly(kBox);
   const std::size_t faces = text.find("\n3 ") + 1;
   const std::string surplus = text.substr(0, faces) + replaced(text.substr(faces), "\n", " 200 1 1\n");
-  EXPECT_EQ(notesOn(surplus, MeshFormat::kPly),
-            Notes{"body:19: the line has more numbers than the header promises; the rest is passed over (so at 12 "
-                  "places)"});
+  EXPECT_EQ(
+      notesOn(surplus, MeshFormat::kPly),
+      Notes{"body:19: the line has more numbers than the header promises; the rest is passed over (12 places)"});
   EXPECT_EQ(notesOn(replaced(surplus, "\n", "\n\n"), MeshFormat::kPly).size(), 1U);
   EXPECT_EQ(notesOn(text + "what\nelse\n", MeshFormat::kPly),
             Notes{"body:31: what follows the last row that the header counts is passed over"});
