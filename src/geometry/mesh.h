@@ -9,7 +9,7 @@
 
 namespace poinsot::geometry {
 
-/// Where something stands in a file: a line of a text (counted from 1), or a byte of a binary (counted from 0).
+/// A place in a file: a line of a text (counted from 1), or a byte of a binary (counted from 0).
 struct FilePlace {
   std::uint64_t isLine : 1 = 0;
   std::uint64_t number : 63 = 0;

@@ -37,7 +37,7 @@ struct MeshReading {
 /// Reads a mesh from its file's bytes: polygons become fans of triangles from their first corner, lengths stay as
 /// the file has them, vertices at the same place are welded (mesh.h). If the surface is open then and closes when
 /// corners that differ by rounding are joined (1e-9 of the size, else 1e-6), they are joined, with a note. Surplus
-/// bytes and numbers are passed over, with a note. checkClosed() tells whether the mesh is closed.
+/// bytes and numbers are passed over, with a note. checkClosed() checks that the mesh is closed.
 /// @param name  names the file in messages and notes
 /// @throws core::Error(kScene) with FILE:LINE for a text and the byte's number for a binary, where it cannot be
 /// read; core::Error(kLimit) beyond the limits.
