@@ -40,12 +40,15 @@ struct PointDraft {
   std::optional<Eigen::Vector3d> position;
 };
 
+/// The point that measured moments are about, in the order of the key's words.
+enum class MomentsAbout { kCentreOfMass, kOrigin, kPivot };
+
 struct BodyDraft {
   std::optional<Eigen::Vector3d> moments;
   std::optional<Eigen::Matrix3d> inertia;
-  std::optional<Eigen::Vector3d> centre;  ///< of mass, in B, beside moments or a tensor
-  int momentsAbout = 0;                   ///< 0: the centre of mass; 1: the origin of B; 2: the pivot
-  std::optional<int> catalogue;           ///< index into the catalogue
+  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< of mass, beside moments or a tensor
+  MomentsAbout momentsAbout = MomentsAbout::kCentreOfMass;
+  std::optional<int> catalogue;  ///< index into the catalogue
   PieceDraft whole;
   std::vector<PieceDraft> parts;
   std::vector<PointDraft> points;

@@ -59,20 +59,20 @@ std::vector<Key> momentKeys() {
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
+       .fallback = "[0, 0, 0]",
        .example = "[0, 0, \"12 mm\"]",
        .help =
-           "Where the centre of mass is, in body axes, of a body given by inertia or principal_moments and mass; "
-           "without it, at the origin. In URDF: the xyz of the inertial origin.",
-       .put = into([](Draft& d) { return &d.body.centre; })},
+           "Where the centre of mass is, in body axes, of a body given by inertia or principal_moments and mass. "
+           "In URDF: the xyz of the inertial origin.",
+       .put = into([](Draft& d) { return &d.body.centre_B; })},
       {.path = "body.moments_about",
        .type = kWord,
        .words = {"centre_of_mass", "origin", "pivot"},
+       .fallback = "\"centre_of_mass\"",
        .example = "\"pivot\"",
-       .help =
-           "The point that inertia or principal_moments are about, of a body with a mass; without it, the centre "
-           "of mass, as in URDF. The origin is that of the body axes, which CAD calls the output coordinate "
-           "system. "
-           "From there they are moved to the pivot (eq 14).",
+       .help = "The point that inertia or principal_moments are about, of a body with a mass. In URDF: the centre "
+               "of mass. The origin is that of the body axes, which CAD calls the output coordinate system. The "
+               "moments are then moved to the pivot (eq 14).",
        .put = into([](Draft& d) { return &d.body.momentsAbout; })},
       {.path = "body.catalogue",
        .type = kWord,

@@ -16,15 +16,12 @@ using Eigen::Vector3d;
 constexpr const char* kCentre = "body.centre_of_mass";
 constexpr const char* kAbout = "body.moments_about";
 
-/// BodyDraft::momentsAbout, in the order of the key's words.
-enum About { kAboutCentre, kAboutOrigin, kAboutPivot };
-
 }  // namespace
 
 MeasuredBody::MeasuredBody(const Draft& draft, std::string way, Findings& findings)
     : draft_(draft.body),
       pivot_B_(draft.scene.body.pivot_B),
-      centre_B_(draft_.centre.value_or(Vector3d::Zero())),
+      centre_B_(draft_.centre_B),
       way_(std::move(way)),
       findings_(findings) {}
 
@@ -48,7 +45,7 @@ bool MeasuredBody::massFits() {
 }
 
 bool MeasuredBody::pointFits() {
-  if (draft_.momentsAbout != kAboutPivot || pivot_B_) return true;
+  if (draft_.momentsAbout != MomentsAbout::kPivot || pivot_B_) return true;
   findings_.refuseMissing("body.pivot", kAbout,
                           "body.pivot is missing: it says where the point is that these moments are about");
   return false;
@@ -56,13 +53,14 @@ bool MeasuredBody::pointFits() {
 
 Vector3d MeasuredBody::point_B() const {
   switch (draft_.momentsAbout) {
-    case kAboutOrigin:
+    case MomentsAbout::kOrigin:
       return Vector3d::Zero();
-    case kAboutPivot:
+    case MomentsAbout::kPivot:
       return *pivot_B_;
-    default:
+    case MomentsAbout::kCentreOfMass:
       return centre_B_;
   }
+  return centre_B_;
 }
 
 std::optional<physics::MassProperties> MeasuredBody::massProperties(const Eigen::Matrix3d& inertia_B) {
@@ -83,7 +81,7 @@ std::string MeasuredBody::contradiction(const std::string& why) const {
       "rest cannot be about the centre of mass: {}; correct the mass or the distance, or leave {} out if the "
       "moments "
       "are about the centre of mass",
-      draft_.momentsAbout == kAboutPivot ? "body.pivot" : "the origin", mass_kg, distance_m,
+      draft_.momentsAbout == MomentsAbout::kPivot ? "body.pivot" : "the origin", mass_kg, distance_m,
       mass_kg * distance_m * distance_m, why, kAbout);
 }
 
