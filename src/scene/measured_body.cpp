@@ -76,11 +76,9 @@ std::optional<physics::MassProperties> MeasuredBody::massProperties(const Eigen:
 std::string MeasuredBody::contradiction(const std::string& why) const {
   const double mass_kg = *draft_.whole.mass, distance_m = (point_B() - centre_B_).norm();
   return fmt::format(
-      "about {} contradicts body.mass: {:g} kg at {:g} m from there have M d^2 = {:g} kg·m² of these moments, and "
-      "the "
-      "rest cannot be about the centre of mass: {}; correct the mass or the distance, or leave {} out if the "
-      "moments "
-      "are about the centre of mass",
+      "the moments about {} do not fit body.mass: {:g} kg at {:g} m from there already have M d^2 = {:g} kg·m², "
+      "and the remainder about the centre of mass is impossible: {}; correct the mass or the distance, or remove "
+      "{} if the moments are about the centre of mass",
       draft_.momentsAbout == MomentsAbout::kPivot ? "body.pivot" : "the origin", mass_kg, distance_m,
       mass_kg * distance_m * distance_m, why, kAbout);
 }

@@ -220,18 +220,15 @@ TEST(MeasuredBody, NamesMomentsThatLeaveNothingForTheCentreOfMass) {
   const std::string heavy = "[body]\nmass = 2\npivot = [0, 0, -1]\nmoments_about = 'pivot'\n";
   // About the centre of mass 2 kg (1 m)² less: (-0.5, -0.5, 0.25) and (0.0625, 0.0625, 0.25) kg m².
   EXPECT_EQ(problems(heavy + "principal_moments = [1.5, 1.5, 0.25]"),
-            "body.principal_moments: about body.pivot contradicts body.mass: 2 kg at 1 m from there have M d^2 = "
-            "2 kg·m² of "
-            "these moments, and the rest cannot be about the centre of mass: moments of inertia must not be "
-            "negative, got "
-            "principal moments (-0.5, -0.5, 0.25) kg·m²; correct the mass or the distance, or leave "
-            "body.moments_about out "
-            "if the moments are about the centre of mass\n");
+            "body.principal_moments: the moments about body.pivot do not fit body.mass: 2 kg at 1 m from there "
+            "already have M d^2 = 2 kg·m², and the remainder about the centre of mass is impossible: moments of "
+            "inertia must not be negative, got principal moments (-0.5, -0.5, 0.25) kg·m²; correct the mass or "
+            "the distance, or remove body.moments_about if the moments are about the centre of mass\n");
   EXPECT_THAT(problems(heavy + "inertia = [[2.0625, 0, 0], [0, 2.0625, 0], [0, 0, 0.25]]"),
-              HasSubstr("body.inertia: about body.pivot contradicts body.mass: 2 kg at 1 m"));
+              HasSubstr("body.inertia: the moments about body.pivot do not fit body.mass: 2 kg at 1 m"));
   EXPECT_THAT(problems("[body]\nmass = 2\ncentre_of_mass = [0, 0, 1]\nmoments_about = 'origin'\n"
                        "principal_moments = [1.5, 1.5, 0.25]"),
-              HasSubstr("body.principal_moments: about the origin contradicts body.mass"));
+              HasSubstr("body.principal_moments: the moments about the origin do not fit body.mass"));
   // Exactly as much as a point mass has: a disc of no thickness whose axis goes through the pivot.
   EXPECT_EQ(problems(heavy + "principal_moments = [2.125, 2.125, 0.25]"), "");
 }
