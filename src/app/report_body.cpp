@@ -5,7 +5,7 @@
 namespace poinsot::app {
 namespace {
 
-/// Where the tensor comes from; with products of inertia, also their sign, because tables print either.
+/// Returns the equations of the tensor; with products of inertia also their sign, because tables print either.
 std::string tensorSource(const Eigen::Matrix3d& inertia_B, const char* equations) {
   const bool products = !inertia_B.isDiagonal(1e-12);
   return std::string(equations) + (products ? "; off the diagonal -(sum of m x y)" : "");

@@ -15,7 +15,7 @@ std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const S
 /// Whether the body is given by its moments or its tensor, without a mass.
 bool massIsUnknown(const Findings& findings);
 
-/// What a message says of a key that needs the mass of such a body.
+/// Message for a key that needs a mass, of a body given by its moments or its tensor alone.
 inline constexpr const char* kNeedsMass = "needs a body with a mass; give body.mass beside the moments of inertia";
 
 }  // namespace poinsot::scene

@@ -141,7 +141,7 @@ Explanations ofUnit(std::string_view word) {
       found.push_back({fmt::format("{}, a unit of {}", core::printable(word), pluralName(dimension)),
                        fmt::format("1 {} is {:.15g} {}.", core::printable(word), one.value, siUnit(dimension)),
                        {{"units", someUnits(dimension)}}});
-  // Forces are no dimension of a key: only their products are.
+  // No key takes a force, so forces are found by name here.
   if (const std::string value = unitValue(word); found.empty() && !value.empty())
     found.push_back({fmt::format("{}, a unit", word), fmt::format("1 {} is {}.", word, value), {}});
   return found;

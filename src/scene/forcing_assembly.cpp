@@ -65,7 +65,7 @@ class ForcingAssembly {
       checkDirection(*draft_.mgr_B, lever_B());
   }
 
-  /// M g r points from the pivot to the centre of mass, which the body's keys say, too.
+  /// M g r must agree with body.pivot and the centre of mass: it points from the one to the other.
   void checkDirection(const Vector3d& mgr_B, const Vector3d& lever_B) {
     constexpr double kRounded = 1e-3;  // sine of the angle between them: three digits
     const double product = mgr_B.norm() * lever_B.norm();

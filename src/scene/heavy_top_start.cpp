@@ -15,8 +15,8 @@ bool gravityAlone(const physics::Forcing& forcing) {
   return !forcing.none() && rest.none();
 }
 
-/// Of a top whose moments across k differ by no more than `most` of themselves, and whose centre of mass lies no
-/// farther off the axis.
+/// Returns the start of a top whose moments across k differ by at most `most` of themselves and whose centre of
+/// mass is no farther off the axis.
 std::optional<HeavyTopStart> startOf(const Scene& scene, double most) {
   const physics::PrincipalAxes& axes = scene.body.axes;
   const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), most);

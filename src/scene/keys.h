@@ -71,8 +71,8 @@ struct Key {
   std::string_view example{};   ///< TOML; a value other than the default
   std::string_view help{};      ///< one line
   bool isTex = false;           ///< its text is set in type, so a TextCheck has its say
-  /// What to give instead of numbers of which some are out of range, for the end of a message: "; the nearest
-  /// ...".
+  /// Advice appended to the message about numbers of which some are out of range: "; the nearest ...". Null:
+  /// none.
   std::string (*advice)(std::span<const double>) = nullptr;
   /// `element` counts from 0 in an array of tables and is 0 elsewhere.
   std::function<void(Draft&, std::size_t element, const Checked&)> put{};

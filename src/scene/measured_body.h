@@ -9,8 +9,8 @@
 
 namespace poinsot::scene {
 
-/// The keys that say more of a body given by its moments or its tensor: mass, centre of mass, pivot, and the point
-/// that the moments are about.
+/// Keys that complete a body given by its moments or its tensor: mass, centre of mass, pivot, and the point that
+/// the moments are about.
 class MeasuredBody {
  public:
   /// `way`: the key that gives the moments, "body.inertia" or "body.principal_moments".
@@ -19,8 +19,8 @@ class MeasuredBody {
   /// Whether these keys fit together; what does not is refused.
   bool keysFit();
 
-  /// The mass, its centre and the tensor about that (eq 14). Empty without a mass, and where `findings` says that
-  /// no matter has the tensor.
+  /// The mass, its centre and the tensor about its centre (eq 14). Empty without a mass, and if the tensor is
+  /// refused.
   /// @param inertia_B  about the point that the keys name, kg·m²
   std::optional<physics::MassProperties> massProperties(const Eigen::Matrix3d& inertia_B);
 
