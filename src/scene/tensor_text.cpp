@@ -130,7 +130,7 @@ std::string nearestMomentsAdvice(std::span<const double> moments) {
   const auto texts = acceptedDecimals(
       std::array{(*nearest)[0], (*nearest)[1], (*nearest)[2]},
       [](const auto& read) { return isPossible(Vector3d(read[0], read[1], read[2]).asDiagonal()); });
-  return fmt::format("; the nearest possible moments are [{}]", fmt::join(texts, ", "));
+  return fmt::format("; the nearest possible moments in kg·m² are [{}]", fmt::join(texts, ", "));
 }
 
 std::string nearestTensorAdvice(const Matrix3d& inertia) {
@@ -139,8 +139,8 @@ std::string nearestTensorAdvice(const Matrix3d& inertia) {
   const Matrix3d& n = *nearest;
   const auto texts = acceptedDecimals(std::array{n(0, 0), n(0, 1), n(0, 2), n(1, 1), n(1, 2), n(2, 2)},
                                       [](const auto& read) { return isPossible(matrixOf(read)); });
-  return fmt::format("; the nearest possible tensor is {}{}", rowsOf({texts.begin(), texts.end()}, kUpperTriangle),
-                     signAdvice(inertia));
+  return fmt::format("; the nearest possible tensor in kg·m² is {}{}",
+                     rowsOf({texts.begin(), texts.end()}, kUpperTriangle), signAdvice(inertia));
 }
 
 }  // namespace poinsot::scene

@@ -8,7 +8,7 @@
 
 #include "scene/document.h"
 
-/// What to write in a scene in place of moments and tensors that cannot be taken.
+/// Advice for moments and tensors that are refused: what to write in the scene instead.
 namespace poinsot::scene {
 
 /// How the rows of a tensor are filled.
@@ -22,11 +22,12 @@ std::string layoutAdvice(const Node& given);
 /// @param values those of the rows, one after another
 std::string triangleAdvice(const Node& rows, std::span<const double> values);
 
-/// "; the nearest possible moments are [...]" in kg·m², for three moments that no solid has; empty where there are
+/// "; the nearest possible moments in kg·m² are [...]" for three moments that no solid has; empty if there are
 /// none.
 std::string nearestMomentsAdvice(std::span<const double> moments);
 
-/// The same of a tensor in kg·m², and whether its products of inertia have the other sign. @pre symmetric
+/// "; the nearest possible tensor in kg·m² is [[...]]" for a tensor that no solid has, with a remark if the other
+/// sign of its products of inertia makes it possible; empty if there is none. @pre symmetric
 std::string nearestTensorAdvice(const Eigen::Matrix3d& inertia);
 
 }  // namespace poinsot::scene

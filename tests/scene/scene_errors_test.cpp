@@ -79,7 +79,7 @@ TEST_F(BadScene, WithImpossibleInertia) {
   expectOnly(
       "impossible_inertia.toml", {2, 21, 15},
       "body.principal_moments: I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; a solid body cannot have "
-      "these values; the nearest possible moments are [0.3, 0.4, 0.7]");
+      "these values; the nearest possible moments in kg·m² are [0.3, 0.4, 0.7]");
 }
 
 TEST_F(BadScene, WithNumbersThatAreNotFinite) {
@@ -136,7 +136,7 @@ TEST_F(BadScene, WithTwoProblemsReportsBoth) {
   load("two_problems.toml");
   expectNext({2, 27, 4},
              "body.principal_moments: must be positive, from 1e-60 to 1e+60 kg·m², got -2 kg·m²; "
-             "the nearest possible moments are [1.75, 1.75e-06, 1.75]");
+             "the nearest possible moments in kg·m² are [1.75, 1.75e-06, 1.75]");
   expectNext({4, 14, 6}, "motion.omega_body: expected an array of three angular velocities, got \"fast\"");
   expectNoMore();
 }
@@ -212,7 +212,7 @@ TEST(Report, ShowsTheLineAndPointsAtTheValue) {
   EXPECT_EQ(
       toString(problems[0]),
       "test.toml:2:21: error: body.principal_moments: I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; a "
-      "solid body cannot have these values; the nearest possible moments are [0.3, 0.4, 0.7]\n"
+      "solid body cannot have these values; the nearest possible moments in kg·m² are [0.3, 0.4, 0.7]\n"
       "   2 | principal_moments = [0.1, 0.2, 0.9]\n"
       "     |                     ^^^^^^^^^^^^^^^");
 }

@@ -84,11 +84,11 @@ TEST(ImpossibleMoments, AreToldTheNearest) {
   EXPECT_EQ(
       problems("body.principal_moments=[1, 2, 4]"),
       "body.principal_moments: I3 must not exceed I1 + I2, got (1, 2, 4) kg·m²; a solid body cannot have these "
-      "values; the nearest possible moments are [1.333333333333, 2.333333333333, 3.666666666667]\n");
-  EXPECT_THAT(
-      problems("body.principal_moments=[1, '-1 kg m^2', 1.5]"),
-      AllOf(HasSubstr("must be positive"), HasSubstr("got \"-1 kg m^2\"; the nearest possible moments are [1.25, "
-                                                     "1.25e-06, 1.25]\n")));
+      "values; the nearest possible moments in kg·m² are [1.333333333333, 2.333333333333, 3.666666666667]\n");
+  EXPECT_THAT(problems("body.principal_moments=[1, '-1 kg m^2', 1.5]"),
+              AllOf(HasSubstr("must be positive"),
+                    HasSubstr("got \"-1 kg m^2\"; the nearest possible moments in kg·m² are [1.25, "
+                              "1.25e-06, 1.25]\n")));
   EXPECT_EQ(problems("body.principal_moments=[-1, -2, -3]").find("nearest"), std::string::npos);
 }
 
@@ -101,7 +101,7 @@ TEST(ImpossibleMoments, AreAcceptedAsThePasteSays) {
     const std::string message =
         problems(fmt::format("body.principal_moments=[{}, {}, {}]", given[0], given[1], given[2]));
     if (message.empty()) continue;
-    const std::string paste = valueAfter(message, "the nearest possible moments are ", "]");
+    const std::string paste = valueAfter(message, "the nearest possible moments in kg·m² are ", "]");
     ASSERT_EQ(problems("body.principal_moments=" + paste), "") << message;
     const Vector3d read =
         parseScene(kStart + "body.principal_moments=" + paste, "test.toml").body.axes.moments().values();
@@ -123,7 +123,7 @@ TEST(ImpossibleTensor, IsAcceptedAsThePasteSays) {
     const std::string message = problems(fmt::format(
         "body.inertia=[[{0}, {1}, {2}], [{1}, {3}, {4}], [{2}, {4}, {5}]]", e[0], e[1], e[2], e[3], e[4], e[5]));
     if (message.empty()) continue;
-    const std::string paste = valueAfter(message, "the nearest possible tensor is ", "]]");
+    const std::string paste = valueAfter(message, "the nearest possible tensor in kg·m² is ", "]]");
     ASSERT_EQ(problems("body.inertia=" + paste), "") << message;
     Matrix3d given;
     given << e[0], e[1], e[2], e[1], e[3], e[4], e[2], e[4], e[5];
