@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 // By hand: (1, 2, 4) is short by 1, a third of which goes to each moment. (-1, 1, 1) and (-3, 1, 3) lie nearest to
 // the edge (0, 1, 1), and its least moment becomes a millionth of the others.
-TEST(NearestPossibleMoments, OfExamples) {
+TEST(NearestPossibleMoments, MatchesHandComputedExamples) {
   EXPECT_LE((*nearestPossibleMoments({1, 2, 4}) - Vector3d(4, 7, 11) / 3).norm(), 1e-15);
   EXPECT_LE((*nearestPossibleMoments({4, 1, 2}) - Vector3d(11, 4, 7) / 3).norm(), 1e-15);
   EXPECT_EQ(*nearestPossibleMoments({1, -1, 1}), Vector3d(1, 1e-6, 1));

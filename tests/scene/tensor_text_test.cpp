@@ -80,7 +80,7 @@ TEST(TensorLayout, IsNamedForKeysOfOtherPrograms) {
 }
 
 // (1, 2, 4) is short by 1, a third of which goes to each.
-TEST(ImpossibleMoments, AreToldTheNearest) {
+TEST(ImpossibleMoments, MessageGivesNearestMoments) {
   EXPECT_EQ(
       problems("body.principal_moments=[1, 2, 4]"),
       "body.principal_moments: I3 must not exceed I1 + I2, got (1, 2, 4) kg·m²; a solid body cannot have these "
@@ -135,7 +135,7 @@ TEST(ImpossibleTensor, IsAcceptedAsThePasteSays) {
 
 // By hand: 2 on the diagonal and s off it give the moments 2 + 2 s, 2 - s and 2 - s: 3.8, 1.1, 1.1 and
 // 0.2, 2.9, 2.9.
-TEST(ImpossibleTensor, IsToldThatTheOtherSignIsPossible) {
+TEST(ImpossibleTensor, MessageNamesSignWhenFlippingHelps) {
   EXPECT_THAT(
       problems("body.inertia=[[2, 0.9, 0.9], [0.9, 2, 0.9], [0.9, 0.9, 2]]"),
       EndsWith("; with the signs of its products of inertia turned it is possible (off the diagonal stands -(sum "
