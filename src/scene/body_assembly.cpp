@@ -124,8 +124,13 @@ class BodyAssembly {
   }
 
   void bareTensor() {
-    if (draft_.inertia && findAxes(*draft_.inertia, "body.inertia"))
-      finishMeasured(*draft_.inertia, "body.inertia");
+    if (!draft_.inertia) return;
+    try {
+      body_.axes = physics::PrincipalAxes(*draft_.inertia);
+    } catch (const core::Error& error) {
+      return findings_.refuse("body.inertia", error.message() + nearestTensorAdvice(*draft_.inertia));
+    }
+    finishMeasured(*draft_.inertia, "body.inertia");
   }
 
   /// The axes are those of the tensor as it was given.
@@ -140,19 +145,14 @@ class BodyAssembly {
       setAxes(body_.mass->inertiaAbout(body_.fixedPoint_B()), path);
   }
 
-  bool findAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
+  /// @param inertia_B  about the fixed point, computed from what the scene gives
+  void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
     try {
       body_.axes = physics::PrincipalAxes(inertia_B);
-      return true;
     } catch (const core::Error& error) {
-      const bool given = path == "body.inertia";  // not made of parts
-      findings_.refuse(path, error.message() + (given ? nearestTensorAdvice(inertia_B) : ""));
-      return false;
+      return findings_.refuse(path, error.message());
     }
-  }
-
-  void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
-    if (findAxes(inertia_B, path)) finish(path);
+    finish(path);
   }
 
   void finish(const std::string& path) {
