@@ -18,12 +18,12 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 // Above about a turn a second the eye loses the rolling, below a twelfth nothing seems to move.
 constexpr double kCalmest = 0.5, kFastest = 6.5, kPleasant = 2.1;  // rad per film second
-constexpr double kShortestNod_s = 0.25;   // of film: eight frames, so that a nutation is not chopped up
-constexpr double kMostTurns = 5000;       // of the body in a film: each of them has to be integrated
-constexpr double kLeastPrecession = 0.1;  // of a turn: a film that shows less of it shows none
+constexpr double kShortestNod_s = 0.25;               // of film: in less, a nutation has too few frames to be seen
+constexpr double kMostTurns = 5000;                   // of the body in a film: each of them has to be integrated
+constexpr double kLeastPrecession = 0.1;              // of a turn: a film that shows less of it shows none
 constexpr double kSeen_rad = std::numbers::pi / 180;  // least angle of a cone, or a nod, that is seen
 
-/// At which the body itself turns as the eye likes it.
+/// Returns the pace at which the body itself turns at a pleasant rate.
 double paceOfSpin(double spin) {
   return spin == 0 || (spin >= kCalmest && spin <= kFastest) ? 1.0 : kPleasant / spin;
 }
@@ -32,12 +32,17 @@ bool leans(const physics::Nutation& swing) {
   return swing.mostTilt_rad > kSeen_rad && swing.leastTilt_rad < std::numbers::pi - kSeen_rad;
 }
 
-/// Of the axis of a top about the vertical; empty where it is not seen to go round.
+/// Returns the period of the axis about the vertical; empty if it is not seen to go round.
 std::optional<double> period_s(const physics::Nutation& swing) {
   const double turns = std::abs(swing.precession_rad) / kTurn;
   if (!leans(swing) || !std::isfinite(swing.period_s) || !(turns > 0)) return std::nullopt;
   const double period_s = swing.period_s / turns;
   return std::isfinite(period_s) ? std::optional(period_s) : std::nullopt;
+}
+
+/// Returns the most turns of the precession that one film may show: while the body turns kMostTurns times.
+double mostShown(const Scene& scene, double round_s) {
+  return kMostTurns * kTurn / (scene.motion.omega_B.norm() * round_s);
 }
 
 /// The least pace at which the precession is seen to move, as far as nutation and spin allow; 0 where there is
@@ -50,8 +55,21 @@ double paceOfPrecession(const Scene& scene) {
   if (!round_s) return 0;
   double pace = kCalmest * *round_s / kTurn;
   if (swing.mostTilt_rad - swing.leastTilt_rad > kSeen_rad) pace = std::min(pace, swing.period_s / kShortestNod_s);
-  const double film_s = scene.time.duration_s, most = kMostTurns * kTurn / (scene.motion.omega_B.norm() * film_s);
-  return most * film_s < kLeastPrecession * *round_s ? 0 : std::min(pace, most);
+  const double shown = mostShown(scene, *round_s);
+  return shown < kLeastPrecession ? 0 : std::min(pace, shown * *round_s / scene.time.duration_s);
+}
+
+/// Returns what to do about a film that shows too little of the precession.
+/// @param played_s  motion time that the film shows at speed 1; negative for a film that runs backwards
+std::string remedy(const Scene& scene, double round_s, double played_s) {
+  const double shown = std::min(mostShown(scene, round_s), 1.0);
+  if (shown < kLeastPrecession)
+    return fmt::format(
+        "the body turns {:.0f} times meanwhile, and one film shows at most {:g} of its turns; give a "
+        "smaller spin",
+        scene.motion.omega_B.norm() * round_s / kTurn, kMostTurns);
+  return fmt::format("time.speed = {:.2g} shows {} in these {:g} s of film", shown * round_s / played_s,
+                     shown < 1 ? fmt::format("{:.2g} of a turn", shown) : "a whole turn", scene.time.duration_s);
 }
 
 /// The key that is to be changed, where one is given.
@@ -79,9 +97,8 @@ void doubtPrecession(const Scene& scene, Findings& findings) {
   if (turns >= kLeastPrecession) return;
   findings.doubt(
       pathOfPace(scene, findings),
-      fmt::format("the film shows {:.2g} of a turn of the top's precession, which goes round once in {:.3g} "
-                  "s; time.speed = {:.2g} shows a whole turn in these {:g} s of film",
-                  turns, *round_s, std::copysign(*round_s / played_s, speed), film_s));
+      fmt::format("the film shows {:.2g} of a turn of the top's precession, which goes round once in {:.3g} s; {}",
+                  turns, *round_s, remedy(scene, *round_s, std::copysign(played_s, speed))));
 }
 
 }  // namespace poinsot::scene

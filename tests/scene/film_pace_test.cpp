@@ -141,9 +141,19 @@ TEST(Pace, OfAVeryFastTopIsBoundedByItsTurns) {
   EXPECT_NEAR(chosenSpeed(sceneOf(top(40, 200))) * 200 / kTurn * 10, 5000, 1e-9);
   EXPECT_NEAR(chosenSpeed(sceneOf(top(40, 200, "[time]\nduration = 40\n"))) * 200 / kTurn * 40, 5000, 1e-9);
   EXPECT_EQ(chosenSpeed(sceneOf(top(40, 400))), 2.1 / 400);
+}
+
+// Such tops: 2 pi 180/3 = 376.99 s and 2 pi 400/3 = 837.76 s to a turn of the precession, in which the body turns
+// 180²/3 and 400²/3 times.
+TEST(Doubts, GiveNoSpeedBeyondTheTurnsOfAFilm) {
   EXPECT_EQ(doubts(top(40, 200)), "");
-  EXPECT_THAT(doubts(top(40, 400)),
-              HasSubstr("test.toml:1:1: note: time.speed: the film shows 6.3e-05 of a turn"));
+  EXPECT_THAT(doubts(top(40, 180, "[time]\nspeed = 1\n")),
+              HasSubstr("goes round once in 377 s; time.speed = 17 shows 0.46 of a turn in these 10 s of film\n"));
+  EXPECT_EQ(
+      doubts(top(40, 400)),
+      "test.toml:1:1: note: time.speed: the film shows 6.3e-05 of a turn of the top's precession, which goes "
+      "round once in 838 s; the body turns 53333 times meanwhile, and one film shows at most 5000 of its turns; "
+      "give a smaller spin\n");
 }
 
 // A fast top nods in 2 pi I1/(I3 omega_3), by about 2 I1 M g l sin(theta)/(I3 omega_3)² (Landau & Lifshitz,
