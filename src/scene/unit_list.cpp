@@ -3,24 +3,26 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
+#include <ranges>
 
 #include "scene/unit_names.h"
 
 namespace poinsot::scene {
 namespace {
 
-/// The SI unit of a row of the table: " m"; empty for a plain number.
-std::string siSuffix(const Exponents& exponents) {
-  constexpr std::pair<Exponents, std::string_view> kSi[] = {
-      {kL, " m"},     {kM, " kg"},   {kT, " s"},       {kA, " rad"},        {kSpin, " rad/s"},
-      {kForce, " N"}, {kWork, " J"}, {kSpeed, " m/s"}, {kAction, " N m s"},
-  };
-  const auto* found = std::ranges::find(kSi, exponents, &std::pair<Exponents, std::string_view>::first);
-  return found == std::end(kSi) ? "" : std::string(found->second);
+/// Returns the SI unit of a row of the table: "m"; empty for a plain number.
+std::string_view siOf(const Exponents& exponents) {
+  if (exponents == kForce) return "N";  // no key takes a force
+  // From the end, so that J of an energy comes before N·m of a torque, which has the same exponents.
+  for (const DimensionText& dimension : kDimensions | std::views::reverse)
+    if (dimension.exponents == exponents) return dimension.si;
+  return "";
 }
 
-std::string valueText(const Unit& unit) { return fmt::format("{:.15g}{}", unit.factor, siSuffix(unit.exponents)); }
+std::string valueText(const Unit& unit) {
+  const std::string_view si = siOf(unit.exponents);
+  return fmt::format("{:.15g}{}{}", unit.factor, si.empty() ? "" : " ", si);
+}
 
 UnitText textOf(const UnitRow& row) {
   const auto symbols = wordsIn(row.symbols);
