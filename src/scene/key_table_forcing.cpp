@@ -28,9 +28,9 @@ std::vector<Key> gravityKeys() {
        .dimension = kTorque,
        .range = kTorques,
        .example = "[0, 0, 2.84375]",
-       .help =
-           "M g r: weight times the centre of mass seen from the fixed point, in body axes; gravity pulls along "
-           "the world's -z. The moments of the body are then those about the fixed point.",
+       .help = "M g r: weight times the centre of mass seen from the fixed point, in body axes; gravity pulls "
+               "along the world's -z. Without body.mass, the moments are about the fixed point. With mass and "
+               "pivot, mgr_body must point from the pivot to the centre of mass, within 0.001 rad.",
        .put = into([](Draft& d) { return &d.forcing.mgr_B; })},
       {.path = "motion.gravity.g",
        .dimension = kAcceleration,
@@ -122,9 +122,9 @@ std::vector<Key> lossKeys() {
        .dimension = kInverseAction,
        .range = kAlphas,
        .example = "0.02",
-       .help = "Loss of energy inside the body at constant L: dL/dt = L x omega + alpha L x (L x omega) in the "
-               "body. The "
-               "attitude then turns at omega + alpha L x omega, not at omega = I^-1 L; trajectory writes both.",
+       .help =
+           "Loss of energy inside the body at constant L: dL/dt = L x omega + alpha L x (L x omega) in the body. "
+           "The attitude then turns at omega + alpha L x omega, not at omega = I^-1 L; trajectory writes both.",
        .put = into([](Draft& d) { return &d.forcing.dissipation; })},
   };
 }

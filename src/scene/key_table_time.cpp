@@ -39,8 +39,8 @@ std::vector<Key> timeKeys() {
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "0.5",
-       .help = "Seconds of motion per second of film; negative runs backwards, auto chooses a pace that the eye "
-               "follows; of a heavy top one at which its precession is seen.",
+       .help = "Seconds of motion per second of film; negative runs backwards. auto chooses a pace that the eye "
+               "follows; for a heavy top, a pace that shows its precession.",
        .put = into([](Draft& d) { return &d.scene.time.speed; })},
       {.path = "time.loop",
        .type = kBool,

@@ -28,9 +28,10 @@ principal_moments = [1.0, 2.0, 2.5]
 omega_body = [0.01, 3.0, 0.0]
 ```
 
-`poinsot check scene.toml` reports every problem of a file, with its line and column, and as a note what may be a slip:
-a whole number as an angle, which is in radians, a `hold` beyond the film's end, or a film that shows less than a tenth
-of a turn of a heavy top's precession.
+`poinsot check scene.toml` reports every problem of a file, with its line and column. `check` also notes likely slips:
+a whole number as an angle (angles are in radians), a `hold` beyond the film's end, and a film that shows less than a
+tenth of a turn of a heavy top's precession.
+
 `-D key.path=value` after any command that takes a scene overrides a key, with the same checks:
 `-D time.duration=5 -D style.theme=dark`; a table of an array is named by its number from 0: `-D 'body.part[0].mass=2'`.
 `poinsot explain camera.fov` says the same of a key as the tables below, on a terminal. `poinsot schema` prints a JSON
@@ -132,8 +133,7 @@ std::string tables() {
 std::string shapes() {
   std::string text =
       "## Shapes\n\nThe keys that each shape takes, in `[body]`, `[[body.part]]` and `[show.body]` alike, and how "
-      "it "
-      "lies\nin its axes; its origin is its centre of mass where nothing else is said.\n\n"
+      "it lies\nin its axes; its origin is its centre of mass where nothing else is said.\n\n"
       "| shape | keys | is |\n| --- | --- | --- |\n";
   for (const NamedShape& shape : namedShapes())
     text += fmt::format("| `{}` | {} | {} |\n", shape.word, described(shape), cell(shape.help));
