@@ -65,7 +65,7 @@ std::string remedy(const Scene& scene, double round_s, double played_s) {
   const double shown = std::min(mostShown(scene, round_s), 1.0);
   if (shown < kLeastPrecession)
     return fmt::format(
-        "the body turns {:.0f} times meanwhile, and one film shows at most {:g} of its turns; give a "
+        "the body turns {:.2g} times meanwhile, and one film shows at most {:g} of its turns; give a "
         "smaller spin",
         scene.motion.omega_B.norm() * round_s / kTurn, kMostTurns);
   return fmt::format("time.speed = {:.2g} shows {} in these {:g} s of film", shown * round_s / played_s,

@@ -217,8 +217,7 @@ std::vector<NamedShape> composites() {
       {.word = "mesh",
        .help = "The inside of a closed surface of triangles, each counter-clockwise from outside; axes and origin "
                "of the file. Corners that differ by rounding are joined, with a note. A mesh that is not closed "
-               "can be "
-               "drawn with show.body, of a body whose moments are given as numbers.",
+               "can be drawn with show.body, of a body whose moments are given as numbers.",
        .ways = {{"file"}},
        .optional = {"file_unit"}},
   };

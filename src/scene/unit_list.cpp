@@ -39,12 +39,9 @@ UnitText textOf(const UnitRow& row) {
 
 std::string_view unitRules() {
   return "Between two units, a blank, `*`, `·`, `×`, a point or a hyphen multiplies: `kg m^2`, `kg*m^2`, "
-         "`kg.m^2`, "
-         "`kg-m^2`. A `/` divides by the one unit after it. Powers are `^2`, `**2`, `2` or `²`, and `s^-1`, `s-1` "
-         "or "
-         "`s⁻¹`. Names are case-sensitive: `Mg` is a million grams, `mg` a thousandth of one. Nouns take an s, "
-         "and "
-         "prefixes in full: `millimetres`. `lb` is a mass, `lbf` a force.";
+         "`kg.m^2`, `kg-m^2`. A `/` divides by the one unit after it. Powers are `^2`, `**2`, `2` or `²`, and "
+         "`s^-1`, `s-1` or `s⁻¹`. Names are case-sensitive: `Mg` is a million grams, `mg` a thousandth of one. "
+         "Nouns take an s, and prefixes in full: `millimetres`. `lb` is a mass, `lbf` a force.";
 }
 
 std::vector<UnitText> unitTexts() {

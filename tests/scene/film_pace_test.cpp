@@ -152,7 +152,7 @@ TEST(Doubts, GiveNoSpeedBeyondTheTurnsOfAFilm) {
   EXPECT_EQ(
       doubts(top(40, 400)),
       "test.toml:1:1: note: time.speed: the film shows 6.3e-05 of a turn of the top's precession, which goes "
-      "round once in 838 s; the body turns 53333 times meanwhile, and one film shows at most 5000 of its turns; "
+      "round once in 838 s; the body turns 5.3e+04 times meanwhile, and one film shows at most 5000 of its turns; "
       "give a smaller spin\n");
 }
 
