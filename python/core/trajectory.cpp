@@ -58,9 +58,8 @@ TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const std::vector<doubl
       omega_W.add(state.omega_W);
       L_W.add(state.L_W);
       T.add(state.kineticEnergy);
-      const Eigen::Vector3d turning_B = physics::turningRate_B(*motion, state), turning_W = state.q_WB * turning_B;
-      rate_B.add(turning_B);
-      rate_W.add(turning_W);
+      rate_B.add(physics::turningRate_B(*motion, state));
+      rate_W.add(physics::turningRate_W(*motion, state));
     }
   }
   return {q_WB.take(),   R_WB.take(), omega_B.take(), omega_W.take(), L_W.take(), T.take(), rate_B.take(),

@@ -110,10 +110,8 @@ void Comparison::compareVectors(const physics::RigidBodyState& ours, const Logge
   };
   add(omega_B_, theirs.omega_B, ours.omega_B);
   add(omega_W_, theirs.omega_W, ours.omega_W);
-  if (!theirs.rate_B && !theirs.rate_W) return;
-  const Vector3d rate_B = physics::turningRate_B(motion_.motion(), ours);
-  add(rate_B_, theirs.rate_B, rate_B);
-  add(rate_W_, theirs.rate_W, ours.q_WB * rate_B);
+  add(rate_B_, theirs.rate_B, physics::turningRate_B(motion_.motion(), ours));
+  add(rate_W_, theirs.rate_W, physics::turningRate_W(motion_.motion(), ours));
 }
 
 void Comparison::compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs) {

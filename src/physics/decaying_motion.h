@@ -22,6 +22,7 @@ class DecayingMotion final : public Motion {
   RigidBodyState at(double t_s) const override;
 
   const PrincipalAxes& axes() const override { return free_.axes(); }
+  double dissipation() const override { return 0; }
 
  private:
   FreeMotion free_;

@@ -31,6 +31,7 @@ class FreeMotion final : public Motion {
   RigidBodyState at(double t_s) const override;
 
   const PrincipalAxes& axes() const override;
+  double dissipation() const override { return 0; }
   /// Angular momentum in W, kg·m²/s: constant of the motion.
   const Eigen::Vector3d& L_W() const;
   /// Kinetic energy of rotation, J: constant of the motion (eq 12).

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/motion.h"
 
+#include "physics/rotor.h"
+
 namespace poinsot::physics {
 
 Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state) {
   const double alpha = motion.dissipation();
   if (alpha == 0) return state.omega_B;
   return state.omega_B + alpha * motion.axes().angularMomentum(state.omega_B).cross(state.omega_B);
+}
+
+Eigen::Vector3d turningRate_W(const Motion& motion, const RigidBodyState& state) {
+  if (motion.dissipation() == 0) return state.omega_W;
+  return rotated(state.q_WB, turningRate_B(motion, state));
 }
 
 }  // namespace poinsot::physics

@@ -19,7 +19,7 @@ class Motion {
   virtual const PrincipalAxes& axes() const = 0;
 
   /// Energy loss alpha at constant L, s/(kg·m²) (forcing.h); 0 where nothing is lost so.
-  virtual double dissipation() const { return 0; }
+  virtual double dissipation() const = 0;
 
  protected:
   Motion() = default;
@@ -33,5 +33,7 @@ class Motion {
 /// m = I omega, so that energy is lost at constant L (docs/physics.md, "Driven motion"); omega itself without
 /// dissipation. @param state  a state of this motion.
 Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state);
+/// The same vector along the inertial axes W; omega_W itself, bit by bit, without dissipation.
+Eigen::Vector3d turningRate_W(const Motion& motion, const RigidBodyState& state);
 
 }  // namespace poinsot::physics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 
@@ -41,6 +43,12 @@ std::array<T, 3> rotated(const Rotor<T>& q, const std::array<T, 3>& v) {
           tz = two * (q.x * v[1] - q.y * v[0]);
   return {v[0] + q.w * tx + (q.y * tz - q.z * ty), v[1] + q.w * ty + (q.z * tx - q.x * tz),
           v[2] + q.w * tz + (q.x * ty - q.y * tx)};
+}
+
+/// The same for Eigen's types, whose own rotation depends on the vector unit compiled for.
+inline Eigen::Vector3d rotated(const Eigen::Quaterniond& q, const Eigen::Vector3d& v) {
+  const auto r = rotated(Rotor<double>{q.w(), q.x(), q.y(), q.z()}, std::array{v[0], v[1], v[2]});
+  return {r[0], r[1], r[2]};
 }
 
 inline Rotor<double> toDouble(const Rotor<DoubleDouble>& q) {

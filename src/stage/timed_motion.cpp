@@ -16,6 +16,7 @@ class TimedMotion : public physics::Motion {
     return motion_->at(t_s);
   }
   const physics::PrincipalAxes& axes() const override { return motion_->axes(); }
+  double dissipation() const override { return motion_->dissipation(); }
 
  private:
   std::shared_ptr<const physics::Motion> motion_;

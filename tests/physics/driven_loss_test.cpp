@@ -137,6 +137,7 @@ TEST(DrivenLoss, TurningRateIsOmegaWithoutDissipation) {
   c.forcing.dragRate_P = {0.01, 0.03, 0.02};
   const DrivenMotion motion = c.motion();
   EXPECT_EQ(turningRate_B(motion, motion.at(3)), motion.at(3).omega_B);
+  EXPECT_EQ(turningRate_W(motion, motion.at(3)), motion.at(3).omega_W);
 }
 
 // With gravity and torques L changes by them alone: dL/dt = N, dissipation adding none of its own.
