@@ -14,8 +14,31 @@ namespace {
 /// Beyond this angle the phase of a free motion has lost digits (docs/physics.md, "Accuracy").
 constexpr double kExactAngle_rad = 1e14;
 
-/// Uncertainty of the attitude beyond that angle: an input's rounding of 2^-52 times it.
-constexpr double kUncertain_rad = 0x1p-52 * kExactAngle_rad;
+constexpr double kRounding = 0x1p-52;  // of an input, as a part of it
+
+/// Uncertainty of the attitude beyond that angle: the rounding of omega times it.
+constexpr double kUncertain_rad = kRounding * kExactAngle_rad;
+
+/// Uncertainty over that of omega's rounding alone, from which on the separatrix is to blame: far from it, moments
+/// (1, 2, 3) and omega (1, 1, 1) give 3.3; closer, the ratio grows as the inverse of the distance.
+constexpr double kCloseToSeparatrix = 100;
+
+std::string farTurnNote(double t_s, double angle_rad) {
+  return fmt::format(
+      "at t = {:.6g} s the body has turned by {:.2g} rad; beyond {:.0g} rad the attitude is no longer exact to "
+      "rounding",
+      t_s, angle_rad, kExactAngle_rad);
+}
+
+std::string uncertaintyNote(double t_s, double angle_rad, const physics::RunCondition& condition) {
+  const bool close = condition.attitude_rad > kCloseToSeparatrix * kRounding * (1 + angle_rad);
+  return fmt::format(
+      "at t = {:.6g} s the attitude is uncertain by {:.2g} rad if the input is rounded: {}, and {} "
+      "of the attitude is meaningful",
+      t_s, condition.attitude_rad,
+      close ? "the motion is close to the separatrix" : "the run amplifies the rounding",
+      condition.digits < 1 ? "no digit" : "one digit");
+}
 
 }  // namespace
 
@@ -23,18 +46,10 @@ std::string accuracyNote(const scene::Scene& scene, const TrajectoryTimes& times
   if (!scene.motion.forcing.none()) return {};
   const double farthest_s = std::max(std::abs(times.earliest_s()), std::abs(times.latest_s()));
   const double angle_rad = scene.motion.omega_B.norm() * farthest_s;
-  if (angle_rad > kExactAngle_rad)
-    return fmt::format(
-        "at t = {:.6g} s the body has turned by {:.2g} rad; beyond {:.0g} rad the "
-        "attitude is no longer exact to rounding",
-        farthest_s, angle_rad, kExactAngle_rad);
+  if (angle_rad > kExactAngle_rad) return farTurnNote(farthest_s, angle_rad);
   const physics::RunCondition condition = physics::runCondition(scene.body.axes, scene.motion.omega_B, farthest_s);
   if (!(condition.attitude_rad > kUncertain_rad)) return {};
-  return fmt::format(
-      "at t = {:.6g} s the attitude is uncertain by {:.2g} rad if the input is rounded: the motion is close to "
-      "the "
-      "separatrix, and {:.0f} digits mean something",
-      farthest_s, condition.attitude_rad, std::floor(condition.digits));
+  return uncertaintyNote(farthest_s, angle_rad, condition);
 }
 
 }  // namespace poinsot::app

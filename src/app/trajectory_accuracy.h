@@ -8,9 +8,9 @@
 
 namespace poinsot::app {
 
-/// A sentence where the attitude at the farthest of these motion times is not known to a hundredth of a radian:
-/// the body has turned too far for a double's phase, or passes its middle axis so closely (near the separatrix)
-/// that the last digit of the input decides where it is. Empty otherwise, and for driven motion.
+/// A sentence if the attitude at the farthest of these motion times is uncertain by more than 0.02 rad: the body
+/// has turned too far for a double's phase, or the run amplifies the rounding of its input, most of all close to
+/// the separatrix. Empty otherwise, and for driven motion.
 std::string accuracyNote(const scene::Scene& scene, const TrajectoryTimes& times);
 
 }  // namespace poinsot::app

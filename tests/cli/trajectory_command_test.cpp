@@ -174,8 +174,20 @@ TEST(TrajectoryCommand, NotesTimesAtWhichRoundedInputDecidesTheAttitude) {
   folder.put("s.toml",
              "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [1.7320508075688772, 2, 1]\n");
   EXPECT_THAT(run(folder, {"trajectory", "s.toml", "--at", "10"}).err, IsEmpty());  // info: 8.3 digits
-  EXPECT_THAT(run(folder, {"trajectory", "s.toml", "--at", "0,100"}).err,
-              HasSubstr("note: at t = 100 s the attitude is uncertain by 3.1 rad"));  // info: 0 digits
+  EXPECT_THAT(
+      run(folder, {"trajectory", "s.toml", "--at", "0,100"}).err,
+      testing::AllOf(HasSubstr("note: at t = 100 s the attitude is uncertain by 3.1 rad"),  // info: 0 digits
+                     HasSubstr("close to the separatrix, and no digit of the attitude is meaningful")));
+}
+
+// omega (1, 1, 1) is far from the separatrix: L² - 2 T I2 = D = 2, and L² = 14. By run_condition.h, with dD/D = 13
+// and a polhode period of 6.4227 s, the uncertainty is 2^-52 (sqrt(3) + 13 · 2/6.4227) t = 0.064 rad.
+TEST(TrajectoryCommand, BlamesTheSeparatrixOnlyWhenClose) {
+  const ScratchFolder folder;
+  folder.put("s.toml", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [1, 1, 1]\n");
+  EXPECT_THAT(run(folder, {"trajectory", "s.toml", "--at", "5e13"}).err,
+              testing::AllOf(HasSubstr("note: at t = 5e+13 s the attitude is uncertain by 0.064 rad"),
+                             HasSubstr("the run amplifies the rounding")));
 }
 
 struct BadRequest {
