@@ -207,16 +207,23 @@ std::string largestErrors(const std::vector<GradedQuantity>& quantities) {
 
 }  // namespace
 
-std::string fitNote(const Fit& fit) {
-  const bool close = std::ranges::none_of(fit.quantities, [](const GradedQuantity& quantity) {
+bool isClose(const Fit& fit) {
+  return std::ranges::none_of(fit.quantities, [](const GradedQuantity& quantity) {
     return isOfState(quantity) && quantity.errors->rms > kClose;
   });
-  return fmt::format("{} if {}: {}", close ? "fits" : "fits better", causesText(fit.causes),
+}
+
+std::string fitNote(const Fit& fit) {
+  return fmt::format("{} if {}: {}", isClose(fit) ? "fits" : "fits better", causesText(fit.causes),
                      largestErrors(fit.quantities));
 }
 
 const GradedQuantity& Grade::quantity(std::string_view key) const {
   const auto found = std::ranges::find(quantities, key, &GradedQuantity::key);
+std::string firstRowNote(const Fit& fit) {
+  return isClose(fit) ? fitNote(fit) : "graded from its first row: " + largestErrors(fit.quantities);
+}
+
   POINSOT_EXPECT(found != quantities.end());
   return *found;
 }

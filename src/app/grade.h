@@ -85,4 +85,8 @@ Fit gradeFromZero(const MotionMaker& maker, const TrajectoryTable& theirs);
 /// left.
 std::string fitNote(const Fit& fit);
 
+/// Describes a grade from the first row, which is compared with no other: as fitNote() if it fits, else "graded
+/// from its first row: attitude 3.0e+00 rad, omega in the body 1.2e+00".
+std::string firstRowNote(const Fit& fit);
+
 }  // namespace poinsot::app

@@ -69,8 +69,18 @@ std::string timeNote(const app::Grade& grade, const scene::Scene& scene, const p
       end_s);
 }
 
-/// The motion over their times. @throws core::Error(kLimit) for a driven motion that is too long, and says how a
-/// log on a clock's time, which is far from 0, would be graded from its first row on.
+/// Returns the errors of a log whose first row is taken at motion time 0; empty if the motion is too long from
+/// there, too.
+std::string firstRowNote(const app::MotionMaker& maker, const app::TrajectoryTable& theirs) {
+  try {
+    return app::firstRowNote(app::gradeFromZero(maker, theirs));
+  } catch (const core::Error&) {
+    return "";  // what is wrong with the log as it is written is reported instead
+  }
+}
+
+/// Makes the motion over their times. @throws core::Error(kLimit) if a driven motion is too long; for a log on a
+/// clock's time, far from 0, the message also gives its errors from the first row on.
 std::unique_ptr<const physics::Motion> motionOver(const app::MotionMaker& maker,
                                                   const app::TrajectoryTable& theirs) {
   const physics::TimeSpan span = app::spanOf(theirs);
@@ -78,8 +88,10 @@ std::unique_ptr<const physics::Motion> motionOver(const app::MotionMaker& maker,
     return maker(span);
   } catch (const core::Error& error) {
     if (error.kind() != core::ErrorKind::kLimit || span.from_s <= span.to_s - span.from_s) throw;
-    throw core::Error(error.kind(), fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s,
-                                                app::fitNote(app::gradeFromZero(maker, theirs))));
+    const std::string note = firstRowNote(maker, theirs);
+    if (note.empty()) throw;
+    throw core::Error(error.kind(),
+                      fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s, note));
   }
 }
 

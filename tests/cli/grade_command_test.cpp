@@ -59,13 +59,13 @@ TEST_F(GradeCommand, TimesOfAnotherClockAreSuspected) {
   EXPECT_EQ(grade({"copy.csv"}, "grade", {"-D", "time.speed=0.001"}).out.find("their times"), std::string::npos);
 }
 
-/// The copy with t moved on: its first row is no longer the start.
-std::string withTimes(const std::string& csv, double shift_s) {
+/// The copy with t in another unit, then moved on: its first row is no longer the start.
+std::string withTimes(const std::string& csv, double shift_s, double perSecond = 1) {
   std::string moved = csv.substr(0, csv.find('\n') + 1);
   std::istringstream lines(csv.substr(moved.size()));
   for (std::string line; std::getline(lines, line);) {
     std::ostringstream t;
-    t << std::setprecision(17) << std::stod(line) + shift_s;
+    t << std::setprecision(17) << perSecond * std::stod(line) + shift_s;
     moved += t.str() + line.substr(line.find(',')) + "\n";
   }
   return moved;
@@ -82,15 +82,39 @@ TEST_F(GradeCommand, NamesAClockWithAnotherZero) {
   EXPECT_EQ(epoch.out.find("their times"), std::string::npos);  // the cause is named once
 }
 
-TEST_F(GradeCommand, SaysWhatAClockTooLateForADrivenMotionGives) {
-  const std::vector<std::string> drag{"-D", "motion.drag.rate=[0.01,0.02,0.03]"};
-  ASSERT_EQ(
-      grade({}, "trajectory", {"--rate", "20", "-D", "time.speed=1", "-o", "drag.csv", drag[0], drag[1]}).exitCode,
-      0);
-  folder_.put("epoch.csv", withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9));
-  const auto result = grade({"epoch.csv"}, "grade", drag);
-  EXPECT_EQ(result.exitCode, 2);
-  EXPECT_THAT(result.err, HasSubstr("; their t starts at 1700000000 s: fits if t is 1700000000 s earlier ("));
+/// Adds a log of the scene under drag, which is integrated.
+class GradeCommandUnderDrag : public GradeCommand {
+ protected:
+  GradeCommandUnderDrag() {
+    EXPECT_EQ(
+        grade({}, "trajectory",
+              {"--rate", "20", "-D", "time.speed=1", "-o", "drag.csv", "-D", "motion.drag.rate=[0.01,0.02,0.03]"})
+            .exitCode,
+        0);
+  }
+
+  RunResult refused(const std::string& csv, const std::string& rate = "[0.01,0.02,0.03]") const {
+    folder_.put("epoch.csv", csv);
+    const auto result = grade({"epoch.csv"}, "grade", {"-D", "motion.drag.rate=" + rate});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_EQ(result.out, "");
+    return result;
+  }
+};
+
+TEST_F(GradeCommandUnderDrag, GradesAClockTooLateForTheMotionFromItsFirstRow) {
+  EXPECT_THAT(refused(withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9)).err,
+              HasSubstr("; their t starts at 1700000000 s: fits if t is 1700000000 s earlier ("));
+}
+
+TEST_F(GradeCommandUnderDrag, ClaimsNoFitOfALateLogThatIsWrongAsWell) {
+  const auto result = refused(withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9), "[0.3,0.2,0.1]");
+  EXPECT_THAT(result.err, HasSubstr("; their t starts at 1700000000 s: graded from its first row: attitude "));
+  EXPECT_EQ(result.err.find("fits"), std::string::npos);
+}
+
+TEST_F(GradeCommandUnderDrag, ReportsTheTimesAsWrittenIfTheLogIsTooLongFromItsFirstRow) {
+  EXPECT_THAT(refused(withTimes(bytesOf(folder_ / "drag.csv"), 1.7e18, 1e9)).err, HasSubstr("1.7e+18"));
 }
 
 TEST_F(GradeCommand, Json) {
