@@ -43,13 +43,15 @@ Origins originsOf(const LoggedState& theirs) {
   return origins;
 }
 
-/// The log, read so, against the motion.
+/// The log, read so, against the motion. Rows at times that the motion is not known at are left out: no reading is
+/// found that moves a row of finite numbers there (grade_convention.h).
 class Comparison {
  public:
   Comparison(const KnownMotion& motion, const TrajectoryTable& theirs, std::vector<Reading> readings)
       : motion_(motion), theirs_(theirs), readings_(std::move(readings)) {
     sortRows();
-    for (const std::size_t row : order_) compare(stateOf(row));
+    for (const std::size_t row : order_)
+      if (const LoggedState state = stateOf(row); motion_.knows(state.t_s)) compare(state);
   }
 
   std::vector<GradedQuantity> quantities();

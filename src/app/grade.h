@@ -47,7 +47,7 @@ struct FitCause {
 /// Another way to read a log, in which it fits.
 struct Fit {
   std::vector<FitCause> causes;            ///< that hold together
-  std::vector<GradedQuantity> quantities;  ///< graded as read so
+  std::vector<GradedQuantity> quantities;  ///< graded as read so, except rows at times without a motion
 };
 
 /// How far a trajectory is off the motion.
