@@ -66,7 +66,7 @@ std::string turnText(const Quaterniond& turn) {
 std::string remarkOn(TurnedAxes axes, const Quaterniond& toScene, std::string_view formula) {
   const std::string mapping = mappingOf(toScene);
   if (mapping.empty()) return std::string(formula);
-  const std::string remark = "x, y, z here are " + mapping + " there";
+  const std::string remark = "the scene's x, y, z are the log's " + mapping;
   if (axes == TurnedAxes::kBoth)
     for (const KnownAxes& known : kKnownAxes)
       if (known.mapping == mapping) return fmt::format("{}; {}", known.name, remark);
@@ -83,8 +83,8 @@ FitCause turnCause(TurnedAxes axes, const Quaterniond& toScene) {
   };
   const Words words[] = {
       {"both frames are", "turn q turn^-1, and turn omega"},
-      {"the body's axes are", "q turn"},
-      {"the axes of space are", "turn q"},
+      {"the body's axes are", "q turn, and turn^-1 omega_B"},
+      {"the axes of space are", "turn q, and turn omega_W, L_W"},
       {"the body's axes of q, not of omega, are", "q turn"},
       {"the axes of space of q, not of omega, are", "turn q"},
       {"the axes of omega are", "turn omega"},
