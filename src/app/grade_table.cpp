@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "app/trajectory_number.h"
 #include "core/error.h"
@@ -40,7 +41,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// Where the field that starts at `from` ends: at a separator outside quotes, or the end of the line.
+/// Returns the end of the field that starts at `from`: a separator outside quotes, or the end of the line.
 std::size_t endOfField(std::string_view line, std::size_t from, std::string_view separators) {
   bool quoted = false;
   for (std::size_t i = from; i < line.size(); ++i) {
@@ -81,7 +82,15 @@ std::size_t columnNamed(std::string_view name) {
                                            : static_cast<std::size_t>(found - kTrajectoryColumns.begin());
 }
 
-/// Where a reader is in a file.
+/// "L_W_x, L_W_y, L_W_z".
+std::string namesOf(const Vector& vector) {
+  std::string names;
+  for (const TrajectoryColumn& column : std::span(kTrajectoryColumns).subspan(vector.place, vector.length))
+    names.append(names.empty() ? "" : ", ").append(column.name);
+  return names;
+}
+
+/// A reader's position in a file.
 struct Cursor {
   std::string_view rest;  ///< lines that are still to be read
   std::string_view line;
@@ -206,7 +215,7 @@ class Reader {
       if (!has(i)) missing = i;
     }
     if (count > 0 && count < vector.length)
-      fail(fmt::format("column {} is missing beside its fellows", kTrajectoryColumns[missing].name),
+      fail(fmt::format("column {} is missing; give all of {}", kTrajectoryColumns[missing].name, namesOf(vector)),
            cursor_.number);
   }
 

@@ -101,7 +101,7 @@ TEST(GradeTable, MistakesHaveTheirPlace) {
     EXPECT_EQ(complaint("q_w," + time + "\n"), "a.csv:1: no column t; is it '" + time + "'?");
   EXPECT_EQ(complaint("torque,title\n"),
             "a.csv:1: no column t; the first line names the columns, separated by commas or blanks");
-  EXPECT_EQ(complaint("t,q_w,q_x,q_z\n"), "a.csv:1: column q_y is missing beside its fellows");
+  EXPECT_EQ(complaint("t,q_w,q_x,q_z\n"), "a.csv:1: column q_y is missing; give all of q_w, q_x, q_y, q_z");
   EXPECT_EQ(complaint("t,t,q_w\n"), "a.csv:1:3: column t is there twice");
   EXPECT_EQ(complaint("t,L_W_x,L_W_y,L_W_z\n0,1,2,3\n"),
             "a.csv:1: no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z");
