@@ -155,7 +155,7 @@ Trend trendOf(const std::vector<double>& differences) {
   return sum < 0 ? Trend::kLoses : Trend::kGains;
 }
 
-/// As summary(), of differences with a sign.
+/// Summarises signed differences.
 GradedQuantity Comparison::signedSummary(std::string_view key, const std::string& from,
                                          std::vector<double>& differences, double scale) const {
   std::vector<double> errors;
@@ -207,25 +207,25 @@ std::string largestErrors(const std::vector<GradedQuantity>& quantities) {
   return text;
 }
 
-}  // namespace
-
 bool isClose(const Fit& fit) {
   return std::ranges::none_of(fit.quantities, [](const GradedQuantity& quantity) {
     return isOfState(quantity) && quantity.errors->rms > kClose;
   });
 }
 
+}  // namespace
+
 std::string fitNote(const Fit& fit) {
   return fmt::format("{} if {}: {}", isClose(fit) ? "fits" : "fits better", causesText(fit.causes),
                      largestErrors(fit.quantities));
 }
 
-const GradedQuantity& Grade::quantity(std::string_view key) const {
-  const auto found = std::ranges::find(quantities, key, &GradedQuantity::key);
 std::string firstRowNote(const Fit& fit) {
   return isClose(fit) ? fitNote(fit) : "graded from its first row: " + largestErrors(fit.quantities);
 }
 
+const GradedQuantity& Grade::quantity(std::string_view key) const {
+  const auto found = std::ranges::find(quantities, key, &GradedQuantity::key);
   POINSOT_EXPECT(found != quantities.end());
   return *found;
 }

@@ -15,24 +15,24 @@
 namespace poinsot::app {
 namespace {
 
-constexpr std::size_t kFewRows = 3;  // fit by chance
+constexpr std::size_t kFewestSampleRows = 3;  // fewer fit by chance
 constexpr std::size_t kSampleRows = 64;
 constexpr std::size_t kMostReadings = 3;
-constexpr double kWrong = 1e-3;       // rad, or of omega: more than the rounding of a log
-constexpr double kFarBetter = 0.05;   // of the misfit before
-constexpr double kUnrelated = 0.5;    // rad, or of omega: what is left must be less
-constexpr double kWorse = 2;          // times the misfit before
-const double kAlike = std::log(10.);  // scores that differ by less: the plainer reading is meant
+constexpr double kWrong = 1e-3;             // rad, or of omega: more than the rounding of a log
+constexpr double kMostLeft = 0.05;          // of the misfit before
+constexpr double kUnrelated = 0.5;          // rad, or of omega: what is left must be less
+constexpr double kWorse = 2;                // times the misfit before
+const double kEqualScores = std::log(10.);  // for scores that differ by less, the plainer reading is taken
 
 bool isWrong(const std::optional<double>& misfit) { return misfit && *misfit > kWrong; }
 bool isWrong(const Misfit& misfit) { return isWrong(misfit.attitude) || isWrong(misfit.omega); }
 
 bool helps(const std::optional<double>& after, const std::optional<double>& before) {
-  return isWrong(before) && after && *after < std::min(kFarBetter * *before, kUnrelated);
+  return isWrong(before) && after && *after < std::min(kMostLeft * *before, kUnrelated);
 }
 
 bool harms(const std::optional<double>& after, const std::optional<double>& before) {
-  return before && !(after && *after <= std::max(kWorse * *before, kFarBetter * kWrong));
+  return before && !(after && *after <= std::max(kWorse * *before, kMostLeft * kWrong));
 }
 
 bool isBetter(const Misfit& after, const Misfit& before) {
@@ -133,7 +133,7 @@ std::optional<Finding> bestOf(std::vector<Finding> findings, const Misfit& befor
   double least = std::numeric_limits<double>::infinity();
   for (const Finding& finding : findings) least = std::min(least, scoreOf(finding.sample));
   for (Finding& finding : findings)
-    if (scoreOf(finding.sample) <= least + kAlike) return std::move(finding);
+    if (scoreOf(finding.sample) <= least + kEqualScores) return std::move(finding);
   return std::nullopt;
 }
 
@@ -167,7 +167,7 @@ std::vector<Reading> ConventionSearch::readings() const {
 std::vector<Reading> fittingReadings(KnownMotion& motion, const MotionMaker& maker,
                                      const TrajectoryTable& theirs) {
   LogSample sample = sampleOf(motion, theirs);
-  if (sample.theirs.size() < kFewRows) return {};
+  if (sample.theirs.size() < kFewestSampleRows) return {};
   return ConventionSearch(motion, maker, spanOf(theirs), std::move(sample)).readings();
 }
 

@@ -39,7 +39,6 @@ Hypothesis hypothesis(std::function<bool(const LoggedState&)> applies, Reading r
           }};
 }
 
-bool hasAttitude(const LoggedState& s) { return s.q_WB.has_value(); }
 bool hasOmega(const LoggedState& s) { return s.omega_B || s.omega_W; }
 
 Hypothesis scaledOmega(const std::string& unit, double unit_radPerS) {

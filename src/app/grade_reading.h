@@ -33,7 +33,7 @@ Misfit misfitOf(const LogSample& sample);
 double scoreOf(const Misfit& misfit);
 double scoreOf(const LogSample& sample);
 
-/// What of a log a reading changes, in the order in which they are applied: a log is read in one way for each.
+/// The part of a log that a reading changes, in order of application; a log has one reading of each.
 enum class Aspect { kOrder, kSense, kUnit, kFrame, kTimeUnit, kShift, kAxes, kRate };
 
 /// A way to read a log other than the one in which its columns are named.
@@ -43,9 +43,9 @@ struct Reading {
   std::function<LoggedState(LoggedState)> apply;
 };
 
-/// The row with all readings applied, in their order.
+/// Returns the row with all readings applied, in their order.
 LoggedState readAs(LoggedState state, const std::vector<Reading>& readings);
-/// The same for a sample; nothing where the motion is not known at the times that it then has.
+/// Reads a sample likewise; returns nothing if the motion is not known at the times that it then has.
 std::optional<LogSample> readAs(const LogSample& asWritten, const std::vector<Reading>& readings,
                                 const KnownMotion& motion);
 
@@ -56,7 +56,7 @@ struct Hypothesis {
   std::function<std::optional<Reading>(const LogSample&)> reading;
 };
 
-/// Those without a free number: order and sense of a quaternion, units, frames, omega as the rate of turning.
+/// Hypotheses without a free number: order and sense of a quaternion, units, frames, omega as the rate of turning.
 std::vector<Hypothesis> namedHypotheses(const physics::Motion& motion);
 
 }  // namespace poinsot::app

@@ -23,12 +23,12 @@ constexpr double kReach_rad = 1000;     // to either side, at most
 constexpr double kLeastReach_rad = 20;  // of a short log: three turns
 constexpr double kNear_rad = 0.3;       // distance of a row that may be the first one
 constexpr double kClock_s = 1e8;        // three years: a calendar's clock
-constexpr std::size_t kFewRows = 16;    // that tell likely shifts from others
+constexpr std::size_t kProbeRows = 16;  // enough to discard unlikely shifts
 constexpr double kUnlike = 0.5;         // rad, or of omega, rms over these: not the motion at that shift
 constexpr std::size_t kFewCandidates = 24;
-constexpr double kAlike = 4;      // sums of squares of shifts that fit equally well differ by less
-constexpr double kNoise = 1e-20;  // square of differences by rounding
-constexpr int kRounds = 30;       // of the fit, which takes five
+constexpr double kEqualMeans = 4;  // mean squares of shifts that fit equally well differ by a smaller factor
+constexpr double kNoise = 1e-20;   // square of differences by rounding
+constexpr int kRounds = 30;        // of the fit, which takes five
 
 /// Differences of a row from a state: rotation vector of the attitude, rad; omega relative to `scale`.
 std::array<Vector3d, 3> differences(const LoggedState& theirs, const RigidBodyState& ours, double scale) {
@@ -179,7 +179,7 @@ std::optional<double> ShiftSearch::bestShift(const LogSample& sample) const {
   std::vector<Candidate> candidates;
   for (const double shift_s : likelyShifts(sample)) {
     if (!knows(sample, shift_s)) continue;
-    const Candidate candidate{shift_s, meanOver(sample, shift_s, kFewRows)};
+    const Candidate candidate{shift_s, meanOver(sample, shift_s, kProbeRows)};
     if (candidate.mean < kUnlike * kUnlike) candidates.push_back(candidate);
   }
   std::ranges::stable_sort(candidates, {}, &Candidate::mean);
@@ -190,7 +190,7 @@ std::optional<double> ShiftSearch::bestShift(const LogSample& sample) const {
     if (!knows(sample, candidate.shift_s)) continue;
     candidate.mean = meanOver(sample, candidate.shift_s, sample.theirs.size()) + kNoise;
     const bool nearer = best && std::abs(candidate.shift_s) < std::abs(best->shift_s);
-    if (!best || candidate.mean < best->mean * (nearer ? kAlike : 1 / kAlike)) best = candidate;
+    if (!best || candidate.mean < best->mean * (nearer ? kEqualMeans : 1 / kEqualMeans)) best = candidate;
   }
   return best ? std::optional(best->shift_s) : std::nullopt;
 }

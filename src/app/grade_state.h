@@ -26,7 +26,9 @@ struct LoggedState {
 
 LoggedState loggedState(const TrajectoryTable& theirs, std::size_t row);
 
-/// What follows from omega and the attitude of a row.
+inline bool hasAttitude(const LoggedState& s) { return s.q_WB.has_value(); }
+
+/// Quantities computed from a row's omega and attitude.
 struct DerivedState {
   std::optional<Eigen::Vector3d> L_W;
   std::optional<double> lengthOfL, kineticEnergy;

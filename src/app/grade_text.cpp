@@ -59,7 +59,7 @@ std::string row(const GradedQuantity& quantity) {
                      finalText(e), fmt::format("{:.2e}", e.rms), driftText(e.drift) + trend);
 }
 
-/// What the words of a trend mean: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
+/// Returns the signed final errors that drift: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
 std::string trendText(const Grade& grade) {
   std::string text;
   for (const GradedQuantity& quantity : grade.quantities) {

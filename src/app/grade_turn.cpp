@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr double kTurned_rad = 0.001;  // less is no choice of axes
 
-const double kFarBetter = std::log(20.);  // in a score: of the axes that fit best, over exchanged ones
+const double kExchangeAllowance = std::log(20.);  // a score of exchanged axes may be worse by as much
 
 /// Takes components along the log's axes to those along the scene's.
 struct Turn {
@@ -102,13 +102,13 @@ TurnFit fitOver(const LogSample& sample, const Add& add) {
   return fit;
 }
 
-/// What omega counts in, so that it weighs as much as a rotation.
+/// Returns the unit of omega in which it weighs as much as a rotation.
 double scaleOf(const LogSample& sample) {
   const double largest = largestOmega(sample);
   return largest > 0 ? largest : 1;
 }
 
-/// By omega in the body, and by the turns since the first row.
+/// Fits the body's axes to omega_B and to the turns since the first row.
 Quaterniond fittedBody(const LogSample& sample) {
   const double scale = scaleOf(sample);
   const Quaterniond ours0 = sample.ours.front().q_WB.conjugate();
@@ -121,7 +121,7 @@ Quaterniond fittedBody(const LogSample& sample) {
       .ofVectors();
 }
 
-/// By all vectors, and by the attitudes.
+/// Fits one turn of both frames to all vectors and attitudes.
 Quaterniond fittedCommon(const LogSample& sample) {
   const double scale = scaleOf(sample);
   return fitOver(sample,
@@ -164,7 +164,7 @@ LogSample turned(LogSample sample, const Turn& turn, Columns columns) {
 /// The fitted turn, or an exchange of axes where that fits about as well.
 Quaterniond chosenTurn(const Quaterniond& fitted, const std::function<double(const Quaterniond&)>& score) {
   const auto best = std::ranges::min_element(exchanges(), {}, score);
-  return score(*best) <= score(fitted) + kFarBetter ? *best : fitted;
+  return score(*best) <= score(fitted) + kExchangeAllowance ? *best : fitted;
 }
 
 /// One kind of turned axes: what it needs, how it is fitted, what it turns.
@@ -190,7 +190,6 @@ std::optional<Reading> readingOf(const TurnKind& kind, const LogSample& sample) 
   return turnReading(kind.axes, q, kind.turn(q), kind.columns);
 }
 
-bool hasAttitude(const LoggedState& s) { return s.q_WB.has_value(); }
 bool hasBoth(const LoggedState& s) { return s.q_WB && (s.omega_B || s.omega_W); }
 bool hasOneOmega(const LoggedState& s) { return s.omega_B.has_value() != s.omega_W.has_value(); }
 

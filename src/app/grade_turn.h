@@ -20,7 +20,7 @@ std::vector<Hypothesis> turnHypotheses();
 std::vector<Hypothesis> exchangeHypotheses();
 
 /// Both frames turned, each by a rotation of its own. Its six free numbers fit many other conventions too, so it
-/// is asked last.
+/// is tried last.
 Hypothesis twoTurnsHypothesis();
 
 }  // namespace poinsot::app
