@@ -108,9 +108,7 @@ Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
   section.add("motion_to", "motion time at the end of the film", span.to_s, "s", "");
   const auto round_s = scene::precessionPeriod_s(scene);
   section.add("pace", "seconds of motion to a second of film", scene::chosenSpeed(scene), "",
-              scene.time.speed ? "time.speed"
-              : round_s        ? "chosen from |omega| and the precession"
-                               : "chosen from |omega|");
+              scene.time.speed ? "time.speed" : "chosen: time.speed is not given");
   if (round_s)
     section.add("precession_turns", "turns of the precession in the film",
                 std::abs(span.to_s - span.from_s) / *round_s, "",

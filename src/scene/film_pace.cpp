@@ -23,9 +23,17 @@ constexpr double kMostTurns = 5000;                   // of the body in a film: 
 constexpr double kLeastPrecession = 0.1;              // of a turn: a film that shows less of it shows none
 constexpr double kSeen_rad = std::numbers::pi / 180;  // least angle of a cone, or a nod, that is seen
 
-/// Returns the pace at which the body itself turns at a pleasant rate.
-double paceOfSpin(double spin) {
-  return spin == 0 || (spin >= kCalmest && spin <= kFastest) ? 1.0 : kPleasant / spin;
+/// Returns the rate at which the body moves, rad/s: its spin at the start, or that of small swings about hanging,
+/// which is at least sqrt(M g l/I) with I the largest moment.
+double rateOfMotion(const Scene& scene) {
+  const double swing =
+      std::sqrt(scene.motion.forcing.gravity_B.norm() / scene.body.axes.moments().values().maxCoeff());
+  return std::max(scene.motion.omega_B.norm(), swing);
+}
+
+/// Returns the pace at which the body itself moves at a pleasant rate.
+double paceOfMotion(double rate) {
+  return rate == 0 || (rate >= kCalmest && rate <= kFastest) ? 1.0 : kPleasant / rate;
 }
 
 bool leans(const physics::Nutation& swing) {
@@ -68,7 +76,7 @@ std::string remedy(const Scene& scene, double round_s, double played_s) {
         "the body turns {:.2g} times meanwhile, and one film shows at most {:g} of its turns; give a "
         "smaller spin",
         scene.motion.omega_B.norm() * round_s / kTurn, kMostTurns);
-  return fmt::format("time.speed = {:.2g} shows {} in these {:g} s of film", shown * round_s / played_s,
+  return fmt::format("time.speed = {:.3g} shows {} in these {:g} s of film", shown * round_s / played_s,
                      shown < 1 ? fmt::format("{:.2g} of a turn", shown) : "a whole turn", scene.time.duration_s);
 }
 
@@ -80,7 +88,7 @@ const char* pathOfPace(const Scene& scene, const Findings& findings) {
 }  // namespace
 
 double automaticPace(const Scene& scene) {
-  return std::max(paceOfSpin(scene.motion.omega_B.norm()), paceOfPrecession(scene));
+  return std::max(paceOfMotion(rateOfMotion(scene)), paceOfPrecession(scene));
 }
 
 std::optional<double> precessionPeriod_s(const Scene& scene) {

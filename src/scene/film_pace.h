@@ -8,8 +8,9 @@
 
 namespace poinsot::scene {
 
-/// Seconds of motion per second of film that the eye follows: chosen from |omega| at the start, and faster where
-/// the precession of a heavy top would otherwise hardly be seen to go round.
+/// Seconds of motion per second of film that the eye follows: chosen from |omega| at the start or, if that is
+/// faster, from the swing of a body that hangs; and faster where the precession of a heavy top would otherwise
+/// hardly be seen to go round.
 double automaticPace(const Scene& scene);
 
 /// Mean time in which the axis of a heavy top goes once round the vertical, s. Computed for the top as it is let

@@ -60,7 +60,7 @@ class ForcingAssembly {
       findings_.refuse(
           "motion.gravity.mgr_body",
           "this body turns about its centre of mass, where its weight has no moment; give body.pivot and "
-          "motion.gravity.g");
+          "motion.gravity.g, or leave out body.mass if moments about the fixed point are given");
     else
       checkDirection(*draft_.mgr_B, lever_B());
   }

@@ -8,6 +8,9 @@
 namespace poinsot::scene {
 namespace {
 
+// By how much of themselves the moments across k may differ: in a top, and in one that its spin makes like a top.
+constexpr double kSymmetric = 1e-3, kNearly = 0.5;
+
 /// Gravity, and nothing besides.
 bool gravityAlone(const physics::Forcing& forcing) {
   physics::Forcing rest = forcing;
@@ -34,16 +37,17 @@ double HeavyTopStart::tilt_rad() const { return std::atan2(up_P.cross(top.k_P).n
 double HeavyTopStart::spin() const { return omega_P.dot(top.k_P); }
 
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene) {
-  constexpr double kUneven = 1e-6;
-  return gravityAlone(scene.motion.forcing) ? startOf(scene, kUneven) : std::nullopt;
+  return gravityAlone(scene.motion.forcing) ? startOf(scene, kSymmetric) : std::nullopt;
 }
 
 std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene) {
-  constexpr double kUneven = 0.5;
   physics::Forcing forcing = scene.motion.forcing;
   forcing.dragRate_P.setZero();
   forcing.dissipation = 0;
-  return gravityAlone(forcing) ? startOf(scene, kUneven) : std::nullopt;
+  if (!gravityAlone(forcing)) return std::nullopt;
+  const auto start = startOf(scene, kNearly);
+  const bool averages = start && std::abs(start->spin()) >= start->top.sleepingSpin();
+  return averages ? start : startOf(scene, kSymmetric);
 }
 
 }  // namespace poinsot::scene

@@ -21,13 +21,13 @@ struct HeavyTopStart {
   physics::Nutation nutation() const { return top.nutation(omega_P, up_P); }
 };
 
-/// Empty for every other motion. What differs from symmetry by no more than rounded input does, 1e-6, is taken for
-/// symmetric.
+/// Empty for every other motion. Moments across k that differ by no more than a thousandth, as measured ones do,
+/// are taken for symmetric.
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
 
 /// The start of the symmetric top that is nearest to the body, as if gravity alone acted: for estimates of a film.
-/// The moments across k may differ by half of themselves, and drag and dissipation may act. Empty where another
-/// torque does.
+/// Drag and dissipation may act, and the moments across k may differ by half of themselves if the spin is fast
+/// enough to sleep, so that it averages over them. Empty where another torque acts.
 std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene);
 
 }  // namespace poinsot::scene

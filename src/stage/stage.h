@@ -49,7 +49,7 @@ class Stage final : public Composer {
   double flightScale() const;
 
   const scene::Scene& scene() const { return scene_; }
-  /// Motion seconds per film second: the scene's, or the one chosen from |omega|.
+  /// Motion seconds per film second: the scene's, or the one that scene::chosenSpeed() chooses.
   double speed() const { return chosenSpeed(scene_); }
 
  private:

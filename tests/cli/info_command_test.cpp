@@ -263,7 +263,7 @@ TEST_F(InfoCommand, AGyroscopeOfMassMomentsAndArm) {
   const double film_s = json.at("motion_to");
   expectNear(json, "precession_turns", film_s / json.at("precession_period").get<double>(), 1e-14);
   expectNear(json, "precession_turns", 5 / (2 * std::numbers::pi), 1e-12);  // half a radian to each of 10 s
-  EXPECT_EQ(json.at("from").at("pace"), "chosen from |omega| and the precession");
+  EXPECT_EQ(json.at("from").at("pace"), "chosen: time.speed is not given");
 }
 
 TEST_F(InfoCommand, LostOutputIs4) {
