@@ -8,7 +8,7 @@
 namespace poinsot::scene {
 namespace {
 
-// By how much of themselves the moments across k may differ: in a top, and in one that its spin makes like a top.
+// Largest part of themselves by which the moments across k differ: of a top, and of a body that spins like one.
 constexpr double kSymmetric = 1e-3, kNearly = 0.5;
 
 /// Gravity, and nothing besides.

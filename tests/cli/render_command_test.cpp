@@ -204,7 +204,7 @@ TEST_F(RenderCommand, APaceThatWasChosenIsTold) {
   EXPECT_EQ(
       said({"-D", "time.speed=0.02"}),
       "-D time.speed=0.02: note: time.speed: the film shows 0.0008 of a turn of the top's precession, which goes "
-      "round once in 251 s; time.speed = 25 shows a whole turn in these 10 s of film\n");
+      "round once in 251 s; time.speed = 25.1 shows a whole turn in these 10 s of film\n");
   EXPECT_EQ(said({"-D", "motion.gravity.mgr_body=[1, 0, 5]"}),
             "poinsot: a second of film is 20 s of the motion, the whole film 200 s; time.speed = 1 is as fast as "
             "it is\n");

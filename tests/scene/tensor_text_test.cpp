@@ -80,6 +80,12 @@ TEST(TensorLayout, IsNamedForKeysOfOtherPrograms) {
 }
 
 // (1, 2, 4) is short by 1, a third of which goes to each.
+TEST(ImpossibleMoments, AreNamedByTheLargest) {
+  EXPECT_THAT(problems("body.principal_moments=[9, 1, 1]"), HasSubstr("I1 must not exceed I2 + I3"));
+  EXPECT_THAT(problems("body.principal_moments=[1, 9, 1]"), HasSubstr("I2 must not exceed I1 + I3"));
+  EXPECT_EQ(problems("body.principal_moments=[1, 3, 2]"), "");  // a lamina is a body
+}
+
 TEST(ImpossibleMoments, MessageGivesNearestMoments) {
   EXPECT_EQ(
       problems("body.principal_moments=[1, 2, 4]"),
