@@ -106,11 +106,13 @@ std::string momentsWords(const physics::PrincipalMoments& moments) {
   return listWords(words);
 }
 
-std::string momentsSentence(const physics::PrincipalMoments& moments) {
+std::string momentsSentence(const scene::Body& body) {
+  const physics::PrincipalMoments& moments = body.axes.moments();
   const Eigen::Vector3d& I = moments.values();
+  const char* about = body.pivot_B ? " about that point" : "";
   if (I.minCoeff() == I.maxCoeff())
-    return fmt::format("Its moment of inertia is {} kg m² about every axis.", numberWords(I[0]));
-  return fmt::format("Its principal moments of inertia are {}.", momentsWords(moments));
+    return fmt::format("Its moment of inertia{} is {} kg m² about every axis.", about, numberWords(I[0]));
+  return fmt::format("Its principal moments of inertia{} are {}.", about, momentsWords(moments));
 }
 
 std::string drawnAs(const scene::Scene& scene) {
@@ -140,7 +142,7 @@ std::string whatItIs(const scene::Scene& scene) {
 std::string axisName(int axis) { return fmt::format("e{}", axis + 1); }
 
 Sentences bodySentences(const scene::Scene& scene) {
-  return {"The body is " + whatItIs(scene) + ".", momentsSentence(scene.body.axes.moments())};
+  return {"The body is " + whatItIs(scene) + ".", momentsSentence(scene.body)};
 }
 
 }  // namespace poinsot::app

@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 #include "scene/unit_names.h"
 
@@ -14,9 +14,10 @@ namespace {
 std::string_view siOf(const Exponents& exponents) {
   if (exponents == kForce) return "N";  // no key takes a force
   // From the end, so that J of an energy comes before N·m of a torque, which has the same exponents.
-  for (const DimensionText& dimension : kDimensions | std::views::reverse)
-    if (dimension.exponents == exponents) return dimension.si;
-  return "";
+  const auto found =
+      std::find_if(std::rbegin(kDimensions), std::rend(kDimensions),
+                   [&](const DimensionText& dimension) { return dimension.exponents == exponents; });
+  return found == std::rend(kDimensions) ? "" : found->si;
 }
 
 std::string valueText(const Unit& unit) {

@@ -148,6 +148,18 @@ TEST(ReportWords, SayWhichEndTheCountsAreOf) {
   EXPECT_EQ(before.facts["from"]["turns"], "|omega| t/(2 pi), omega at time 0");
 }
 
+// Four points of 1 kg at 1 m on x and y: 2, 2, 4 kg m²; 2 m below them 2 + 4 2² = 18 about x and y.
+TEST(ReportWords, SayThatMomentsAreAboutThePivot) {
+  const std::string points =
+      "[[body.point_mass]]\nmass = 1\nposition = [1, 0, 0]\n[[body.point_mass]]\nmass = 1\nposition = [-1, 0, 0]\n"
+      "[[body.point_mass]]\nmass = 1\nposition = [0, 1, 0]\n[[body.point_mass]]\nmass = 1\nposition = [0, -1, 0]\n"
+      "[motion]\nomega_body = [0, 0, 1]\n";
+  EXPECT_THAT(
+      Printed("body.pivot = [0, 0, -2]\n" + points).words,
+      HasSubstr("Its principal moments of inertia about that point are 18 kg m² about e1 and e2 and 4 kg m²"));
+  EXPECT_THAT(Printed(points).words, HasSubstr("Its principal moments of inertia are 2 kg m² about e1 and e2"));
+}
+
 TEST(ReportWords, SayWhichWayKPoints) {
   const Printed retrograde(body("[1.5, 1.5, 0.9]", "omega_body = [0.5, 0, -3.2]"));
   EXPECT_EQ(retrograde.facts["spin_rate"], 3.2);
