@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sentences about physics in scenes, catalogue and pages agree with the physics. Numbers are worked out here by
+// hand formulas from the numbers that the scenes give.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/report_scene.h"
+#include "app/scene_request.h"
+#include "docs/pages.h"
+#include "physics/catalogue.h"
+#include "physics/heavy_top.h"
+#include "scene/make_motion.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::filesystem::path kRoot = POINSOT_SOURCE_DIR;
+
+std::filesystem::path pathOf(const std::string& name) { return kRoot / "scenes" / (name + ".toml"); }
+std::string textOfScene(const std::string& name) { return textOf(pathOf(name)); }
+
+scene::Scene sceneOf(const std::string& name) {
+  return app::loadRequested(app::readSceneRequest(pathOf(name).string(), {}));
+}
+
+physics::HeavyTop topOf(const scene::Scene& scene) {
+  const auto& axes = scene.body.axes;
+  return physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B)).value();
+}
+
+/// The row of a table that begins so.
+std::string rowOf(const std::string& markdown, const std::string& beginning) {
+  const auto from = markdown.find("\n| " + beginning);
+  return from == std::string::npos ? "" : markdown.substr(from + 1, markdown.find('\n', from + 1) - from - 1);
+}
+
+// 2 pi/Omega_p in turns of the body is I1/(I3 - I1) (eq 29); with H = (C - A)/C it is (1 - H)/H.
+TEST(PhysicsWords, GiveEachRigidEarthItsPeriod) {
+  const Eigen::Vector3d I = sceneOf("chandler_wobble").body.axes.moments().values();
+  const double ofScenes = I[0] / (I[2] - I[0]), H = 0.003273795, ofCatalogue = (1 - H) / H;
+  EXPECT_THAT(textOfScene("chandler_wobble"), AllOf(HasSubstr(fmt::format("once in {:.1f} sidereal", ofScenes)),
+                                                    HasSubstr(fmt::format("gives {:.1f} days", ofCatalogue))));
+  const std::string page = textOf(kRoot / "docs/physics.md");
+  EXPECT_THAT(rowOf(page, "the lecture's figure"), HasSubstr(fmt::format("{:.2f}", 1 / 0.0033)));
+  EXPECT_THAT(rowOf(page, "`scenes/chandler_*.toml`"), HasSubstr(fmt::format("{:.2f}", ofScenes)));
+  EXPECT_THAT(rowOf(page, "`catalogue = \"earth\"`"), HasSubstr(fmt::format("{:.2f}", ofCatalogue)));
+}
+
+// Smith & Dahlen (1981): the fluid core shortens the period, elasticity and oceans lengthen it. The Earth yields
+// to its own centrifugal force.
+TEST(PhysicsWords, NameTheCausesOfTheChandlerPeriod) {
+  EXPECT_THAT(physics::findCatalogueBody("earth")->source,
+              AllOf(HasSubstr("fluid core shortens"), HasSubstr("Smith & Dahlen"), HasSubstr("304.46")));
+  EXPECT_THAT(textOfScene("chandler_wobble"), AllOf(HasSubstr("centrifugal force"), Not(HasSubstr("tides"))));
+}
+
+// Let go at rest but for its spin, the tip of the axis has no speed where it is highest: a cusp, not a loop.
+TEST(PhysicsWords, CallTheCurveOfATopAtRestCusps) {
+  const scene::Scene scene = sceneOf("heavy_top");
+  const physics::HeavyTop top = topOf(scene);
+  const auto motion = scene::makeMotion(scene, 0, 1);
+  const auto tipSpeed = [&](double t_s) {
+    const physics::RigidBodyState s = motion->at(t_s);
+    const Eigen::Vector3d k_W = s.q_WB * scene.body.axes.toB(top.k_P);
+    return s.omega_W.cross(k_W).norm();
+  };
+  const auto& axes = scene.body.axes;
+  const Eigen::Vector3d up_P = axes.toP(scene::startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ());
+  const double nod_s = top.nutation(axes.toP(scene.motion.omega_B), up_P).period_s;
+  EXPECT_LE(tipSpeed(0) / tipSpeed(nod_s / 2), 1e-14);      // measured 1.4e-15
+  EXPECT_LE(tipSpeed(nod_s) / tipSpeed(nod_s / 2), 2e-13);  // measured 2.5e-14
+  EXPECT_THAT(textOfScene("heavy_top"), AllOf(HasSubstr("cusps"), Not(HasSubstr("loops"))));
+}
+
+// L3² theta²/(8 I1) = M g l theta²/2 where the top wakes: omega_3 = 2 sqrt(I1 M g l)/I3.
+TEST(PhysicsWords, SayAtWhichSpinASleepingTopWakes) {
+  const physics::HeavyTop top = topOf(sceneOf("sleeping_top"));
+  const double spin = 2 * std::sqrt(top.across * top.weight) / top.along;
+  EXPECT_THAT(
+      textOfScene("sleeping_top"),
+      AllOf(HasSubstr("energy"), HasSubstr(fmt::format("{:.1f} turns a second", spin / (2 * std::numbers::pi)))));
+}
+
+// T about a fixed point and L from omega and k are in no picture of the gallery.
+TEST(PhysicsWords, ClaimNoPictureOfEquations11And36) {
+  const std::string page = textOf(kRoot / "docs/gallery.md");
+  for (const char* equation : {"11 |", "36 |"})
+    EXPECT_THAT(rowOf(page, equation), HasSubstr("| no scene")) << equation;
+}
+
+}  // namespace
+}  // namespace poinsot
