@@ -42,13 +42,19 @@ std::optional<double> limit_rad(const std::string& word) {
                   core::printable(word)));
 }
 
-/// Whether the attitude keeps to the limit. @throws core::Error(kIo) if they say none.
+/// Returns whether the attitude keeps to the limit; if not, standard error says by how much it is off and when.
+/// @throws core::Error(kIo) if the file has no attitude.
 bool within(const app::Grade& grade, double limit_rad, const std::string& fileName) {
   const auto& errors = grade.quantity("attitude").errors;
   if (!errors)
     throw core::Error(core::ErrorKind::kIo, "no columns q_w, q_x, q_y, q_z for --max-attitude-error to judge",
                       core::SourceLocation{core::printable(fileName), 0, 0});
-  return errors->largest <= limit_rad;
+  if (errors->largest <= limit_rad) return true;
+  writeErr(
+      fmt::format("poinsot: {}: the attitude is off by {:.3g} rad at t = {:.6g} s, --max-attitude-error allows "
+                  "{:.3g} rad\n",
+                  core::printable(fileName), errors->largest, errors->largestAt_s, limit_rad));
+  return false;
 }
 
 bool isFarOff(const app::Grade& grade) {

@@ -48,6 +48,8 @@ TEST_F(GradeCommand, AnotherBodyIsFoundOut) {
                              {"-D", "body.principal_moments=[1, 2, 2.9]", "--max-attitude-error", "0.1 deg"});
   EXPECT_EQ(limited.exitCode, 1);
   EXPECT_THAT(limited.out, StartsWith("81 rows"));
+  EXPECT_THAT(limited.err, AllOf(StartsWith("poinsot: copy.csv: the attitude is off by "),
+                                 HasSubstr(" s, --max-attitude-error allows 0.00175 rad\n")));
 }
 
 TEST_F(GradeCommand, TimesOfAnotherClockAreSuspected) {
