@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -57,7 +58,8 @@ class Comparison {
   std::vector<GradedQuantity> quantities();
   double firstTime_s() const { return t_s_.front(); }
   double lastTime_s() const { return t_s_.back(); }
-  double worstLength() const { return worstLength_; }
+  /// What to know about the values as written; each completes a sentence of its own.
+  std::vector<std::string> valueNotes() const;
 
  private:
   void sortRows();
@@ -79,6 +81,7 @@ class Comparison {
   std::vector<double> lengthOfL_, kineticEnergy_;  // with their signs
   double largestOmega_ = 0, largestL_ = 0, largestT_ = 0;
   double worstLength_ = 0;  // of a quaternion, off 1
+  std::vector<double> notFinite_s_;
 };
 
 void Comparison::sortRows() {
@@ -98,11 +101,25 @@ double worst(double error) { return std::isfinite(error) ? error : std::numeric_
 void Comparison::compare(const LoggedState& theirs) {
   const physics::RigidBodyState ours = motion_.at(theirs.t_s);
   t_s_.push_back(theirs.t_s);
-  if (std::isfinite(theirs.quaternionLength))
+  if (!isFinite(theirs)) notFinite_s_.push_back(theirs.t_s);
+  if (std::isfinite(theirs.quaternionLength) && theirs.quaternionLength > 0)
     worstLength_ = std::max(worstLength_, std::abs(theirs.quaternionLength - 1));
   if (theirs.q_WB) attitude_.push_back(worst(angleBetween(ours.q_WB, *theirs.q_WB)));
   compareVectors(ours, theirs);
   compareMomenta(ours, theirs);
+}
+
+std::vector<std::string> Comparison::valueNotes() const {
+  std::vector<std::string> notes;
+  if (worstLength_ > kUnitLength)
+    notes.push_back(
+        fmt::format("quaternions are off unit length by up to {:.2g}; graded as normalised", worstLength_));
+  if (!notFinite_s_.empty())
+    notes.push_back(
+        fmt::format("{} of {} rows have a value that is not a number, or a quaternion of length 0; the "
+                    "first is at t = {:.6g} s. Their errors count as infinite",
+                    notFinite_s_.size(), theirs_.rows(), notFinite_s_.front()));
+  return notes;
 }
 
 void Comparison::compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs) {
@@ -257,9 +274,7 @@ Grade grade(const physics::Motion& motion, const TrajectoryTable& theirs, const 
     for (const Reading& reading : readings) result.fit->causes.push_back(reading.cause);
     result.notes.push_back(fitNote(*result.fit));
   }
-  if (asWritten.worstLength() > kUnitLength)
-    result.notes.push_back(fmt::format("quaternions are off unit length by up to {:.2g}; graded as normalised",
-                                       asWritten.worstLength()));
+  std::ranges::move(asWritten.valueNotes(), std::back_inserter(result.notes));
   return result;
 }
 

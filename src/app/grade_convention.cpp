@@ -46,11 +46,6 @@ bool explains(const Misfit& after, const Misfit& before) {
          (!isWrong(before.omega) || helps(after.omega, before.omega));
 }
 
-bool isFinite(const LoggedState& s) {
-  const auto finite = [](const std::optional<Eigen::Vector3d>& v) { return !v || v->allFinite(); };
-  return (!s.q_WB || s.q_WB->coeffs().allFinite()) && finite(s.omega_B) && finite(s.omega_W);
-}
-
 /// Rows spread evenly over those in which all is finite, in the order of time.
 LogSample sampleOf(const KnownMotion& motion, const TrajectoryTable& theirs) {
   std::vector<std::size_t> rows(theirs.rows());

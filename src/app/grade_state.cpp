@@ -37,6 +37,12 @@ LoggedState loggedState(const TrajectoryTable& theirs, std::size_t row) {
   return state;
 }
 
+bool isFinite(const LoggedState& s) {
+  const auto finite = [](const std::optional<Vector3d>& v) { return !v || v->allFinite(); };
+  return (!s.q_WB || s.q_WB->coeffs().allFinite()) && finite(s.omega_B) && finite(s.omega_W) && finite(s.rate_B) &&
+         finite(s.rate_W) && finite(s.L_W) && std::isfinite(s.kineticEnergy.value_or(0));
+}
+
 DerivedState derivedState(const physics::PrincipalAxes& axes, const LoggedState& state) {
   DerivedState derived;
   std::optional<Vector3d> omega_B = state.omega_B;

@@ -26,6 +26,9 @@ struct LoggedState {
 
 LoggedState loggedState(const TrajectoryTable& theirs, std::size_t row);
 
+/// Returns whether every value of the row is a number and its quaternion has a direction.
+bool isFinite(const LoggedState& state);
+
 inline bool hasAttitude(const LoggedState& s) { return s.q_WB.has_value(); }
 
 /// Quantities computed from a row's omega and attitude.

@@ -177,6 +177,12 @@ TEST(Grade, QuaternionsOfEitherSignAndAnyLength) {
   EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("off unit length by up to 1.5; graded as normalised")));
 }
 
+TEST(Grade, AQuaternionOfLengthZeroIsNoAttitude) {
+  const Grade grade = gradeOf("t,q_w,q_x,q_y,q_z\n0,1,0,0,0\n2,0,0,0,0\n");
+  EXPECT_EQ(errorsOf(grade, "attitude").largest, INFINITY);
+  EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("1 of 2 rows")));
+}
+
 TEST(Grade, WhatIsAbsentIsSaidToBe) {
   const Grade onlyQ = gradeOf("t,q_w,q_x,q_y,q_z\n0,1,0,0,0\n");
   for (const char* key : {"omega_B", "omega_W", "direction_of_L", "length_of_L", "T"})
@@ -222,6 +228,9 @@ TEST(Grade, RowsAreJudgedInTheOrderOfTime) {
 
 TEST(Grade, AnEngineThatBlowsUpIsGradedAllTheSame) {
   const Grade grade = gradeOf("t,omega_B_x,omega_B_y,omega_B_z\n0,0.5,0.25,1\n1,nan,inf,0\n2,1e200,0,0\n");
+  EXPECT_THAT(grade.notes,
+              ElementsAre(HasSubstr("1 of 3 rows have a value that is not a number, or a quaternion of "
+                                    "length 0; the first is at t = 1 s")));
   EXPECT_EQ(errorsOf(grade, "omega_B").largest, INFINITY);
   EXPECT_EQ(errorsOf(grade, "omega_B").largestAt_s, 1);
   EXPECT_EQ(errorsOf(grade, "omega_B").rms, INFINITY);
