@@ -58,7 +58,7 @@ class Comparison {
   std::vector<GradedQuantity> quantities();
   double firstTime_s() const { return t_s_.front(); }
   double lastTime_s() const { return t_s_.back(); }
-  /// What to know about the values as written; each completes a sentence of its own.
+  /// Notes on the values as they are written.
   std::vector<std::string> valueNotes() const;
 
  private:
