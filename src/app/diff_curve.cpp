@@ -82,7 +82,7 @@ class CurvePicture {
   std::optional<double> mostOf(const Span& span, Figure figure) const {
     std::optional<double> most;
     for (std::size_t k = span.first; k < span.end; ++k)
-      if (diff_.frames[k].mismatch.empty()) most = std::max(most.value_or(0), figure(diff_.frames[k]));
+      if (diff_.frames[k].hasFigures) most = std::max(most.value_or(0), figure(diff_.frames[k]));
     return most;
   }
   image::Verdict verdictOf(std::size_t point) const {
@@ -174,7 +174,7 @@ std::string curveCsv(const FilmDiff& diff) {
   std::string text(kCsvHeader);
   for (std::size_t k = 0; k < diff.frames.size(); ++k) {
     const PictureDiff& frame = diff.frames[k];
-    if (!frame.mismatch.empty()) {  // no figures
+    if (!frame.hasFigures) {
       text += fmt::format("{},{},{},,,,,,,,\n", k, diff.time_s(k), image::toString(frame.verdict));
       continue;
     }

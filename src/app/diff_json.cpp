@@ -6,9 +6,11 @@
 namespace poinsot::app {
 namespace {
 
-nlohmann::ordered_json pixelJson(const image::DifferingPixel& pixel, int channels) {
+using nlohmann::ordered_json;
+
+ordered_json pixelJson(const image::DifferingPixel& pixel, int channels) {
   const auto samples = [&](const std::array<int, 4>& all) {
-    return std::vector<int>(all.begin(), all.begin() + (channels % 2 == 0 ? 4 : 3));
+    return std::vector<int>(all.begin(), all.begin() + channels);
   };
   return {{"x", pixel.x},
           {"y", pixel.y},
@@ -17,34 +19,31 @@ nlohmann::ordered_json pixelJson(const image::DifferingPixel& pixel, int channel
           {"test", samples(pixel.b)}};
 }
 
-nlohmann::ordered_json nullFigures() {
-  nlohmann::ordered_json json;
-  for (const char* key : {"differing_pixels", "differing_share", "max_difference", "mean_difference", "rmse",
-                          "psnr_db", "ssim", "flip"})
+ordered_json nullFigures() {
+  ordered_json json;
+  for (const char* key : {"differing_pixels", "differing_share", "counted_pixels", "ignored_share",
+                          "max_difference", "mean_difference", "rmse", "psnr_db", "ssim", "flip"})
     json[key] = nullptr;
   return json;
 }
 
-nlohmann::ordered_json ssimJson(const std::optional<image::SsimFigures>& ssim) {
+ordered_json ssimJson(const std::optional<image::SsimFigures>& ssim) {
   if (!ssim) return nullptr;
   return {{"mean", ssim->mean}, {"worst", ssim->worst}, {"worst_at", {ssim->worstX, ssim->worstY}}};
 }
 
-nlohmann::ordered_json textOrNull(const std::string& text) {
-  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-}
+ordered_json textOrNull(const std::string& text) { return text.empty() ? ordered_json() : ordered_json(text); }
 
-nlohmann::ordered_json optional(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
+ordered_json optional(const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); }
 
-nlohmann::ordered_json limitsJson(const DiffRequest& request) {
-  const image::NearRule& rule = request.rule;
-  nlohmann::ordered_json json{{"max_difference", rule.maxAbs}};
+ordered_json limitsJson(const DiffRequest& request) {
+  const image::NearRule& rule = request.rule.limits;
+  ordered_json json{{"max_difference", rule.maxAbs}};
   if (rule.differingPixels)
     json["differing_pixels"] = *rule.differingPixels;
   else
     json["differing_share"] = rule.differingShare;
+  json["level"] = rule.level;
   json["flip_mean"] = rule.flipMean;
   json["flip_max"] = rule.flipMax;
   json["pixels_per_degree"] = request.pixelsPerDegree;
@@ -52,27 +51,36 @@ nlohmann::ordered_json limitsJson(const DiffRequest& request) {
 }
 
 /// File names are bytes; in JSON what is no UTF-8 is replaced.
-std::string dumped(const nlohmann::ordered_json& json) {
+std::string dumped(const ordered_json& json) {
   return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-nlohmann::ordered_json headJson(image::Verdict verdict, const DiffNames& names) {
+ordered_json headJson(image::Verdict verdict, const DiffNames& names) {
   return {{"verdict", image::toString(verdict)}, {"reference", names.reference}, {"test", names.test}};
 }
 
+bool isKnown(image::PixelSize size) { return size.width > 0; }
+
+ordered_json sizeJson(const PictureDiff& diff) {
+  return isKnown(diff.size) ? ordered_json({diff.size.width, diff.size.height}) : ordered_json();
+}
+
 /// The object of one pair, without the names. `worstPixels`: with the list of them.
-nlohmann::ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
-  nlohmann::ordered_json json{{"verdict", image::toString(diff.verdict)},
-                              {"mismatch", textOrNull(diff.mismatch)},
-                              {"beyond", diff.excesses},
-                              {"size", {diff.size.width, diff.size.height}},
-                              {"channels", diff.channels}};
+ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
+  ordered_json json{{"verdict", image::toString(diff.verdict)},
+                    {"mismatch", textOrNull(diff.mismatch)},
+                    {"beyond", diff.excesses},
+                    {"notes", diff.notes},
+                    {"size", sizeJson(diff)},
+                    {"channels", isKnown(diff.size) ? ordered_json(diff.channels) : ordered_json()}};
   const image::ImageDifference& d = diff.figures;
-  if (!diff.mismatch.empty()) {
+  if (!diff.hasFigures) {
     json.update(nullFigures());
   } else {
     json.update({{"differing_pixels", d.differingPixels},
                  {"differing_share", d.differingShare},
+                 {"counted_pixels", d.countedPixels},
+                 {"ignored_share", diff.ignoredShare},
                  {"max_difference", d.maxAbs},
                  {"mean_difference", d.meanAbs},
                  {"rmse", d.rmse},
@@ -87,26 +95,25 @@ nlohmann::ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
                    {"max", d.flip.max}}}});
   }
   if (!worstPixels) return json;
-  json["worst_pixels"] = nlohmann::ordered_json::array();
-  for (const image::DifferingPixel& pixel : d.worst)
-    json["worst_pixels"].push_back(pixelJson(pixel, diff.channels));
+  json["worst_pixels"] = ordered_json::array();
+  for (const image::DifferingPixel& pixel : d.worst) json["worst_pixels"].push_back(pixelJson(pixel, d.channels));
   return json;
 }
 
 }  // namespace
 
 std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request) {
-  nlohmann::ordered_json json = headJson(diff.verdict, names);
+  ordered_json json = headJson(diff.verdict, names);
   json.update(figuresJson(diff, true));
   json["limits"] = limitsJson(request);
   return dumped(json);
 }
 
 std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffRequest& request) {
-  nlohmann::ordered_json json = headJson(diff.verdict(), names);
-  json["pictures"] = nlohmann::ordered_json::array();
+  ordered_json json = headJson(diff.verdict(), names);
+  json["pictures"] = ordered_json::array();
   for (const PictureDiff& picture : diff.pictures) {
-    nlohmann::ordered_json entry{{"name", picture.name}};
+    ordered_json entry{{"name", picture.name}};
     entry.update(figuresJson(picture, true));
     json["pictures"].push_back(std::move(entry));
   }
@@ -117,11 +124,11 @@ std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffR
 }
 
 std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffRequest& request) {
-  nlohmann::ordered_json json = headJson(diff.verdict(), names);
+  ordered_json json = headJson(diff.verdict(), names);
   json["mismatch"] = textOrNull(diff.mismatch);
   json["fps"] = core::toString(diff.fps);
   if (!diff.frames.empty()) json["worst_frame"] = diff.worst();
-  json["frames"] = nlohmann::ordered_json::array();
+  json["frames"] = ordered_json::array();
   for (const PictureDiff& frame : diff.frames) json["frames"].push_back(figuresJson(frame, false));
   json["limits"] = limitsJson(request);
   return dumped(json);

@@ -8,6 +8,7 @@
 #include "app/diff_curve.h"
 #include "app/diff_page.h"
 #include "app/diff_text.h"
+#include "app/file_diff.h"
 #include "app/parallel.h"
 #include "image/magma.h"
 #include "image/png_file.h"
@@ -35,16 +36,15 @@ DiffPage pageOf(const DiffSubject& subject, image::Verdict verdict, const std::s
 /// What every pair has, without pictures.
 DiffPageEntry entryOf(const PictureDiff& diff, const std::string& name, const DiffSubject& subject) {
   DiffPageEntry entry{name, std::string(image::toString(diff.verdict)), reasonOf(diff), diff};
-  entry.hasFigures = diff.mismatch.empty();
+  entry.hasFigures = diff.hasFigures;
   entry.pixelsPerDegree = subject.request.pixelsPerDegree;
   return entry;
 }
 
-void addMaps(DiffPageEntry& entry, const ComparedPictures& compared) {
-  if (!compared.diff.mismatch.empty()) return;
+void addMaps(DiffPageEntry& entry, const ComparedPictures& compared, const DiffSubject& subject) {
+  if (!compared.diff.hasFigures) return;
   entry.map = textOf(image::encodePng(image::magmaPicture(compared.flip)));
-  entry.difference =
-      textOf(image::encodePng(image::amplifiedDifference(compared.reference.pixels, compared.test.pixels)));
+  entry.difference = textOf(image::encodePng(differenceOf(compared, subject.request)));
 }
 
 /// Both files, and what is drawn of them; nothing of those that cannot be read, which is said of them already.
@@ -52,7 +52,7 @@ void addPictures(DiffPageEntry& entry, const DiffSubject& subject) try {
   const fs::path reference = subject.reference / entry.diff.name, test = subject.test / entry.diff.name;
   entry.reference = pngFile(reference);
   entry.actual = pngFile(test);
-  addMaps(entry, compareFiles(reference, test, subject.request));
+  addMaps(entry, compareFiles(reference, test, subject.request), subject);
 } catch (const core::Error&) {
   entry.reference = entry.actual = {};
 }
@@ -107,7 +107,7 @@ DiffPageEntry frameEntry(const FilmDiff& diff, std::size_t frame, const Compared
   if (diff.fps.num != 0) entry.facts = {{"time", fmt::format("{:.3f} s", diff.time_s(frame))}};
   entry.reference = pngOf(compared.reference.pixels);
   entry.actual = pngOf(compared.test.pixels);
-  addMaps(entry, compared);
+  addMaps(entry, compared, subject);
   return entry;
 }
 
@@ -119,7 +119,7 @@ std::string diffReport(const ComparedPictures& compared, const DiffSubject& subj
   entry.reference = pngOf(compared.reference.pixels);
   if (compared.diff.verdict == image::Verdict::kIdentical) return htmlOf(page);
   entry.actual = pngOf(compared.test.pixels);
-  addMaps(entry, compared);
+  addMaps(entry, compared, subject);
   return htmlOf(page);
 }
 
@@ -141,7 +141,7 @@ std::string diffReport(const FilmDiff& diff, const DiffSubject& subject) {
   if (!diff.mismatch.empty()) page.note += "; " + diff.mismatch;
   if (diff.frames.empty()) return htmlOf(page);
   page.counts = fmt::format("{} frames: {}", diff.frames.size(), countsText(diff.frames));
-  page.curve = DiffPageCurve{curveSvg(diff, subject.request.rule), kCurveLeft, kCurveRight, {}};
+  page.curve = DiffPageCurve{curveSvg(diff, subject.request.rule.limits), kCurveLeft, kCurveRight, {}};
   const double last = std::max<double>(1, static_cast<double>(diff.frames.size()) - 1);
   forFrames(subject.reference, subject.test, worstFrames(diff.frames), subject.request,
             [&](std::size_t frame, const ComparedPictures& compared) {

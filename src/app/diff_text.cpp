@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/text.h"
 
@@ -16,16 +17,14 @@ std::string verdictLine(image::Verdict verdict, const std::string& reason) {
 }
 
 std::string sampleText(const std::array<int, 4>& samples, int channels) {
-  // Grey is compared as RGB of three equal values.
-  const int count = channels % 2 == 0 ? 4 : 3;
-  return fmt::format("{}", fmt::join(samples.begin(), samples.begin() + count, " "));
+  return fmt::format("{}", fmt::join(samples.begin(), samples.begin() + channels, " "));
 }
 
 std::string worstText(const PictureDiff& diff) {
   std::string text;
   for (const image::DifferingPixel& pixel : diff.figures.worst)
     text += fmt::format("  {:<18} ({}, {}): {} became {}\n", text.empty() ? "worst pixels" : "", pixel.x, pixel.y,
-                        sampleText(pixel.a, diff.channels), sampleText(pixel.b, diff.channels));
+                        sampleText(pixel.a, diff.figures.channels), sampleText(pixel.b, diff.figures.channels));
   return text;
 }
 
@@ -36,6 +35,26 @@ std::string figuresText(const PictureDiff& diff, double pixelsPerDegree) {
   return text + worstText(diff);
 }
 
+/// Remarks, and what was left out, each in a line of its own.
+std::string notesText(const PictureDiff& diff) {
+  std::string text;
+  if (diff.ignoredShare > 0)
+    text += fmt::format("  {:<18} {:.3g} % of the picture\n", "ignored", 100 * diff.ignoredShare);
+  for (const std::string& note : diff.notes) text += fmt::format("  {:<18} {}\n", "note", note);
+  return text;
+}
+
+/// Remarks on many pictures, each once with how many it is about.
+std::string notesText(const std::vector<PictureDiff>& pictures) {
+  std::map<std::string, int> counts;
+  for (const PictureDiff& picture : pictures)
+    for (const std::string& note : picture.notes) ++counts[note];
+  std::string text;
+  for (const auto& [note, count] : counts)
+    text += fmt::format("  note: {} of {}: {}\n", count, pictures.size(), note);
+  return text;
+}
+
 /// What of the rule does not hold, in a line of its own.
 std::string beyondText(const PictureDiff& diff) {
   return diff.excesses.empty() ? "" : fmt::format("  beyond     {}\n", reasonOf(diff));
@@ -44,8 +63,10 @@ std::string beyondText(const PictureDiff& diff) {
 /// One line of a pair among many, or of a frame.
 std::string rowText(const PictureDiff& diff, const char* kind = "") {
   const image::ImageDifference& d = diff.figures;
-  if (!diff.mismatch.empty())
-    return fmt::format("  different  {}: {}\n", core::printable(diff.name), diff.mismatch);
+  if (!diff.hasFigures) return fmt::format("  different  {}: {}\n", core::printable(diff.name), diff.mismatch);
+  if (diff.film)
+    return fmt::format("  {:<9}  {}{}: {}\n", image::toString(diff.verdict), kind, core::printable(diff.name),
+                       reasonOf(diff));
   return fmt::format("  {:<9}  {}{}: largest {:.4g}, {} pixels, FLIP mean {:.3g}, max {:.3g}\n",
                      image::toString(diff.verdict), kind, core::printable(diff.name), d.maxAbs, d.differingPixels,
                      d.flip.mean, d.flip.max);
@@ -55,10 +76,11 @@ std::string rowText(const PictureDiff& diff, const char* kind = "") {
 
 std::vector<std::pair<std::string, std::string>> termsOf(const PictureDiff& diff, double pixelsPerDegree) {
   const image::ImageDifference& d = diff.figures;
-  const double pixels = static_cast<double>(diff.size.width) * diff.size.height;
+  const std::string beyondLevel =
+      d.level > 0 ? fmt::format(", {} by more than {:g}", d.countedPixels, d.level) : "";
   std::vector<std::pair<std::string, std::string>> terms{
-      {"differing pixels",
-       fmt::format("{} of {:.0f} ({:.3g} %)", d.differingPixels, pixels, 100 * d.differingShare)},
+      {"differing pixels", fmt::format("{} of {} ({:.3g} %){}", d.differingPixels, d.comparedPixels,
+                                       100 * d.differingShare, beyondLevel)},
       {"difference", fmt::format("largest {:.4g}, mean {:.3g}, RMSE {:.3g} (of 255){}", d.maxAbs, d.meanAbs,
                                  d.rmse, d.psnr_dB ? fmt::format(", PSNR {:.2f} dB", *d.psnr_dB) : "")}};
   if (d.ssim)
@@ -83,8 +105,8 @@ std::string countsText(const std::vector<PictureDiff>& pictures) {
 
 std::string diffText(const PictureDiff& diff, const DiffRequest& request) {
   const std::string head = verdictLine(diff.verdict, reasonOf(diff));
-  const bool figures = diff.mismatch.empty() && diff.verdict != image::Verdict::kIdentical;
-  return figures ? head + figuresText(diff, request.pixelsPerDegree) : head;
+  const bool figures = diff.hasFigures && diff.verdict != image::Verdict::kIdentical;
+  return head + (figures ? figuresText(diff, request.pixelsPerDegree) : "") + notesText(diff);
 }
 
 std::string diffText(const FolderDiff& diff) {
@@ -100,15 +122,18 @@ std::string diffText(const FolderDiff& diff) {
   for (const std::string& name : diff.onlyInReference)
     text += fmt::format("  missing    {}\n", core::printable(name));
   for (const std::string& name : diff.onlyInTest) text += fmt::format("  new        {}\n", core::printable(name));
-  return text;
+  return text + notesText(diff.pictures);
 }
 
 std::string diffText(const FilmDiff& diff) {
   std::string text = verdictLine(diff.verdict(), diff.mismatch);
   if (diff.frames.empty()) return text;
   text += fmt::format("  frames     {}\n", countsText(diff.frames));
-  const std::size_t worst = diff.worst();
-  if (diff.frames[worst].verdict == image::Verdict::kIdentical) return text;
+  const std::size_t worst = diff.worst(), first = diff.first();
+  const auto verdict = diff.frames[worst].verdict;
+  if (verdict == image::Verdict::kIdentical) return text;
+  text += fmt::format("  first      frame {}, at {:.3f} s, is {}\n", first, diff.time_s(first),
+                      image::toString(verdict));
   return text + fmt::format("  the worst, at {:.3f} s:\n", diff.time_s(worst)) +
          rowText(diff.frames[worst], "frame ") + beyondText(diff.frames[worst]);
 }

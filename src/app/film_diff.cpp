@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
-#include <variant>
+#include <optional>
+#include <utility>
 
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
-#include "output/film_format.h"
 #include "output/film_reader.h"
 
 namespace poinsot::app {
@@ -22,90 +20,53 @@ struct FramePair {
   DiffPicture reference, test;
 };
 
-DiffPicture diffPicture(image::AnyImage pixels) {
-  const int channels = std::visit([](const auto& p) { return p.channels; }, pixels);
-  return {std::move(pixels), channels};
-}
-
-/// Frames of a GIF always have alpha: it is left out where it hides nothing.
-void leaveOutIdleAlpha(DiffPicture& picture) {
-  std::visit(
-      [&](auto& p) {
-        using Image = std::remove_reference_t<decltype(p)>;
-        Image opaque(p.size, 3);
-        for (std::size_t from = 0, to = 0; from < p.pixels.size(); from += 4, to += 3) {
-          if (p.pixels[from + 3] != Image::kMost) return;
-          std::copy_n(p.pixels.begin() + static_cast<std::ptrdiff_t>(from), 3,
-                      opaque.pixels.begin() + static_cast<std::ptrdiff_t>(to));
-        }
-        p = std::move(opaque);
-        picture.channels = 3;
-      },
-      picture.pixels);
-}
-
-FramePair framePair(image::AnyImage a, image::AnyImage b) {
-  FramePair pair{diffPicture(std::move(a)), diffPicture(std::move(b))};
-  if (pair.reference.channels == 4 && pair.test.channels == 3) leaveOutIdleAlpha(pair.reference);
-  if (pair.reference.channels == 3 && pair.test.channels == 4) leaveOutIdleAlpha(pair.test);
-  return pair;
-}
-
-/// Frames of a GIF are shown for whole hundredths of a second, so that its rate is not quite that of another
-/// format.
-bool sameRate(const core::Rational& a, const core::Rational& b, bool gif) {
-  if (a.num == 0 || b.num == 0) return a == b;
-  const double mostApart_s = gif ? 0.005 : 1e-4;
-  return std::abs(1 / a.value() - 1 / b.value()) <= mostApart_s;
-}
-
-bool isGif(const std::filesystem::path& film) {
-  return output::filmContainer(film) == output::FilmContainer::kGif;
-}
+DiffPicture diffPicture(output::ShownPicture&& shown) { return {std::move(shown.picture)}; }
 
 /// Two films that are read side by side.
 class FilmPair {
  public:
   FilmPair(const std::filesystem::path& reference, const std::filesystem::path& test)
-      : reference_(reference), test_(test), gif_(isGif(reference) || isGif(test)) {}
+      : reference_(reference), test_(test), times_(reference_.timeStep_s()), timesOfTest_(test_.timeStep_s()) {}
 
   core::Rational fps() const { return reference_.fps(); }
+  const FilmTimes& times() const { return times_; }
 
-  /// Why they do not go together, before their frames are counted.
-  std::string mismatch() const {
+  /// Why no frames are compared.
+  std::string sizeMismatch() const {
     const image::PixelSize a = reference_.size(), b = test_.size();
-    if (a != b) return fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
-    if (!sameRate(reference_.fps(), test_.fps(), gif_))
-      return fmt::format("the film has {:.6g} frames a second, not {:.6g}", test_.fps().value(),
-                         reference_.fps().value());
-    return "";
+    return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
   }
 
   /// The next pairs, as many as there are up to `most`.
   std::vector<FramePair> next(std::size_t most) {
     std::vector<FramePair> pairs;
     while (pairs.size() < most) {
-      auto a = reference_.next(), b = test_.next();
-      framesOfReference_ += a ? 1 : 0;
-      framesOfTest_ += b ? 1 : 0;
+      auto a = read(reference_, times_), b = read(test_, timesOfTest_);
       if (!a || !b) break;
-      pairs.push_back(framePair(std::move(*a), std::move(*b)));
+      pairs.push_back({diffPicture(std::move(*a)), diffPicture(std::move(*b))});
     }
     return pairs;
   }
 
-  /// After the last pair.
-  std::string lengthMismatch() {
-    while (reference_.next()) ++framesOfReference_;
-    while (test_.next()) ++framesOfTest_;
-    if (framesOfReference_ == framesOfTest_) return "";
-    return fmt::format("the film has {} frames, not {}", framesOfTest_, framesOfReference_);
+  /// Why the films do not go together; after the last pair.
+  std::string mismatch() {
+    while (read(reference_, times_)) continue;
+    while (read(test_, timesOfTest_)) continue;
+    const std::string times = timesMismatch(times_, timesOfTest_);
+    if (times_.frames() == timesOfTest_.frames()) return times;
+    return fmt::format("the film has {} frames, not {}{}{}", timesOfTest_.frames(), times_.frames(),
+                       times.empty() ? "" : "; ", times);
   }
 
  private:
+  static std::optional<output::ShownPicture> read(output::FilmReader& film, FilmTimes& times) {
+    auto shown = film.next();
+    if (shown) times.add(*shown);
+    return shown;
+  }
+
   output::FilmReader reference_, test_;
-  bool gif_;  // one of them
-  std::int64_t framesOfReference_ = 0, framesOfTest_ = 0;
+  FilmTimes times_, timesOfTest_;
 };
 
 }  // namespace
@@ -120,10 +81,15 @@ std::size_t FilmDiff::worst() const {
   return static_cast<std::size_t>(std::ranges::max_element(frames, {}, badness) - frames.begin());
 }
 
+std::size_t FilmDiff::first() const {
+  const image::Verdict verdict = frames[worst()].verdict;
+  return static_cast<std::size_t>(std::ranges::find(frames, verdict, &PictureDiff::verdict) - frames.begin());
+}
+
 FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem::path& test,
                    const DiffRequest& request, int jobs) {
   FilmPair films(reference, test);
-  FilmDiff diff{films.mismatch(), films.fps(), {}};
+  FilmDiff diff{films.sizeMismatch(), films.fps(), films.times(), {}};
   if (!diff.mismatch.empty()) return diff;
   for (auto pairs = films.next(static_cast<std::size_t>(jobs)); !pairs.empty();
        pairs = films.next(static_cast<std::size_t>(jobs))) {
@@ -135,11 +101,25 @@ FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem
       diff.frames[first + i].name = fmt::format("{}", first + i);
     });
   }
-  diff.mismatch = films.lengthMismatch();
-  if (!diff.frames.empty() && (request.map || request.difference))
-    forFrames(reference, test, {diff.worst()}, request,
-              [&](std::size_t, const ComparedPictures& compared) { writeMaps(compared, request); });
+  diff.mismatch = films.mismatch();
+  diff.times = films.times();
   return diff;
+}
+
+PictureDiff summaryOf(const FilmDiff& diff) {
+  PictureDiff summary;
+  if (!diff.frames.empty()) {
+    const std::size_t worst = diff.worst(), first = diff.first();
+    summary = diff.frames[worst];
+    const auto differing = std::ranges::count(diff.frames, summary.verdict, &PictureDiff::verdict);
+    summary.film =
+        FilmSummary{diff.frames.size(), static_cast<std::size_t>(differing), worst, first, diff.time_s(worst),
+                    diff.time_s(first)};
+  }
+  summary.name.clear();
+  summary.mismatch = diff.mismatch;
+  summary.verdict = diff.verdict();
+  return summary;
 }
 
 void forFrames(const std::filesystem::path& reference, const std::filesystem::path& test,

@@ -8,11 +8,13 @@
 #include <optional>
 #include <system_error>
 
+#include "app/file_diff.h"
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/atomic_file.h"
+#include "output/film_reader.h"
 
 namespace poinsot::app {
 namespace {
@@ -21,7 +23,10 @@ namespace fs = std::filesystem;
 using core::Error;
 using core::ErrorKind;
 
-/// Of the PNG files beneath a folder, from there; sorted. Hidden ones, and links to folders, are left out.
+bool isComparable(const fs::path& file) { return image::isPngName(file) || output::isFilmName(file); }
+
+/// Names of the PNG files and films beneath a folder, from there; sorted. Hidden ones, and links to folders, are
+/// left out.
 std::vector<std::string> namesIn(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code failure;
@@ -29,7 +34,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
        entry.increment(failure)) {
     const bool hidden = entry->path().filename().native().starts_with('.');
     if (hidden) entry.disable_recursion_pending();
-    if (!hidden && image::isPngName(entry->path()) && entry->is_regular_file(failure))
+    if (!hidden && isComparable(entry->path()) && entry->is_regular_file(failure))
       names.push_back(entry->path().lexically_relative(folder).native());
   }
   if (failure)
@@ -57,7 +62,7 @@ PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std:
     return std::move(compared.diff);
   }
   for (const auto& place : {own.map, own.difference})
-    if (place && compared.diff.mismatch.empty()) output::makeFolders(place->parent_path());
+    if (place && compared.diff.hasFigures) output::makeFolders(place->parent_path());
   writeMaps(compared, own);
   return std::move(compared.diff);
 }
@@ -82,7 +87,8 @@ image::Verdict FolderDiff::verdict() const {
 FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const DiffRequest& request, int jobs) {
   const auto ours = namesIn(reference), theirs = namesIn(test);
   if (ours.empty())
-    throw Error(ErrorKind::kUsage, fmt::format("{}: no PNG is there", core::printable(reference.native())));
+    throw Error(ErrorKind::kUsage,
+                fmt::format("{}: no PNG file and no film is there", core::printable(reference.native())));
   FolderDiff diff;
   std::vector<std::string> both;
   std::ranges::set_intersection(ours, theirs, std::back_inserter(both));

@@ -9,7 +9,6 @@
 #include <set>
 #include <system_error>
 
-#include "app/limit_words.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
@@ -93,6 +92,27 @@ bool isName(std::string_view name) {
            c == '.';
   };
   return !name.empty() && name.size() <= 100 && name.front() != '.' && std::ranges::all_of(name, plain);
+}
+
+/// A text, or a number as it would be written in one.
+std::string wordOf(const Node& node) {
+  if (const auto* whole = node.as<std::int64_t>()) return fmt::format("{}", *whole);
+  if (const auto* number = node.as<double>()) return fmt::format("{}", *number);
+  return textOf(node);
+}
+
+double numberOf(const Node& node) {
+  const auto* whole = node.as<std::int64_t>();
+  if (!whole) refuse(fmt::format("expected a whole number of pixels, got {}", describe(node)));
+  return static_cast<double>(*whole);
+}
+
+/// [x, y, width, height], or a list of such.
+std::vector<image::PixelRect> boxesOf(const Node& node) {
+  const auto* list = node.as<Node::Array>();
+  if (!list || list->empty()) refuse(fmt::format("expected [[x, y, width, height], ...], got {}", describe(node)));
+  if (!list->front().as<Node::Array>()) return {ignoredBox(describe(node), listOf(node, numberOf))};
+  return listOf(node, [](const Node& n) { return ignoredBox(describe(n), listOf(n, numberOf)); });
 }
 
 /// Reads one manifest; all that is wrong is gathered.
@@ -187,20 +207,31 @@ class Reader {
     }
   }
 
-  GoldenRule rule(const Node& node, const std::string& prefix) {
-    GoldenRule rule;
-    image::NearRule& limits = rule.limits;
-    const auto limit = [&](auto set) {
-      return [&limits, set](const Node& n) { set(limits, "a limit", textOf(n)); };
-    };
-    take(node, prefix,
-         {{"max", limit(setMaxDifference)},
-          {"pixels", limit(setDifferingPixels)},
-          {"flip_mean", limit(setFlipMean)},
-          {"flip_max", limit(setFlipMax)},
-          {"reason", [&](const Node& n) { rule.reason = textOf(n); }}});
-    if (rule.reason.empty() && node.as<Node::Table>())
-      refuse("expected a reason beside the limits: why may this picture differ?");
+  /// A rule by its name, or a table of limits with the reason for them.
+  PictureRule rule(const Node& node, const std::string& prefix) {
+    PictureRule rule;
+    if (node.as<std::string>()) {
+      rule.limits = namedLimits("rule", textOf(node));
+      return rule;
+    }
+    Takers takers = {{"like", [&](const Node& n) { rule.limits = namedLimits("a rule", textOf(n)); }},
+                     {"ignore", [&](const Node& n) { rule.ignore = boxesOf(n); }},
+                     {"mask", [&](const Node& n) { rule.mask = read(n); }},
+                     {"reason", [&](const Node& n) { rule.reason = textOf(n); }}};
+    // After "like", which sets all limits, wherever it stands in the table.
+    std::map<std::string_view, std::string> words;
+    for (const RuleLimit& limit : ruleLimits())
+      takers[limit.key] = [&words, &limit](const Node& n) {
+        image::NearRule tried;
+        limit.set(tried, "a limit", words[limit.key] = wordOf(n));
+      };
+    const std::size_t problems = problems_.size();
+    take(node, prefix, takers);
+    if (!node.as<Node::Table>() || problems_.size() > problems) return rule;
+    for (const RuleLimit& limit : ruleLimits())
+      if (words.contains(limit.key)) limit.set(rule.limits, limit.key, words[limit.key]);
+    expectCanRefuse(rule.limits, "the limits");
+    if (rule.reason.empty()) refuse("expected a reason beside the limits: why may this picture differ?");
     return rule;
   }
 

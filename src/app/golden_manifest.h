@@ -6,17 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "app/picture_rule.h"
 #include "core/error.h"
-#include "image/near_rule.h"
 #include "scene/limits.h"
 
 namespace poinsot::app {
-
-/// How far a picture may be from its reference, and why it may be farther than others.
-struct GoldenRule {
-  image::NearRule limits;
-  std::string reason;  ///< empty for the default
-};
 
 /// One [[test]]: a scene, drawn at some times, or a picture that somebody else makes.
 struct GoldenTest {
@@ -29,7 +23,7 @@ struct GoldenTest {
   core::SourceLocation heightAt;       ///< where the manifest says so
   core::SourceLocation timesAt;        ///< and of the times
   std::vector<std::string> overrides;  ///< "key=value"
-  GoldenRule rule;
+  PictureRule rule;
 };
 
 /// A golden.toml.

@@ -12,7 +12,7 @@ DiffPageEntry::Png pngOf(const std::filesystem::path& file) { return file.empty(
 
 DiffPageEntry entryOf(const GoldenOutcome& outcome) {
   DiffPageEntry entry{outcome.name, std::string(toString(outcome.status)), outcome.message, outcome.diff};
-  entry.hasFigures = !outcome.reference.empty() && outcome.diff.mismatch.empty() &&
+  entry.hasFigures = !outcome.reference.empty() && outcome.diff.hasFigures &&
                      outcome.status != GoldenStatus::kUnused && outcome.status != GoldenStatus::kError;
   entry.facts = {{"approved", outcome.reference.native()},
                  {"new", outcome.actual.native()},

@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "app/file_diff.h"
 #include "app/job_identity.h"
 #include "app/memory.h"
 #include "app/parallel.h"
@@ -117,7 +118,7 @@ GoldenStatus statusOf(image::Verdict verdict) {
   return GoldenStatus::kDifferent;
 }
 
-std::string messageOf(const PictureDiff& diff, const GoldenRule& rule) {
+std::string messageOf(const PictureDiff& diff, const PictureRule& rule) {
   return diff.verdict == image::Verdict::kNear ? rule.reason : reasonOf(diff);
 }
 
@@ -140,7 +141,7 @@ class Comparing {
     outcome.diff = nearest.diff;
     outcome.status = statusOf(outcome.diff.verdict);
     outcome.message = messageOf(outcome.diff, one_.test.rule);
-    if (outcome.status != GoldenStatus::kIdentical && outcome.diff.mismatch.empty()) draw(nearest, outcome);
+    if (outcome.status != GoldenStatus::kIdentical && outcome.diff.hasFigures) draw(nearest, outcome);
   }
 
  private:
@@ -156,7 +157,7 @@ class Comparing {
   }
 
   DiffRequest places() const {
-    DiffRequest request{one_.test.rule.limits};
+    DiffRequest request{one_.test.rule};
     request.limits = limits_;
     request.map = output_ / (one_.name + ".flip.png");
     request.difference = output_ / (one_.name + ".difference.png");

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "app/memory.h"
+#include "image/common_form.h"
 #include "image/magma.h"
-#include "image/png_file.h"
 #include "output/png_sequence.h"
 
 namespace poinsot::app {
@@ -19,50 +19,82 @@ image::PixelSize sizeOf(const image::AnyImage& picture) {
   return std::visit([](const auto& p) { return p.size; }, picture);
 }
 
-/// Why two pictures have no differences of pixels. Nothing is resized.
-std::string mismatchOf(const DiffPicture& reference, const DiffPicture& test) {
+std::string sizeMismatch(const DiffPicture& reference, const DiffPicture& test) {
   const image::PixelSize a = sizeOf(reference.pixels), b = sizeOf(test.pixels);
-  if (a != b) return fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
-  constexpr const char* kKinds[] = {"", "grey", "grey and alpha", "RGB", "RGB and alpha"};
-  if (reference.channels != test.channels)
-    return fmt::format("the channels are {} ({}), not {} ({})", test.channels, kKinds[test.channels],
-                       reference.channels, kKinds[reference.channels]);
-  return "";
+  return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
 }
 
-DiffPicture read(const std::filesystem::path& file) {
-  image::PngPicture png = image::readPngAsStored(file);
-  return {std::move(png.picture), png.channels};
+/// "grey", "palette of 16 bits".
+std::string storageText(const image::PngStorage& stored) {
+  constexpr const char* kKinds[] = {"", "grey", "grey and alpha", "RGB", "RGB and alpha"};
+  const std::string kind = !stored.palette        ? kKinds[stored.channels]
+                           : stored.channels == 4 ? "palette and alpha"
+                                                  : "palette";
+  return kind + (stored.deep ? " of 16 bits" : "");
+}
+
+/// Remarks on what is stored differently without being a difference of pixels.
+std::vector<std::string> notesOf(const ComparedPictures& compared) {
+  std::vector<std::string> notes;
+  const auto& [reference, test, diff, flip] = compared;
+  if (!diff.storedAlike)
+    notes.push_back(fmt::format("{} beside {}{}", storageText(test.stored), storageText(reference.stored),
+                                diff.verdict == image::Verdict::kIdentical ? ", same pixels" : ""));
+  if (!(test.color == reference.color))
+    notes.push_back(fmt::format("{} beside {}; both are compared as sRGB", test.color.name, reference.color.name));
+  return notes;
+}
+
+/// "frame 45 at 1.500 s, the worst of 3 that are different; the first is frame 40 at 1.333 s".
+std::string frameText(const PictureDiff& diff) {
+  const FilmSummary& film = *diff.film;
+  const std::string worst = fmt::format("frame {} at {:.3f} s", film.worst, film.worst_s);
+  if (film.differing == 1) return worst;
+  return fmt::format("{}, the worst of {} {} ones; the first is frame {} at {:.3f} s", worst, film.differing,
+                     image::toString(diff.verdict), film.first, film.first_s);
+}
+
+void compareForms(ComparedPictures& compared, const DiffRequest& request) {
+  PictureDiff& diff = compared.diff;
+  const auto ignored = ignoreMaskOf(request.rule, diff.size);
+  const image::ComparisonOptions options{request.pixelsPerDegree, request.rule.limits.level,
+                                         ignored ? &*ignored : nullptr};
+  image::Comparison made = image::compare(compared.reference.pixels, compared.test.pixels, options);
+  compared.flip = std::move(made.flip);
+  diff.hasFigures = true;
+  diff.figures = std::move(made.difference);
+  diff.ignoredShare = ignored ? ignored->share() : 0;
+  diff.verdict = image::verdict(diff.figures, request.rule.limits);
+  diff.beyond = image::distanceBeyond(diff.figures, request.rule.limits);
+  if (diff.verdict == image::Verdict::kDifferent)
+    diff.excesses = image::excesses(diff.figures, request.rule.limits);
 }
 
 }  // namespace
 
 std::string reasonOf(const PictureDiff& diff) {
-  return diff.mismatch.empty() ? fmt::format("{}", fmt::join(diff.excesses, ", ")) : diff.mismatch;
+  std::vector<std::string> parts;
+  if (!diff.mismatch.empty()) parts.push_back(diff.mismatch);
+  const std::string beyond = fmt::format("{}", fmt::join(diff.excesses, ", "));
+  if (!beyond.empty()) parts.push_back(diff.film ? fmt::format("{}: {}", frameText(diff), beyond) : beyond);
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request) {
   ComparedPictures compared{std::move(reference), std::move(test), {}, {}};
   PictureDiff& diff = compared.diff;
   diff.size = sizeOf(compared.reference.pixels);
-  diff.channels = compared.reference.channels;
-  diff.mismatch = mismatchOf(compared.reference, compared.test);
+  diff.channels = compared.reference.stored.channels;
+  diff.storedAlike = compared.reference.stored == compared.test.stored;
+  diff.mismatch = sizeMismatch(compared.reference, compared.test);
   if (!diff.mismatch.empty()) return compared;
   expectWithinMemory(compareMemory_bytes(diff.size),
                      fmt::format("comparing pictures of {}x{}", diff.size.width, diff.size.height),
                      request.limits);
-  image::Comparison made =
-      image::compare(compared.reference.pixels, compared.test.pixels, request.pixelsPerDegree);
-  compared.flip = std::move(made.flip);
-  diff.figures = std::move(made.difference);
-  diff.verdict = image::verdict(diff.figures, request.rule);
-  if (diff.verdict == image::Verdict::kDifferent) diff.excesses = image::excesses(diff.figures, request.rule);
+  image::toCommonForm(compared.reference.pixels, compared.test.pixels);
+  compareForms(compared, request);
+  diff.notes = notesOf(compared);
   return compared;
-}
-
-ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
-                              const DiffRequest& request) {
-  return comparePictures(read(reference), read(test), request);
 }
 
 void forgetMaps(const DiffRequest& request) {
@@ -72,12 +104,16 @@ void forgetMaps(const DiffRequest& request) {
   }
 }
 
+image::Image differenceOf(const ComparedPictures& compared, const DiffRequest& request) {
+  const auto ignored = ignoreMaskOf(request.rule, compared.diff.size);
+  return image::amplifiedDifference(compared.reference.pixels, compared.test.pixels,
+                                    ignored ? &*ignored : nullptr);
+}
+
 void writeMaps(const ComparedPictures& compared, const DiffRequest& request) {
-  if (!compared.diff.mismatch.empty()) return forgetMaps(request);
+  if (!compared.diff.hasFigures) return forgetMaps(request);
   if (request.map) output::writePng(*request.map, image::magmaPicture(compared.flip));
-  if (request.difference)
-    output::writePng(*request.difference,
-                     image::amplifiedDifference(compared.reference.pixels, compared.test.pixels));
+  if (request.difference) output::writePng(*request.difference, differenceOf(compared, request));
 }
 
 }  // namespace poinsot::app

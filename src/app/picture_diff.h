@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "app/picture_rule.h"
 #include "image/difference.h"
-#include "image/near_rule.h"
+#include "image/png_file.h"
 #include "scene/limits.h"
 
 namespace poinsot::app {
 
 /// How pictures are compared, and what is written of it.
 struct DiffRequest {
-  image::NearRule rule;
+  PictureRule rule = {};
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   std::optional<std::filesystem::path> map = {};         ///< FLIP's, in the colours of magma
   std::optional<std::filesystem::path> difference = {};  ///< amplified
@@ -25,27 +27,49 @@ struct DiffRequest {
 /// A picture to be compared.
 struct DiffPicture {
   image::AnyImage pixels;
-  int channels = 3;  ///< as its file has them
+  image::PngStorage stored = {};
+  image::ColorTag color = {};
 };
 
-/// What came of comparing two pictures.
+/// Where the frames of two films differ; the figures beside it are those of the worst frame.
+struct FilmSummary {
+  std::size_t frames = 0;
+  std::size_t differing = 0;         ///< frames of the films' verdict
+  std::size_t worst = 0, first = 0;  ///< numbers of frames, from 0: the worst, and the first of its verdict
+  double worst_s = 0, first_s = 0;   ///< when they are shown
+};
+
+/// What came of comparing two pictures, or two films.
 struct PictureDiff {
   std::string name;  ///< of the pair in a folder; empty for two files
   image::Verdict verdict = image::Verdict::kDifferent;
-  std::string mismatch;   ///< why there are no figures: "the size is 640x480, not 320x240"; empty where there are
-  image::PixelSize size;  ///< of the reference
-  int channels = 3;
+  std::string mismatch;     ///< "the size is 640x480, not 320x240"; empty where the two go together
+  bool hasFigures = false;  ///< whether pixels were compared
+  image::PixelSize size;    ///< of the reference; 0 where none could be read
+  int channels = 3;         ///< of the reference, as stored
   image::ImageDifference figures;
+  double beyond = 0;                  ///< image::distanceBeyond() of the rule
   std::vector<std::string> excesses;  ///< what of the rule does not hold
+  double ignoredShare = 0;            ///< part of the picture that was not compared, 0 to 1
+  std::vector<std::string> notes;     ///< what is no difference of pixels: "grey beside RGB, same pixels"
+  bool storedAlike = true;            ///< whether both files store their pixels in the same way
+  std::optional<FilmSummary> film;    ///< of two films
+
+  /// Whether the pair is good enough. @param exact  asks for identical pixels that are stored alike
+  bool passes(bool exact) const {
+    if (exact) return verdict == image::Verdict::kIdentical && storedAlike;
+    return verdict != image::Verdict::kDifferent;
+  }
 };
 
-/// Why a pair is not what it should be: the mismatch, or what of the rule does not hold; empty where nothing is
-/// wrong.
+/// Why a pair is not what it should be: the mismatch, what of the rule does not hold, and of films in which
+/// frames; empty where nothing is wrong.
 std::string reasonOf(const PictureDiff& diff);
 
-/// Orders pairs: less is better. Of one verdict those without figures are the worst, then counts FLIP's mean.
-inline std::tuple<image::Verdict, bool, double> badness(const PictureDiff& diff) {
-  return {diff.verdict, !diff.mismatch.empty(), diff.figures.flip.mean};
+/// Orders pairs: less is better. Of one verdict those without figures are the worst, then those farthest beyond
+/// the limits, then counts FLIP's mean.
+inline std::tuple<image::Verdict, bool, double, double> badness(const PictureDiff& diff) {
+  return {diff.verdict, !diff.hasFigures, diff.beyond, diff.figures.flip.mean};
 }
 
 /// Two pictures beside what came of comparing them, from which maps are drawn.
@@ -55,17 +79,17 @@ struct ComparedPictures {
   image::FlipMap flip;  ///< empty where there are no figures
 };
 
-/// Compares by the rule of the request. @throws core::Error(kLimit) if that takes more memory than it may.
+/// Compares by value and by the rule of the request; the pictures that come back are in a common form.
+/// @throws core::Error(kLimit) if that takes more memory than it may; (kUsage) as ignoreMaskOf().
 ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request);
-/// Two PNG files. @throws core::Error(kIo) with the file, if one cannot be read.
-ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
-                              const DiffRequest& request);
+
+/// The amplified difference of two pictures that have figures. @throws as ignoreMaskOf().
+image::Image differenceOf(const ComparedPictures& compared, const DiffRequest& request);
 
 /// Removes what an earlier run wrote where the request asks for maps.
 void forgetMaps(const DiffRequest& request);
 
-/// Writes what the request asks for; of pictures that have no figures nothing, and removes what an earlier run
-/// wrote.
+/// Writes the maps that the request asks for. Where pictures have no figures it removes those of an earlier run.
 /// @throws core::Error(kIo) where something cannot be written.
 void writeMaps(const ComparedPictures& compared, const DiffRequest& request);
 

@@ -12,7 +12,8 @@
 #include "app/diff_json.h"
 #include "app/diff_report.h"
 #include "app/diff_text.h"
-#include "app/limit_words.h"
+#include "app/file_diff.h"
+#include "app/picture_rule.h"
 #include "app/render_job.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -33,7 +34,10 @@ using core::Error;
 using core::ErrorKind;
 
 struct DiffOptions : AllowanceOptions {
-  std::string reference, test, max, pixels, flipMean, flipMax, map, difference, curve, report;
+  std::string reference, test, rule, mask, map, difference, curve, report;
+  std::vector<std::string> limits =
+      std::vector<std::string>(app::ruleLimits().size());  ///< words; empty: not given
+  std::vector<std::string> ignore;
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   int jobs = 0;
   bool json = false, exact = false, quiet = false, force = false;
@@ -41,26 +45,38 @@ struct DiffOptions : AllowanceOptions {
 
 enum class Kind { kPicture, kFolder, kFilm };
 
-/// By what is there: a folder, or a file of the kind that its name says.
+/// By what is there. @throws Error(kIo) if nothing is.
 Kind kindOf(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return Kind::kFolder;
-  return output::isFilmName(path) ? Kind::kFilm : Kind::kPicture;
+  std::error_code failure;
+  const fs::file_status status = fs::status(path, failure);
+  if (!fs::exists(status))
+    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
+                                            failure ? failure.message() : "No such file or directory"));
+  if (fs::is_directory(status)) return Kind::kFolder;
+  return output::isFilm(path) ? Kind::kFilm : Kind::kPicture;
+}
+
+/// A single picture beside an animated one of the same kind of name is a difference, not a slip.
+bool areBothPng(const DiffOptions& options) {
+  return image::isPngName(options.reference) && image::isPngName(options.test);
 }
 
 Kind commonKind(const DiffOptions& options) {
-  const Kind kind = kindOf(options.reference);
-  if (kindOf(options.test) != kind)
-    throw Error(ErrorKind::kUsage, "both must be PNG files, or both folders, or both films");
-  return kind;
+  const Kind reference = kindOf(options.reference), test = kindOf(options.test);
+  if (reference == test) return reference;
+  if (reference != Kind::kFolder && test != Kind::kFolder && areBothPng(options)) return Kind::kPicture;
+  throw Error(ErrorKind::kUsage, "both must be PNG files, or both folders, or both films");
 }
 
-image::NearRule ruleOf(const DiffOptions& options) {
-  image::NearRule rule;
-  if (!options.max.empty()) app::setMaxDifference(rule, "--max", options.max);
-  if (!options.pixels.empty()) app::setDifferingPixels(rule, "--pixels", options.pixels);
-  if (!options.flipMean.empty()) app::setFlipMean(rule, "--flip-mean", options.flipMean);
-  if (!options.flipMax.empty()) app::setFlipMax(rule, "--flip-max", options.flipMax);
+app::PictureRule ruleOf(const DiffOptions& options) {
+  app::PictureRule rule;
+  if (!options.rule.empty()) rule.limits = app::namedLimits("--rule", options.rule);
+  for (std::size_t i = 0; i < options.limits.size(); ++i)
+    if (const app::RuleLimit& limit = app::ruleLimits()[i]; !options.limits[i].empty())
+      limit.set(rule.limits, limit.option, options.limits[i]);
+  app::expectCanRefuse(rule.limits, "these limits");
+  for (const std::string& box : options.ignore) rule.ignore.push_back(app::ignoredBox("--ignore", box));
+  rule.mask = options.mask;
   return rule;
 }
 
@@ -110,7 +126,13 @@ void checkTargets(const DiffOptions& options, Kind kind) {
   }
 }
 
-/// One of the three ways to compare: its verdict, after it was told.
+/// What the exit code depends on.
+struct Result {
+  image::Verdict verdict;
+  bool storedAlike = true;
+};
+
+/// Compares in one of the three ways, and prints what came of it.
 class Diff {
  public:
   explicit Diff(const DiffOptions& options)
@@ -118,7 +140,7 @@ class Diff {
     checkTargets(options, kind_);
   }
 
-  image::Verdict tell() const {
+  Result tell() const {
     switch (kind_) {
       case Kind::kFolder:
         return tellOf(app::diffFolders(options_.reference, options_.test, request_, jobs()));
@@ -131,7 +153,7 @@ class Diff {
     app::writeMaps(compared, request_);
     say(options_.json ? app::diffJson(compared.diff, names(), request_) : app::diffText(compared.diff, request_));
     writeReport([&] { return app::diffReport(compared, subject()); });
-    return compared.diff.verdict;
+    return {compared.diff.verdict, compared.diff.storedAlike};
   }
 
  private:
@@ -148,18 +170,26 @@ class Diff {
     if (!options_.report.empty()) output::writeFileAtomically(options_.report, page());
   }
 
-  image::Verdict tellOf(const app::FolderDiff& diff) const {
+  Result tellOf(const app::FolderDiff& diff) const {
     say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
     writeReport([&] { return app::diffReport(diff, subject(), jobs()); });
     if (diff.firstError) throw *diff.firstError;  // after what could be told
-    return diff.verdict();
+    return {diff.verdict(), std::ranges::all_of(diff.pictures, &app::PictureDiff::storedAlike)};
   }
 
-  image::Verdict tellOf(const app::FilmDiff& diff) const {
+  /// Of the worst frame.
+  void writeMaps(const app::FilmDiff& diff) const {
+    if (diff.frames.empty() || (!request_.map && !request_.difference)) return;
+    app::forFrames(options_.reference, options_.test, {diff.worst()}, request_,
+                   [&](std::size_t, const app::ComparedPictures& frame) { app::writeMaps(frame, request_); });
+  }
+
+  Result tellOf(const app::FilmDiff& diff) const {
+    writeMaps(diff);
     say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
-    if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule);
+    if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule.limits);
     writeReport([&] { return app::diffReport(diff, subject()); });
-    return diff.verdict();
+    return {diff.verdict()};
   }
 
   const DiffOptions& options_;
@@ -168,25 +198,41 @@ class Diff {
 };
 
 Reach reachOf(const DiffOptions& options) {
-  return {{}, {options.reference, options.test}, {options.map, options.difference, options.curve, options.report}};
+  Reach reach{
+      {}, {options.reference, options.test}, {options.map, options.difference, options.curve, options.report}};
+  if (!options.mask.empty()) reach.inputs.push_back(options.mask);
+  return reach;
+}
+
+/// What --exact refuses and the limits alone do not; empty if nothing.
+std::string exactFault(const Result& result) {
+  if (result.verdict == image::Verdict::kNear) return "near, but not identical, as --exact asks";
+  if (result.verdict == image::Verdict::kIdentical && !result.storedAlike)
+    return "the same pixels, but stored in another way, which --exact refuses";
+  return "";
 }
 
 int diff(const DiffOptions& options) {
-  const image::Verdict verdict = Diff(options).tell();
-  const auto worstGood = options.exact ? image::Verdict::kIdentical : image::Verdict::kNear;
-  if (options.exact && verdict == image::Verdict::kNear && !options.quiet && !options.json)
-    writeErr("poinsot: near, but not identical, as --exact asks\n");
-  return verdict <= worstGood ? kDone : kNo;
+  const Result result = Diff(options).tell();
+  const std::string fault = options.exact ? exactFault(result) : "";
+  if (!fault.empty() && !options.quiet && !options.json) writeErr(fmt::format("poinsot: {}\n", fault));
+  return result.verdict == image::Verdict::kDifferent || !fault.empty() ? kNo : kDone;
 }
 
 void addLimits(CLI::App& command, DiffOptions& options) {
-  const auto limit = [&](const char* name, std::string& value, const char* help) {
-    command.add_option(name, value, help)->type_name("0-N")->check(notEmpty())->group("Limits of \"near\"");
+  constexpr const char* kGroup = "What is \"near\"";
+  const auto add = [&](const char* name, auto& value, const char* form, const std::string& help) {
+    return command.add_option(name, value, help)->type_name(form)->check(notEmpty())->group(kGroup);
   };
-  limit("--max", options.max, "largest difference of a channel, of 255 (default: 0-2)");
-  limit("--pixels", options.pixels, "differing pixels, a number or a share (default: 0-0.5%)");
-  limit("--flip-mean", options.flipMean, "mean of FLIP (default: 0-1e-3)");
-  limit("--flip-max", options.flipMax, "largest FLIP of a pixel (default: 0-0.05)");
+  add("--rule", options.rule, "NAME",
+      fmt::format("limits by name: {} (default: near); those below change it", app::ruleNames()));
+  for (std::size_t i = 0; i < options.limits.size(); ++i) {
+    const app::RuleLimit& limit = app::ruleLimits()[i];
+    add(limit.option, options.limits[i], limit.form, limit.help);
+  }
+  add("--ignore", options.ignore, "X,Y,W,H", "a box of pixels that is not compared; may be given again")
+      ->allow_extra_args(false);
+  add("--mask", options.mask, "FILE", "PNG of the pictures' size; where it is painted, pixels are not compared");
 }
 
 }  // namespace
@@ -227,7 +273,9 @@ void addDiff(CLI::App& program, Action& chosen) {
   addLimitOptions(*command, *options);
   command->footer(
       "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
-      "Another size or number of channels is different: nothing is resized.\n"
+      "Pictures of another size are different: nothing is resized. How pixels are stored (grey, palette, 16 "
+      "bits,\n"
+      "opaque alpha) is no difference, except with --exact.\n"
       "Examples:\n"
       "  poinsot diff approved.png new.png --map flip.png\n"
       "  poinsot diff approved/ new/ --report out/diff.html\n"

@@ -197,7 +197,7 @@ class Golden {
     const std::string name = core::printable(approval.place.native());
     if (outcome.status == GoldenStatus::kNew)
       say(fmt::format("{}: approved, the first of its test\n", name));
-    else if (!outcome.diff.mismatch.empty())
+    else if (!outcome.diff.hasFigures)
       say(fmt::format("{}: approved, {}\n", name, outcome.diff.mismatch));
     else
       say(fmt::format("{}: approved, {} pixels changed, largest {:.4g}, FLIP mean {:.3g}, max {:.3g}\n", name,

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "image/common_form.h"
 
 namespace poinsot::image {
 namespace {
@@ -53,13 +55,14 @@ class Worst {
   std::vector<Entry> kept_;
 };
 
-/// What is counted and summed over the pixels, in the samples' own steps.
+/// Counts and sums over the compared pixels, in the samples' own steps.
 template <typename Sample>
 class Sums {
  public:
-  explicit Sums(int channels) : channels_(channels) {}
+  Sums(int channels, double level) : channels_(channels), level_(level) {}
 
   void add(int x, int y, const Sample* p, const Sample* q) {
+    ++compared_;
     int largest = 0;
     for (int c = 0; c < channels_; ++c) {
       const int delta = std::abs(p[c] - q[c]);
@@ -69,18 +72,23 @@ class Sums {
     }
     if (largest == 0) return;
     ++differing_;
+    if (largest > level_ * kStep<Sample>) ++counted_;
     if (worst_.wants(largest)) worst_.add(largest, pixel(x, y, largest, p, q));
   }
 
-  ImageDifference figures(double pixels) const {
-    const double values = pixels * channels_;
+  ImageDifference figures() const {
     ImageDifference d;
+    d.comparedPixels = compared_;
+    d.channels = channels_;
+    d.level = level_;
     d.differingPixels = differing_;
+    d.countedPixels = counted_;
+    if (differing_ == 0) return d;
+    const double pixels = static_cast<double>(compared_), values = pixels * channels_;
     d.differingShare = static_cast<double>(differing_) / pixels;
     d.meanAbs = static_cast<double>(sum_) / values / kStep<Sample>;
     d.rmse = std::sqrt(static_cast<double>(squares_) / values) / kStep<Sample>;
     d.worst = worst_.pixels();
-    if (differing_ == 0) return d;
     d.maxAbs = d.worst.front().difference;
     d.psnr_dB = 20 * std::log10(255 / d.rmse);
     return d;
@@ -95,70 +103,118 @@ class Sums {
   }
 
   int channels_;
-  std::int64_t differing_ = 0, sum_ = 0, squares_ = 0;
+  double level_;
+  std::int64_t compared_ = 0, differing_ = 0, counted_ = 0, sum_ = 0, squares_ = 0;
   Worst worst_;
 };
 
+/// Picture b with the ignored pixels of a, so that no measure sees a difference there.
 template <typename Sample>
-Comparison compared(const BasicImage<Sample>& a, const BasicImage<Sample>& b, double pixelsPerDegree) {
-  checkComparable(a, b);
-  Sums<Sample> sums(a.channels);
+BasicImage<Sample> withIgnoredOf(const BasicImage<Sample>& a, BasicImage<Sample> b, const IgnoreMask& ignored) {
+  for (int y = 0; y < a.size.height; ++y)
+    for (int x = 0; x < a.size.width; ++x)
+      if (ignored.ignores(x, y)) std::copy_n(a.at(x, y), a.channels, b.at(x, y));
+  return b;
+}
+
+template <typename Sample>
+ImageDifference summed(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
+                       const ComparisonOptions& options) {
+  Sums<Sample> sums(a.channels, options.level);
   for (int y = 0; y < a.size.height; ++y) {
     const Sample *p = a.at(0, y), *q = b.at(0, y);
-    for (int x = 0; x < a.size.width; ++x, p += a.channels, q += a.channels) sums.add(x, y, p, q);
+    for (int x = 0; x < a.size.width; ++x, p += a.channels, q += a.channels)
+      if (!options.ignored || !options.ignored->ignores(x, y)) sums.add(x, y, p, q);
   }
-  Comparison made{sums.figures(static_cast<double>(a.size.width) * a.size.height), flip(a, b, pixelsPerDegree)};
-  made.difference.ssim = ssim(a, b);
-  made.difference.flip = figuresOf(made.flip);
+  return sums.figures();
+}
+
+/// What an eye sees of the difference of two RGB pictures.
+struct Seen {
+  FlipMap flip;
+  std::optional<SsimFigures> ssim;
+};
+
+template <typename Sample>
+Seen seenOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b, double pixelsPerDegree) {
+  return {flip(a, b, pixelsPerDegree), ssim(a, b)};
+}
+
+/// The larger differences of two papers.
+Seen larger(Seen dark, const Seen& light) {
+  std::ranges::transform(dark.flip.error, light.flip.error, dark.flip.error.begin(),
+                         [](double a, double b) { return std::max(a, b); });
+  if (dark.ssim && light.ssim->mean < dark.ssim->mean) dark.ssim = light.ssim;
+  return dark;
+}
+
+template <typename Sample>
+Seen seenUponPapers(const BasicImage<Sample>& a, const BasicImage<Sample>& b, double pixelsPerDegree) {
+  if (a.channels == 3) return seenOf(a, b, pixelsPerDegree);
+  const auto upon = [&](Sample paper) { return seenOf(onPaper(a, paper), onPaper(b, paper), pixelsPerDegree); };
+  return larger(upon(0), upon(BasicImage<Sample>::kMost));
+}
+
+template <typename Sample>
+Comparison compared(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const ComparisonOptions& options) {
+  checkComparable(a, b);
+  POINSOT_EXPECT(!options.ignored || options.ignored->size() == a.size);
+  Comparison made{summed(a, b, options), {}};
+  Seen seen = options.ignored ? seenUponPapers(a, withIgnoredOf(a, b, *options.ignored), options.pixelsPerDegree)
+                              : seenUponPapers(a, b, options.pixelsPerDegree);
+  made.flip = std::move(seen.flip);
+  made.difference.ssim = seen.ssim;
+  made.difference.flip = figuresOf(made.flip, made.difference.comparedPixels);
   return made;
 }
 
-DeepImage deepened(const AnyImage& picture) {
-  if (const auto* deep = std::get_if<DeepImage>(&picture)) return *deep;
-  const Image& flat = std::get<Image>(picture);
-  DeepImage out(flat.size, flat.channels);
-  constexpr int kRepeated = 257;  // 255 becomes 65535
-  std::transform(flat.pixels.begin(), flat.pixels.end(), out.pixels.begin(),
-                 [](std::uint8_t v) { return static_cast<std::uint16_t>(kRepeated * v); });
-  return out;
-}
-
-bool isDeep(const AnyImage& picture) { return std::holds_alternative<DeepImage>(picture); }
-
 template <typename Sample>
-Image amplified(const BasicImage<Sample>& a, const BasicImage<Sample>& b, int factor) {
+Image amplified(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const IgnoreMask* ignored, int factor) {
   checkComparable(a, b);
   POINSOT_EXPECT(factor > 0);
   Image out(a.size, 3);
   for (int y = 0; y < a.size.height; ++y)
-    for (int x = 0; x < a.size.width; ++x)
+    for (int x = 0; x < a.size.width; ++x) {
+      if (ignored && ignored->ignores(x, y)) continue;
+      const Sample *p = a.at(x, y), *q = b.at(x, y);
+      const int alpha = a.channels == 4 ? std::abs(p[3] - q[3]) : 0;
       for (int c = 0; c < 3; ++c) {
-        const double difference = factor * std::abs(a.at(x, y)[c] - b.at(x, y)[c]) / kStep<Sample>;
+        const double difference = factor * std::max(alpha, std::abs(p[c] - q[c])) / kStep<Sample>;
         out.at(x, y)[c] = static_cast<std::uint8_t>(std::lround(std::min(255.0, difference)));
       }
+    }
   return out;
+}
+
+/// Calls `use` with two pictures of one sample type in a common form.
+template <typename Use>
+auto inCommonForm(AnyImage&& a, AnyImage&& b, Use use) {
+  toCommonForm(a, b);
+  return std::visit([&](const auto& first) { return use(first, std::get<std::decay_t<decltype(first)>>(b)); }, a);
 }
 
 }  // namespace
 
-Comparison compare(const Image& a, const Image& b, double pixelsPerDegree) {
-  return compared(a, b, pixelsPerDegree);
+Comparison compare(const Image& a, const Image& b, const ComparisonOptions& options) {
+  return compared(a, b, options);
 }
 
-Comparison compare(const DeepImage& a, const DeepImage& b, double pixelsPerDegree) {
-  return compared(a, b, pixelsPerDegree);
+Comparison compare(const DeepImage& a, const DeepImage& b, const ComparisonOptions& options) {
+  return compared(a, b, options);
 }
 
-Comparison compare(const AnyImage& a, const AnyImage& b, double pixelsPerDegree) {
-  if (isDeep(a) || isDeep(b)) return compared(deepened(a), deepened(b), pixelsPerDegree);
-  return compared(std::get<Image>(a), std::get<Image>(b), pixelsPerDegree);
+Comparison compare(AnyImage a, AnyImage b, const ComparisonOptions& options) {
+  return inCommonForm(std::move(a), std::move(b),
+                      [&](const auto& p, const auto& q) { return compared(p, q, options); });
 }
 
-Image amplifiedDifference(const Image& a, const Image& b, int factor) { return amplified(a, b, factor); }
+Image amplifiedDifference(const Image& a, const Image& b, const IgnoreMask* ignored, int factor) {
+  return amplified(a, b, ignored, factor);
+}
 
-Image amplifiedDifference(const AnyImage& a, const AnyImage& b, int factor) {
-  if (isDeep(a) || isDeep(b)) return amplified(deepened(a), deepened(b), factor);
-  return amplified(std::get<Image>(a), std::get<Image>(b), factor);
+Image amplifiedDifference(AnyImage a, AnyImage b, const IgnoreMask* ignored, int factor) {
+  return inCommonForm(std::move(a), std::move(b),
+                      [&](const auto& p, const auto& q) { return amplified(p, q, ignored, factor); });
 }
 
 }  // namespace poinsot::image

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/flip.h"
+#include "image/ignore_mask.h"
 #include "image/image.h"
 #include "image/ssim.h"
 
@@ -20,17 +21,25 @@ struct DifferingPixel {
 };
 
 /// How two pictures of the same size and channel count differ. Channel values count in 1/255, those of 16 bits in
-/// parts of that.
+/// parts of that. Shares and means are over the pixels that are compared, which are all but the ignored ones.
 struct ImageDifference {
+  std::int64_t comparedPixels = 0;
+  int channels = 3;  ///< compared: 3, or 4 where transparency is
   std::int64_t differingPixels = 0;
-  double differingShare = 0;  ///< of all pixels, 0 to 1
-  double maxAbs = 0;          ///< over all pixels and channels
+  double differingShare = 0;       ///< of the compared pixels, 0 to 1
+  double level = 0;                ///< difference that a pixel may have without being counted
+  std::int64_t countedPixels = 0;  ///< pixels that differ by more than `level`
+  double maxAbs = 0;               ///< over all pixels and channels
   double meanAbs = 0;
   double rmse = 0;
   std::optional<double> psnr_dB;    ///< nothing when identical
   std::optional<SsimFigures> ssim;  ///< nothing below a window of 11x11
   FlipFigures flip;
   std::vector<DifferingPixel> worst;  ///< the largest first, of equal ones from the top left; ten at most
+
+  double countedShare() const {
+    return comparedPixels == 0 ? 0 : static_cast<double>(countedPixels) / static_cast<double>(comparedPixels);
+  }
 };
 
 /// The figures, and what FLIP has of every pixel.
@@ -39,16 +48,24 @@ struct Comparison {
   FlipMap flip;
 };
 
-/// @throws core::Error(kIo) if sizes or channel counts differ: that is no difference of pixels, and nothing is
-/// resized.
-Comparison compare(const Image& a, const Image& b, double pixelsPerDegree = kFlipPixelsPerDegree);
-Comparison compare(const DeepImage& a, const DeepImage& b, double pixelsPerDegree = kFlipPixelsPerDegree);
-/// Where one has 8 bits a sample and the other 16, both are compared in 16.
-Comparison compare(const AnyImage& a, const AnyImage& b, double pixelsPerDegree = kFlipPixelsPerDegree);
+/// How pictures are compared.
+struct ComparisonOptions {
+  double pixelsPerDegree = kFlipPixelsPerDegree;  ///< of view, for FLIP
+  double level = 0;                               ///< see ImageDifference::level; 0 to 255
+  const IgnoreMask* ignored = nullptr;            ///< of the pictures' size; none: nothing is left out
+};
 
-/// RGB picture of |a - b| times `factor`, cut at 255: black where equal.
-/// @throws as compare.
-Image amplifiedDifference(const Image& a, const Image& b, int factor = 16);
-Image amplifiedDifference(const AnyImage& a, const AnyImage& b, int factor = 16);
+/// Compares two pictures sample by sample. Where they have four channels, FLIP and SSIM look at them upon black
+/// and upon white paper, and the larger difference counts.
+/// @throws core::Error(kIo) if sizes or channel counts differ: nothing is resized.
+Comparison compare(const Image& a, const Image& b, const ComparisonOptions& options = {});
+Comparison compare(const DeepImage& a, const DeepImage& b, const ComparisonOptions& options = {});
+/// Compares by value, in a common form (common_form.h). @throws core::Error(kIo) if the sizes differ.
+Comparison compare(AnyImage a, AnyImage b, const ComparisonOptions& options = {});
+
+/// RGB picture of |a - b| times `factor`, cut at 255: black where equal or ignored. A difference of alpha counts
+/// in all three. @throws as compare.
+Image amplifiedDifference(const Image& a, const Image& b, const IgnoreMask* ignored = nullptr, int factor = 16);
+Image amplifiedDifference(AnyImage a, AnyImage b, const IgnoreMask* ignored = nullptr, int factor = 16);
 
 }  // namespace poinsot::image

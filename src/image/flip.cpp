@@ -230,11 +230,16 @@ double FlipMap::mean() const {
 
 double FlipMap::max() const { return *std::max_element(error.begin(), error.end()); }
 
-FlipFigures figuresOf(const FlipMap& map) {
+FlipFigures figuresOf(const FlipMap& map, std::optional<std::int64_t> pixels) {
   WeightedQuantiles quantiles(map.error);
-  return {map.mean(),         *std::min_element(map.error.begin(), map.error.end()),
-          quantiles.at(0.25), quantiles.at(0.5),
-          quantiles.at(0.75), map.max()};
+  const auto all = static_cast<double>(map.error.size());
+  const double mean = pixels && *pixels > 0 ? map.mean() * (all / static_cast<double>(*pixels)) : map.mean();
+  return {mean,
+          *std::min_element(map.error.begin(), map.error.end()),
+          quantiles.at(0.25),
+          quantiles.at(0.5),
+          quantiles.at(0.75),
+          map.max()};
 }
 
 FlipMap flip(const Image& a, const Image& b, double pixelsPerDegree) { return flipOf(a, b, pixelsPerDegree); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "image/image.h"
@@ -24,7 +26,8 @@ struct FlipMap {
 struct FlipFigures {
   double mean = 0, min = 0, firstQuartile = 0, median = 0, thirdQuartile = 0, max = 0;
 };
-FlipFigures figuresOf(const FlipMap& map);
+/// @param pixels  over which the mean is taken, if they are fewer than those of the map: the others have no error
+FlipFigures figuresOf(const FlipMap& map, std::optional<std::int64_t> pixels = {});
 
 /// The FLIP difference of two sRGB pictures (alpha is left out), in double precision; symmetric in a and b.
 /// @pre same size; pixelsPerDegree > 0.

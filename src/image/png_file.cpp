@@ -26,14 +26,13 @@
 #include "core/text.h"
 #include "core/version.h"
 #include "image/deflated_pixels.h"
+#include "image/png_chunks.h"
 
 namespace poinsot::image {
 namespace {
 
 using core::Error;
 using core::ErrorKind;
-
-constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 /// libpng's last words, filled by onError; a plain array, because the jump that follows runs no destructor.
 struct Complaint {
@@ -229,14 +228,6 @@ std::span<const std::uint8_t> asBytes(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-std::uint32_t bigEndian32(std::span<const std::uint8_t> b) {
-  return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | b[3];
-}
-
-bool startsWith(std::span<const std::uint8_t> bytes, std::string_view text) {
-  return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
-}
-
 template <typename Sample>
 std::vector<std::uint8_t> encoded(const BasicImage<Sample>& picture, const std::vector<PngText>& texts,
                                   double dpi) {
@@ -264,11 +255,42 @@ void check(bool done, const Reader& reader, std::string_view name) {
                                           core::printable(reader.complaint())));
 }
 
-/// Channels of the file, those of a palette being its colours'.
-int channelsOf(png_structp png, png_infop info) {
+PngStorage storageOf(png_structp png, png_infop info) {
   const int type = png_get_color_type(png, info);
   const bool alpha = (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
-  return ((type & PNG_COLOR_MASK_COLOR) != 0 ? 3 : 1) + (alpha ? 1 : 0);
+  return {((type & PNG_COLOR_MASK_COLOR) != 0 ? 3 : 1) + (alpha ? 1 : 0), (type & PNG_COLOR_MASK_PALETTE) != 0,
+          png_get_bit_depth(png, info) == 16};
+}
+
+/// libpng 1.6.39, Debian 12's, does not know cICP.
+std::optional<std::array<std::uint8_t, 4>> cicpOf(Remaining file) {
+  PngChunks chunks(file);
+  for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next()) {
+    std::array<std::uint8_t, 4> codes{};
+    if (chunk->type != "cICP" || chunk->data.size() != codes.size()) continue;
+    std::ranges::copy(chunk->data, codes.begin());
+    return codes;
+  }
+  return std::nullopt;
+}
+
+/// Colour chunks of a file whose header was read. The profile's bytes belong to the reader.
+PngColorChunks colorChunksOf(png_structp png, png_infop info) {
+  PngColorChunks chunks;
+  chunks.isSrgb = png_get_valid(png, info, PNG_INFO_sRGB) != 0;
+  png_charp name = nullptr;
+  int compression = 0;
+  png_bytep profile = nullptr;
+  png_uint_32 size = 0;
+  if (png_get_iCCP(png, info, &name, &compression, &profile, &size) != 0) {
+    chunks.profileName = name;
+    chunks.profile = {profile, size};
+  }
+  if (double gamma = 0; png_get_gAMA(png, info, &gamma) != 0) chunks.gamma = gamma;
+  std::array<png_fixed_point, 8> xy{};
+  if (png_get_cHRM_fixed(png, info, &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5], &xy[6], &xy[7]) != 0)
+    std::ranges::copy(xy, chunks.primaries.emplace().begin());
+  return chunks;
 }
 
 /// The picture of a reader that has read the header.
@@ -284,21 +306,24 @@ BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
 
 /// libpng takes memory for a chunk as it says it is long, 2 GiB at most, before it sees that so much is not there.
 bool endsWithinAChunk(Remaining bytes) {
-  constexpr std::size_t kAround = 12;  // length, type, checksum
-  for (Remaining rest = bytes.subspan(kSignature.size()); !rest.empty();) {
-    if (rest.size() < kAround) return true;
-    const std::size_t length = bigEndian32(rest);
-    if (length > rest.size() - kAround) return true;
-    if (startsWith(rest.subspan(4), "IEND")) return false;
-    rest = rest.subspan(kAround + length);
-  }
-  return false;  // where a chunk is missing, libpng says so
+  PngChunks chunks(bytes);
+  while (chunks.next()) continue;
+  return chunks.isCutOff();  // where a chunk is missing, libpng says so
+}
+
+/// Why the bytes are no PNG file that libpng should be shown; empty where they may be one.
+std::string_view faultOf(Remaining bytes) {
+  if (bytes.empty()) return "the file is empty";
+  if (startsWith(bytes, "version https://git-lfs.github.com/spec/"))
+    return "it is a Git LFS pointer; `git lfs pull` brings the picture";
+  if (!startsWith(bytes, kPngSignature.substr(0, std::min(bytes.size(), kPngSignature.size()))))
+    return "Not a PNG file";
+  return bytes.size() < kPngSignature.size() || endsWithinAChunk(bytes) ? "the file ends too early" : "";
 }
 
 void readHeader(Reader& reader, std::string_view name) {
-  if (startsWith(reader.remaining(), kSignature) && endsWithinAChunk(reader.remaining()))
-    throw Error(ErrorKind::kIo,
-                fmt::format("{}: not a readable PNG: the file ends too early", core::printable(name)));
+  if (const auto fault = faultOf(reader.remaining()); !fault.empty())
+    throw Error(ErrorKind::kIo, fmt::format("{}: not a readable PNG: {}", core::printable(name), fault));
   check(readHeader(reader.png(), reader.info()), reader, name);
   checkSize(reader.png(), reader.info(), name);
 }
@@ -326,10 +351,22 @@ Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name) {
 PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_view name) {
   Reader reader(bytes);
   readHeader(reader, name);
-  const int channels = channelsOf(reader.png(), reader.info());
-  if (png_get_bit_depth(reader.png(), reader.info()) == 16)
-    return {decodedPixels<std::uint16_t>(reader, name), channels};
-  return {decodedPixels<std::uint8_t>(reader, name), channels};
+  PngColorChunks chunks = colorChunksOf(reader.png(), reader.info());
+  chunks.cicp = cicpOf(bytes);
+  const PngStorage stored = storageOf(reader.png(), reader.info());
+  const ColorTag color = colorTagOf(chunks);
+  if (stored.deep) return {decodedPixels<std::uint16_t>(reader, name), stored, color};
+  return {decodedPixels<std::uint8_t>(reader, name), stored, color};
+}
+
+bool isAnimatedPng(const std::filesystem::path& path) try {
+  const std::string file = fileBytes(path);
+  PngChunks chunks(asBytes(file));
+  for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next())
+    if (chunk->type == "acTL") return true;
+  return false;
+} catch (const Error&) {
+  return false;
 }
 
 PngPicture readPngAsStored(const std::filesystem::path& path) {
@@ -365,15 +402,9 @@ bool isPngName(const std::filesystem::path& file) {
 bool isOwnPng(const std::filesystem::path& path) try {
   constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
-  const auto bytes = asBytes(head);
-  if (!startsWith(bytes, kSignature)) return false;
-  // A chunk: length, type, data, checksum.
-  for (auto rest = std::span(bytes).subspan(kSignature.size()); rest.size() >= 12;) {
-    const std::uint64_t length = bigEndian32(rest);
-    if (startsWith(rest.subspan(4), "IDAT") || length + 12 > rest.size()) return false;
-    if (startsWith(rest.subspan(4, 4 + length), std::string_view("tEXtSoftware\0poinsot ", 21))) return true;
-    rest = rest.subspan(12 + length);
-  }
+  PngChunks chunks(asBytes(head));
+  for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next())
+    if (chunk->type == "tEXt" && startsWith(chunk->data, std::string_view("Software\0poinsot ", 17))) return true;
   return false;
 } catch (const Error&) {
   return false;

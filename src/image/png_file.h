@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/png_color.h"
 
 namespace poinsot::image {
 
@@ -39,14 +40,27 @@ std::vector<std::uint8_t> encodePng(const DeepImage& picture, const std::vector<
 /// @throws core::Error(kIo) if damaged, truncated or no PNG; core::Error(kLimit) if larger than the limits above.
 Image decodePng(std::span<const std::uint8_t> bytes, std::string_view name);
 
+/// How a PNG file stores its pixels: what a lossless optimiser may change.
+struct PngStorage {
+  int channels = 3;  ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; for a palette, its colours' 3 or 4
+  bool palette = false;
+  bool deep = false;  ///< 16 bits a sample; else 8 or fewer
+  friend bool operator==(const PngStorage&, const PngStorage&) = default;
+};
+
 /// A picture with the bits that its file has: 8 (of fewer, too) or 16.
 struct PngPicture {
   AnyImage picture;  ///< RGB or RGBA
-  int channels = 3;  ///< of the file: 1 grey, 2 grey and alpha, 3, 4; those of a palette are its colours'
+  PngStorage stored;
+  ColorTag color;
 };
 
 /// @throws as decodePng.
 PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_view name);
+
+/// Whether the file is an animated PNG (APNG), by its acTL chunk and not by its name. False for a file that cannot
+/// be read.
+bool isAnimatedPng(const std::filesystem::path& path);
 
 /// Those of files. @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
 PngPicture readPngAsStored(const std::filesystem::path& path);

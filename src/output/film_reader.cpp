@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -56,8 +57,10 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   options.set("format_whitelist", kContainers);
   options.set("protocol_whitelist", "file");
   AVFormatContext* context = nullptr;
+  // A .png would be taken for one of a row of pictures, which the white list refuses.
+  const AVInputFormat* known = image::isAnimatedPng(film) ? ffmpeg().av_find_input_format("apng") : nullptr;
   // On failure the context is freed and the pointer cleared.
-  checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), nullptr, options.address()), name,
+  checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), known, options.address()), name,
           ErrorKind::kIo);
   FormatInputPtr format(context);
   findStreamFacts(*context, name);
@@ -180,6 +183,17 @@ struct FilmReader::Parts {
     }
   }
 
+  /// In seconds of the stream's clock.
+  double seconds(std::int64_t ticks) const {
+    const AVRational unit = track().time_base;
+    return static_cast<double>(ticks) * unit.num / unit.den;
+  }
+
+  ShownPicture shown() {
+    const std::int64_t start = frame->best_effort_timestamp;
+    return {picture(), start == AV_NOPTS_VALUE ? std::nan("") : seconds(start), seconds(frame->pkt_duration)};
+  }
+
   image::AnyImage picture() {
     if (image::PixelSize{frame->width, frame->height} != size)
       throw Error(ErrorKind::kIo, name + ": its pictures change their size");
@@ -206,6 +220,8 @@ bool isFilmName(const std::filesystem::path& file) {
   return filmContainer(file) || extension == ".mkv" || extension == ".avi" || extension == ".m4v";
 }
 
+bool isFilm(const std::filesystem::path& file) { return isFilmName(file) || image::isAnimatedPng(file); }
+
 FilmReader::FilmReader(const std::filesystem::path& film) : parts_(std::make_unique<Parts>(film)) {}
 
 FilmReader::~FilmReader() = default;
@@ -218,9 +234,11 @@ core::Rational FilmReader::fps() const {
   return rate.num > 0 && rate.den > 0 ? core::Rational{rate.num, rate.den} : core::Rational{0, 1};
 }
 
-std::optional<image::AnyImage> FilmReader::next() {
+double FilmReader::timeStep_s() const { return parts_->seconds(1); }
+
+std::optional<ShownPicture> FilmReader::next() {
   if (!parts_->decode()) return std::nullopt;
-  return parts_->picture();
+  return parts_->shown();
 }
 
 }  // namespace poinsot::output

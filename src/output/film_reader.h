@@ -13,6 +13,15 @@ namespace poinsot::output {
 
 /// Whether its name says that a file is a film that may be read here.
 bool isFilmName(const std::filesystem::path& file);
+/// The same by what is in the file where its name may mean both: a .png with an animation is a film.
+bool isFilm(const std::filesystem::path& file);
+
+/// A picture of a film, and when it is shown.
+struct ShownPicture {
+  image::AnyImage picture;
+  double start_s = 0;     ///< as the container says, from any zero; not a number where it says nothing
+  double duration_s = 0;  ///< 0 where the container says nothing
+};
 
 /// The pictures of a film in the order they are shown, as sRGB of full range: RGB, or RGBA where the film has
 /// transparency; with 16 bits a sample where the film has more than 8. Reads every film that this program writes,
@@ -28,8 +37,10 @@ class FilmReader {
   image::PixelSize size() const;
   /// Frames per second; 0 if the film says nothing.
   core::Rational fps() const;
+  /// Unit in which the film counts its times.
+  double timeStep_s() const;
   /// The next picture; nothing after the last.
-  std::optional<image::AnyImage> next();
+  std::optional<ShownPicture> next();
 
  private:
   struct Parts;  // keeps libav's headers out of this one

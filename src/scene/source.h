@@ -56,6 +56,7 @@ class Problems {
   /// @pre what `message` refers to lives until throwIfAny().
   void addLater(const Place& place, std::function<std::string()> message);
   bool empty() const { return found_.empty(); }
+  std::size_t size() const { return found_.size(); }
   /// @throws SceneErrors with all that was added, in the order of the file.
   void throwIfAny();
 

@@ -11,8 +11,12 @@ namespace {
 
 /// So many identical frames at 10 a second, but for those.
 FilmDiff film(std::size_t frames, const std::vector<std::size_t>& differing) {
-  FilmDiff diff{"", {10, 1}, std::vector<PictureDiff>(frames)};
-  for (PictureDiff& frame : diff.frames) frame.verdict = image::Verdict::kIdentical;
+  FilmDiff diff{"", {10, 1}, FilmTimes(0), std::vector<PictureDiff>(frames)};
+  for (std::size_t k = 0; k < frames; ++k) diff.times.add({{}, static_cast<double>(k) / 10, 0.1});
+  for (PictureDiff& frame : diff.frames) {
+    frame.verdict = image::Verdict::kIdentical;
+    frame.hasFigures = true;
+  }
   for (const std::size_t k : differing) {
     diff.frames[k].verdict = image::Verdict::kDifferent;
     diff.frames[k].figures.flip.max = 1;
@@ -88,7 +92,8 @@ TEST(DiffCurve, LosesNoPeakOfALongFilm) {
 TEST(DiffCurve, HasNoPointWhereThereIsNoFigure) {
   FilmDiff diff = film(5, {1});
   diff.frames[2].verdict = image::Verdict::kDifferent;
-  diff.frames[2].mismatch = "the channels are 4 (RGB and alpha), not 3 (RGB)";
+  diff.frames[2].mismatch = "the size is 4x4, not 8x8";
+  diff.frames[2].hasFigures = false;
   const std::string svg = curveSvg(diff, {});
   const auto curves = curvesOf(svg);
   ASSERT_EQ(curves.size(), 2u);

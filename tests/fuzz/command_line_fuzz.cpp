@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/frame_plan.h"
-#include "app/limit_words.h"
+#include "app/picture_rule.h"
 #include "app/output_target.h"
 #include "app/trajectory_target.h"
 #include "cli/command_line.h"
@@ -32,9 +32,9 @@ void readValue(const std::string& word) {
   attempt([&] { cli::parseSize(word, scene::Limits()); });
   attempt([&] { cli::parseTimes_s("--at", word); });
   image::NearRule rule;
-  attempt([&] { app::setMaxDifference(rule, "--max", word); });
-  attempt([&] { app::setDifferingPixels(rule, "--pixels", word); });
-  attempt([&] { app::setFlipMean(rule, "--flip-mean", word); });
+  for (const app::RuleLimit& limit : app::ruleLimits())
+    attempt([&] { limit.set(rule, limit.option, word); });
+  attempt([&] { app::ignoredBox("--ignore", word); });
 }
 
 }  // namespace

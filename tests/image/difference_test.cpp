@@ -151,10 +151,130 @@ TEST(Difference, AmplifiesAndCuts) {
   Image a = flat({2, 1}, 4, 10), b = a;
   b.at(0, 0)[0] = 13;
   b.at(1, 0)[2] = 200;
-  b.at(1, 0)[3] = 0;  // alpha is not shown
-  const Image shown = amplifiedDifference(a, b, 16);
+  b.at(1, 0)[3] = 5;  // 5 x 16 in all three
+  const Image shown = amplifiedDifference(a, b, nullptr, 16);
   EXPECT_EQ(shown.channels, 3);
-  EXPECT_EQ(shown.pixels, (std::vector<std::uint8_t>{48, 0, 0, 0, 0, 255}));
+  EXPECT_EQ(shown.pixels, (std::vector<std::uint8_t>{48, 0, 0, 80, 80, 255}));
+}
+
+// By hand: 10 x 10 pixels of which 3 rows are ignored leave 70; two of three differing pixels lie in the others.
+TEST(Difference, LeavesOutIgnoredPixels) {
+  const Image a = flat({10, 10}, 3, 100);
+  Image b = a;
+  b.at(4, 1)[0] = 255;
+  b.at(4, 5)[0] = 107;
+  b.at(5, 5)[0] = 93;
+  IgnoreMask ignored({10, 10});
+  ignored.add(PixelRect{-5, 0, 100, 3});
+  const auto [d, flip] = compare(a, b, {.ignored = &ignored});
+  EXPECT_EQ(d.comparedPixels, 70);
+  EXPECT_EQ(d.differingPixels, 2);
+  EXPECT_DOUBLE_EQ(d.differingShare, 2.0 / 70);
+  EXPECT_EQ(d.maxAbs, 7);
+  EXPECT_DOUBLE_EQ(d.meanAbs, 14.0 / 210);
+  EXPECT_DOUBLE_EQ(d.rmse, std::sqrt(98.0 / 210));
+  EXPECT_DOUBLE_EQ(d.flip.mean, flip.mean() * 100 / 70);
+  EXPECT_EQ(amplifiedDifference(a, b, &ignored).at(4, 1)[0], 0);
+  EXPECT_EQ(amplifiedDifference(a, b, &ignored).at(4, 5)[0], 7 * 16);
+
+  ignored.add(PixelRect{0, 5, 10, 6});
+  EXPECT_EQ(verdict(compare(a, b, {.ignored = &ignored}).difference), Verdict::kIdentical);
+}
+
+// Each step is one pixel: differences of 1, 2, ... 9.
+TEST(Difference, CountsPixelsBeyondALevel) {
+  const Image a = flat({20, 20}, 3, 100);
+  Image b = a;
+  for (int k = 1; k < 10; ++k) b.at(k, 7)[1] = static_cast<std::uint8_t>(100 + k);
+  for (int level = 0; level < 10; ++level) {
+    const ImageDifference d = compare(a, b, {.level = static_cast<double>(level)}).difference;
+    EXPECT_EQ(d.countedPixels, 9 - level);
+    EXPECT_EQ(d.differingPixels, 9);
+  }
+  const NearRule rule{.maxAbs = 255, .differingPixels = 2, .flipMean = 1, .flipMax = 1, .level = 7};
+  EXPECT_EQ(verdict(compare(a, b, {.level = 7}).difference, rule), Verdict::kNear);
+  EXPECT_EQ(excesses(compare(a, b, {.level = 6}).difference, rule),
+            std::vector<std::string>{"pixels beyond level 7 3 (limit 2)"});
+}
+
+/// A picture whose alpha is `alpha` in the left half.
+Image holed(PixelSize size, std::uint8_t value, std::uint8_t alpha) {
+  Image picture = flat(size, 4, value);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) picture.at(x, y)[3] = x < size.width / 2 ? alpha : 255;
+  return picture;
+}
+
+// A hole in a black picture is seen upon white paper only, and one in a white picture upon black only. The oracle
+// is FLIP of the two pictures as they look upon that paper, made by hand.
+TEST(Difference, LooksAtTransparencyUponBlackAndWhite) {
+  const PixelSize size{32, 16};
+  for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{255}}) {
+    const Image whole = holed(size, value, 255), hole = holed(size, value, 0);
+    Image seen = flat(size, 3, value);
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width / 2; ++x)
+        std::fill_n(seen.at(x, y), 3, static_cast<std::uint8_t>(255 - value));
+    const Comparison c = compare(whole, hole);
+    EXPECT_EQ(c.flip.error, flip(flat(size, 3, value), seen).error);
+    EXPECT_GT(c.difference.flip.mean, 0.3);
+    EXPECT_EQ(c.difference.differingPixels, 32 * 16 / 2);
+    EXPECT_LT(c.difference.ssim->mean, 0.6);
+  }
+}
+
+// What stands under alpha 0 is nothing; grey, opaque alpha and 16 bits are another way to store the same.
+TEST(Difference, ComparesByValueWhateverTheForm) {
+  Image hidden = holed({8, 8}, 90, 0), other = hidden;
+  for (int y = 0; y < 8; ++y) std::fill_n(other.at(0, y), 3, std::uint8_t{200});
+  EXPECT_EQ(compare(AnyImage(hidden), AnyImage(other)).difference.maxAbs, 0);
+  EXPECT_EQ(compare(AnyImage(flat({8, 8}, 3, 90)), AnyImage(holed({8, 8}, 90, 255))).difference.maxAbs, 0);
+  DeepImage deep({8, 8}, 3);
+  deep.pixels.assign(deep.pixels.size(), 257 * 90);
+  EXPECT_EQ(compare(AnyImage(deep), AnyImage(holed({8, 8}, 90, 255))).difference.maxAbs, 0);
+
+  Image changed = holed({8, 8}, 90, 255);
+  changed.at(2, 2)[1] = 93;  // 3 of 255 in one of 192 values: alpha, which is opaque in both, does not count
+  const ImageDifference d = compare(AnyImage(flat({8, 8}, 3, 90)), AnyImage(changed)).difference;
+  EXPECT_EQ(d.channels, 3);
+  EXPECT_DOUBLE_EQ(d.meanAbs, 3.0 / 192);
+  EXPECT_THROW(compare(AnyImage(flat({8, 8}, 3, 0)), AnyImage(flat({8, 9}, 3, 0))), core::Error);
+}
+
+TEST(NearRule, KnowsWhetherItCanRefuse) {
+  for (const NamedRule& named : namedRules()) EXPECT_TRUE(named.rule.canRefuse()) << named.name;
+  NearRule everything{.maxAbs = 255, .differingShare = 1, .flipMean = 1, .flipMax = 1};
+  EXPECT_FALSE(everything.canRefuse());
+  everything.flipMax = 0.99;
+  EXPECT_TRUE(everything.canRefuse());
+}
+
+// By hand: 4 over the limits of 2 and 1 is ln 2 + ln 4; what is within its limit takes nothing off.
+TEST(NearRule, MeasuresHowFarAPictureIsBeyond) {
+  ImageDifference d;
+  d.maxAbs = 4;
+  d.comparedPixels = 100;
+  d.countedPixels = 4;
+  const NearRule rule{.maxAbs = 2, .differingPixels = 1, .flipMean = 0.5, .flipMax = 0.5};
+  EXPECT_DOUBLE_EQ(distanceBeyond(d, rule), std::log(2) + std::log(4));
+  d.flip.mean = 0.4;
+  EXPECT_DOUBLE_EQ(distanceBeyond(d, rule), std::log(2) + std::log(4));
+}
+
+// A mask ignores where it is painted: neither black nor clear.
+TEST(IgnoreMask, TakesPaintedPixels) {
+  Image painted({3, 1}, 4);
+  std::fill_n(painted.at(0, 0), 4, std::uint8_t{255});  // white
+  painted.at(1, 0)[3] = 255;                            // black
+  painted.at(2, 0)[0] = 255;                            // red, but clear
+  IgnoreMask mask({3, 1});
+  mask.add(AnyImage(painted));
+  EXPECT_TRUE(mask.ignores(0, 0));
+  EXPECT_FALSE(mask.ignores(1, 0));
+  EXPECT_FALSE(mask.ignores(2, 0));
+  mask.add(PixelRect{0, 0, 2, 1});
+  EXPECT_EQ(mask.ignoredPixels(), 2);
+  EXPECT_DOUBLE_EQ(mask.share(), 2.0 / 3);
 }
 
 }  // namespace

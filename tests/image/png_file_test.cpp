@@ -253,24 +253,24 @@ TEST(Png, RefusesGarbage) {
 TEST(Png, IsReadAsStored) {
   const auto stored = [](const Foreign& f) { return decodePngAsStored(written(f), "x"); };
   const PngPicture grey = stored({.width = 2, .height = 1, .rows = {{7, 200}}});
-  EXPECT_EQ(grey.channels, 1);
+  EXPECT_EQ(grey.stored.channels, 1);
   EXPECT_EQ(std::get<Image>(grey.picture).pixels, (Bytes{7, 7, 7, 200, 200, 200}));
   const PngPicture greyAlpha =
       stored({.width = 1, .height = 1, .type = PNG_COLOR_TYPE_GRAY_ALPHA, .rows = {{7, 99}}});
-  EXPECT_EQ(greyAlpha.channels, 2);
+  EXPECT_EQ(greyAlpha.stored.channels, 2);
   EXPECT_EQ(std::get<Image>(greyAlpha.picture).pixels, (Bytes{7, 7, 7, 99}));
   const Foreign palette{.width = 2,
                         .height = 1,
                         .type = PNG_COLOR_TYPE_PALETTE,
                         .palette = {{1, 2, 3}, {4, 5, 6}},
                         .rows = {{1, 0}}};
-  EXPECT_EQ(stored(palette).channels, 3);
+  EXPECT_EQ(stored(palette).stored, (PngStorage{3, true, false}));
   EXPECT_EQ(std::get<Image>(stored(palette).picture).pixels, (Bytes{4, 5, 6, 1, 2, 3}));
   Foreign clear = palette;
   clear.alphaOfPalette = {50};
-  EXPECT_EQ(stored(clear).channels, 4);
+  EXPECT_EQ(stored(clear).stored.channels, 4);
   const PngPicture deepGrey = stored({.width = 1, .height = 1, .depth = 16, .rows = {{0x12, 0x34}}});
-  EXPECT_EQ(deepGrey.channels, 1);
+  EXPECT_EQ(deepGrey.stored, (PngStorage{1, false, true}));
   EXPECT_EQ(std::get<DeepImage>(deepGrey.picture).pixels, (std::vector<std::uint16_t>{0x1234, 0x1234, 0x1234}));
   const DeepImage deep = deepNoise({5, 4}, 4);
   EXPECT_EQ(std::get<DeepImage>(decodePngAsStored(encodePng(deep), "x").picture), deep);
@@ -280,7 +280,7 @@ TEST(Png, OfOneBitAndInterlacedIsReadAsStored) {
   Foreign bits{.width = 9, .height = 9, .depth = 1, .interlace = PNG_INTERLACE_ADAM7};
   for (int y = 0; y < 9; ++y) bits.rows.push_back({static_cast<std::uint8_t>(0xaa >> (y % 2)), 0x80});
   const PngPicture picture = decodePngAsStored(written(bits), "x");
-  EXPECT_EQ(picture.channels, 1);
+  EXPECT_EQ(picture.stored.channels, 1);
   const Image& pixels = std::get<Image>(picture.picture);
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 8; ++x) EXPECT_EQ(pixels.at(x, y)[0], (x + y) % 2 == 0 ? 255 : 0);

@@ -176,7 +176,7 @@ TEST_P(FilmFormats, IsReadByTheReader) {
   EXPECT_EQ(reader.size(), kSize);
   EXPECT_EQ(reader.fps(), (core::Rational{25, 1}));
   std::vector<image::Image> pictures;
-  while (const auto picture = reader.next()) pictures.push_back(flattened(*picture));
+  while (const auto shown = reader.next()) pictures.push_back(flattened(shown->picture));
   ASSERT_EQ(pictures.size(), 17u);
   const Distance worst = distance(pictures, transparent());
   EXPECT_LE(worst.color, GetParam().tolerance);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "app/picture_diff.h"
+
+namespace poinsot::app {
+
+/// Compares two PNG files, or two films by all their frames; an animated PNG is a film, whatever its name. Of
+/// films the pictures are those of the worst frame, and none where all frames are identical.
+/// @param jobs  frames at a time
+/// @throws core::Error(kIo) with the file, if one cannot be read; as comparePictures().
+ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
+                              const DiffRequest& request, int jobs = 1);
+
+}  // namespace poinsot::app

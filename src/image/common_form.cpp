@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/common_form.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/expect.h"
+
+namespace poinsot::image {
+namespace {
+
+DeepImage deepened(const Image& flat) {
+  DeepImage deep(flat.size, flat.channels);
+  constexpr int kRepeated = 257;  // 255 becomes 65535
+  std::ranges::transform(flat.pixels, deep.pixels.begin(),
+                         [](std::uint8_t v) { return static_cast<std::uint16_t>(kRepeated * v); });
+  return deep;
+}
+
+void deepen(AnyImage& picture) {
+  if (const auto* flat = std::get_if<Image>(&picture)) picture = deepened(*flat);
+}
+
+template <typename Sample>
+bool isOpaque(const BasicImage<Sample>& picture) {
+  if (picture.channels == 3) return true;
+  for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
+    if (picture.pixels[i] != BasicImage<Sample>::kMost) return false;
+  return true;
+}
+
+/// The picture with three or four channels; alpha that is added is opaque.
+template <typename Sample>
+BasicImage<Sample> withChannels(BasicImage<Sample>&& picture, int channels) {
+  if (picture.channels == channels) return std::move(picture);
+  BasicImage<Sample> out(picture.size, channels);
+  const Sample* from = picture.pixels.data();
+  for (auto to = out.pixels.begin(); to != out.pixels.end(); from += picture.channels, to += channels) {
+    std::copy_n(from, 3, to);
+    if (channels == 4) to[3] = BasicImage<Sample>::kMost;
+  }
+  return out;
+}
+
+template <typename Sample>
+void clearUnseen(BasicImage<Sample>& picture) {
+  for (auto p = picture.pixels.begin(); p != picture.pixels.end(); p += 4)
+    if (p[3] == 0) std::fill_n(p, 3, Sample{0});
+}
+
+template <typename Sample>
+void toCommonChannels(BasicImage<Sample>& a, BasicImage<Sample>& b) {
+  const int channels = isOpaque(a) && isOpaque(b) ? 3 : 4;
+  for (auto* picture : {&a, &b}) {
+    *picture = withChannels(std::move(*picture), channels);
+    if (channels == 4) clearUnseen(*picture);
+  }
+}
+
+}  // namespace
+
+void toCommonForm(AnyImage& a, AnyImage& b) {
+  if (a.index() != b.index()) {
+    deepen(a);
+    deepen(b);
+  }
+  std::visit([&](auto& first) { toCommonChannels(first, std::get<std::decay_t<decltype(first)>>(b)); }, a);
+}
+
+template <typename Sample>
+BasicImage<Sample> onPaper(const BasicImage<Sample>& picture, Sample paper) {
+  POINSOT_EXPECT(picture.channels == 4);
+  constexpr std::uint64_t kMost = BasicImage<Sample>::kMost;
+  BasicImage<Sample> out(picture.size, 3);
+  auto to = out.pixels.begin();
+  for (auto p = picture.pixels.begin(); p != picture.pixels.end(); p += 4)
+    for (int c = 0; c < 3; ++c)
+      *to++ = static_cast<Sample>((p[c] * std::uint64_t{p[3]} + paper * (kMost - p[3]) + kMost / 2) / kMost);
+  return out;
+}
+
+template Image onPaper(const Image& picture, std::uint8_t paper);
+template DeepImage onPaper(const DeepImage& picture, std::uint16_t paper);
+
+}  // namespace poinsot::image

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/ignore_mask.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "core/expect.h"
+
+namespace poinsot::image {
+
+IgnoreMask::IgnoreMask(PixelSize size) : size_(size) {
+  POINSOT_EXPECT(size.width > 0 && size.height > 0);
+  ignored_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+}
+
+void IgnoreMask::add(const PixelRect& box) {
+  for (int y = std::max(box.top, 0); y < std::min(box.bottom, size_.height); ++y)
+    for (int x = std::max(box.left, 0); x < std::min(box.right, size_.width); ++x) ignore(x, y);
+}
+
+void IgnoreMask::add(const AnyImage& painted) {
+  std::visit(
+      [&](const auto& picture) {
+        POINSOT_EXPECT(picture.size == size_);
+        for (int y = 0; y < size_.height; ++y)
+          for (int x = 0; x < size_.width; ++x) {
+            const auto* p = picture.at(x, y);
+            const bool seen = picture.channels == 3 || p[3] != 0;
+            if (seen && (p[0] != 0 || p[1] != 0 || p[2] != 0)) ignore(x, y);
+          }
+      },
+      painted);
+}
+
+void IgnoreMask::ignore(int x, int y) {
+  std::uint8_t& pixel = ignored_[index(x, y)];
+  if (pixel == 0) ++count_;
+  pixel = 1;
+}
+
+}  // namespace poinsot::image

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+
+namespace poinsot::image {
+
+/// Pixels of a picture that a comparison leaves out.
+class IgnoreMask {
+ public:
+  /// A mask that leaves out nothing. @pre width, height > 0.
+  explicit IgnoreMask(PixelSize size);
+
+  /// Adds a box, as far as it lies in the picture.
+  void add(const PixelRect& box);
+  /// Adds the pixels at which `painted` is neither black nor wholly transparent. @pre same size.
+  void add(const AnyImage& painted);
+
+  PixelSize size() const { return size_; }
+  /// @pre inside the picture.
+  bool ignores(int x, int y) const { return ignored_[index(x, y)] != 0; }
+  std::int64_t ignoredPixels() const { return count_; }
+  std::int64_t comparedPixels() const { return static_cast<std::int64_t>(ignored_.size()) - count_; }
+  /// Ignored part of all pixels, 0 to 1.
+  double share() const { return static_cast<double>(count_) / static_cast<double>(ignored_.size()); }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+  }
+  void ignore(int x, int y);
+
+  PixelSize size_;
+  std::vector<std::uint8_t> ignored_;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace poinsot::image

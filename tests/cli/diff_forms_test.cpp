@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+// `poinsot diff` of pictures as other tools store them, of animations, and with places that are left out. All
+// files are written chunk by chunk, so that what is equal and what is not is known from the PNG specification.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program_run.h"
+#include "support/raw_png.h"
+
+namespace poinsot {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+enum ColorType : std::uint8_t { kGrey = 0, kRgb = 2, kPalette = 3, kGreyAlpha = 4, kRgba = 6 };
+
+constexpr std::uint32_t kSide = 16;
+
+RawPng square(ColorType type, std::uint8_t depth = 8, std::vector<Bytes> chunks = {}) {
+  return {kSide, kSide, depth, type, std::move(chunks)};
+}
+
+/// Samples of the square whose pixels are what `pixel` gives for their number.
+template <class Pixel>
+Bytes samples(Pixel pixel) {
+  Bytes all;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+    for (const int v : pixel(static_cast<int>(i))) all.push_back(static_cast<std::uint8_t>(v));
+  return all;
+}
+
+using Values = std::vector<int>;
+
+class DiffForms : public ::testing::Test {
+ protected:
+  RunResult diff(std::vector<std::string> words) {
+    words.insert(words.begin(), "diff");
+    return run(folder_, words);
+  }
+  json figures(std::vector<std::string> words) {
+    words.emplace_back("--json");
+    return json::parse(diff(words).out, nullptr, false);
+  }
+  void save(const std::string& name, const Bytes& bytes) { saveBytes(folder_ / name, bytes); }
+
+  ScratchFolder folder_;
+};
+
+/// One picture of 16 greys in every form that can hold it, by what is said of that form.
+std::map<std::string, Bytes> formsOfOnePicture() {
+  const auto level = [](int i) { return 17 * (i % 16); };
+  Bytes colors, fourBits;
+  for (int k = 0; k < 16; ++k)
+    for (int c = 0; c < 3; ++c) colors.push_back(static_cast<std::uint8_t>(17 * k));
+  for (int i = 0; i < static_cast<int>(kSide * kSide); i += 2)
+    fourBits.push_back(static_cast<std::uint8_t>((i % 16) << 4 | (i + 1) % 16));
+  const Bytes palette = pngChunk("PLTE", colors);
+  return {
+      {"RGB", pngBytes(square(kRgb), samples([&](int i) { return Values(3, level(i)); }))},
+      {"RGB and alpha", pngBytes(square(kRgba), samples([&](int i) {
+                                   return Values{level(i), level(i), level(i), 255};
+                                 }))},
+      {"grey", pngBytes(square(kGrey), samples([&](int i) { return Values{level(i)}; }))},
+      {"grey and alpha", pngBytes(square(kGreyAlpha), samples([&](int i) {
+                                    return Values{level(i), 255};
+                                  }))},
+      {"palette", pngBytes(square(kPalette, 8, {palette}), samples([](int i) { return Values{i % 16}; }))},
+      {"RGB of 16 bits", pngBytes(square(kRgb, 16), samples([&](int i) { return Values(6, level(i)); }))},
+      {"grey of 16 bits", pngBytes(square(kGrey, 16), samples([&](int i) { return Values(2, level(i)); }))},
+  };
+}
+
+// What a lossless optimiser may make of a reference changes no verdict; --exact alone refuses it.
+TEST_F(DiffForms, StorageIsNoDifferenceOfPixels) {
+  const auto forms = formsOfOnePicture();
+  for (const auto& [name, bytes] : forms) save(name + ".png", bytes);
+  for (const auto& [a, bytesA] : forms)
+    for (const auto& [b, bytesB] : forms) {
+      const RunResult result = diff({a + ".png", b + ".png"});
+      EXPECT_EQ(result.exitCode, 0) << a << " / " << b << result.err;
+      EXPECT_EQ(result.out, a == b ? "identical\n"
+                                   : "identical\n  note               " + b + " beside " + a + ", same pixels\n");
+      EXPECT_EQ(diff({a + ".png", b + ".png", "--exact", "--quiet"}).exitCode, a == b ? 0 : 1);
+    }
+}
+
+// Four bits of grey are the same 16 levels, but no other way to store eight of them.
+TEST_F(DiffForms, FiguresAreTheSameInEveryForm) {
+  auto forms = formsOfOnePicture();
+  save("changed.png",
+       pngBytes(square(kRgb), samples([](int i) { return Values(3, i == 40 ? 200 : 17 * (i % 16)); })));
+  // Pixel 40 had the level 17 * 8 = 136: it differs by 64 in each of three channels of 256 pixels.
+  for (const auto& [name, bytes] : forms) {
+    save("form.png", bytes);
+    const json made = figures({"form.png", "changed.png"});
+    EXPECT_EQ(made["differing_pixels"], 1) << name;
+    EXPECT_EQ(made["max_difference"], 64) << name;
+    EXPECT_DOUBLE_EQ(made["mean_difference"], 64.0 / 256) << name;
+    EXPECT_DOUBLE_EQ(made["rmse"], 64.0 / 16) << name;
+    EXPECT_EQ(made["worst_pixels"][0]["x"], 40 % 16) << name;
+  }
+}
+
+TEST_F(DiffForms, FoldersSayOnceWhatIsStoredDifferently) {
+  const auto forms = formsOfOnePicture();
+  for (const char* name : {"old/a.png", "old/b.png", "old/c.png", "new/c.png"}) save(name, forms.at("RGB"));
+  for (const char* name : {"new/a.png", "new/b.png"}) save(name, forms.at("grey"));
+  EXPECT_EQ(diff({"old", "new"}).out, "identical: 3 identical\n  note: 2 of 3: grey beside RGB, same pixels\n");
+  EXPECT_EQ(figures({"old", "new"})["pictures"][0]["notes"], json::array({"grey beside RGB, same pixels"}));
+  EXPECT_EQ(diff({"old", "new", "--exact", "--quiet"}).exitCode, 1);
+}
+
+// Nobody sees what stands under alpha 0.
+TEST_F(DiffForms, HiddenColoursAreNoDifference) {
+  const auto hidden = [](int color) {
+    return pngBytes(square(kRgba), samples([=](int i) {
+                      return i < 64 ? Values{color, color, color, 0} : Values{9, 9, 9, 255};
+                    }));
+  };
+  save("black.png", hidden(0));
+  save("white.png", hidden(255));
+  EXPECT_EQ(diff({"black.png", "white.png"}).out, "identical\n");
+}
+
+// A quarter of a black picture became a hole: only alpha changed. With limits that leave the samples free, FLIP
+// still sees it, and so does the map.
+TEST_F(DiffForms, AHoleIsSeen) {
+  const auto black = [](bool hole) {
+    return pngBytes(square(kRgba), samples([=](int i) { return Values{0, 0, 0, hole && i < 64 ? 0 : 255}; }));
+  };
+  save("whole.png", black(false));
+  save("hole.png", black(true));
+  const RunResult result = diff({"whole.png", "hole.png", "--max", "0-255", "--pixels", "0-100%", "--map",
+                                 "map.png", "--diff-image", "d.png"});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.out, StartsWith("different: FLIP mean"));
+  save("none.png", pngBytes(square(kRgb), Bytes(kSide * kSide * 3)));
+  for (const char* map : {"map.png", "d.png"})
+    EXPECT_GE(figures({"none.png", map})["differing_pixels"], 64) << map;
+}
+
+TEST_F(DiffForms, NotesAnotherColourSpace) {
+  const Bytes pixels(kSide * kSide * 3, 70);
+  save("plain.png", pngBytes(square(kRgb), pixels));
+  save("srgb.png", pngBytes(square(kRgb, 8, {pngChunk("sRGB", {0})}), pixels));
+  save("p3.png", pngBytes(square(kRgb, 8, {pngChunk("cICP", {12, 13, 0, 1})}), pixels));
+  EXPECT_EQ(diff({"plain.png", "srgb.png"}).out, "identical\n");
+  const std::string said =
+      "identical\n  note               Display P3 (cICP) beside sRGB; both are compared as sRGB\n";
+  EXPECT_EQ(diff({"plain.png", "p3.png"}).out, said);
+  EXPECT_EQ(diff({"srgb.png", "p3.png"}).out, said);
+  EXPECT_EQ(diff({"p3.png", "p3.png"}).out, "identical\n");
+}
+
+Bytes animation(const std::vector<int>& levels, const std::vector<std::uint16_t>& delays_ms) {
+  std::vector<Bytes> pictures;
+  for (const int level : levels) pictures.emplace_back(kSide * kSide * 3, static_cast<std::uint8_t>(level));
+  return apngBytes(square(kRgb), pictures, delays_ms);
+}
+
+// Only the third picture differs, which no reader of still pictures sees.
+TEST_F(DiffForms, AnAnimationIsOneWhateverItsName) {
+  const std::vector<std::uint16_t> delays(4, 100);
+  for (const char* name : {"a.png", "a.apng", "old/a.png"}) save(name, animation({10, 20, 30, 40}, delays));
+  for (const char* name : {"b.png", "b.apng", "new/a.png"}) save(name, animation({10, 20, 200, 40}, delays));
+  for (const auto& [a, b] : {std::pair("a.png", "b.png"), {"a.apng", "b.apng"}, {"a.png", "b.apng"}}) {
+    const RunResult result = diff({a, b});
+    EXPECT_EQ(result.exitCode, 1) << a << b;
+    EXPECT_THAT(result.out, HasSubstr("first      frame 2, at 0.200 s, is different")) << a << b;
+  }
+  EXPECT_EQ(diff({"a.png", "a.apng"}).exitCode, 0);
+  const RunResult folders = diff({"old", "new", "--map", "maps"});
+  EXPECT_EQ(folders.exitCode, 1);
+  EXPECT_THAT(folders.out, HasSubstr("different  a.png: frame 2 at 0.200 s: largest difference 170"));
+  save("still.png", pngBytes(square(kRgb), Bytes(kSide * kSide * 3, 10)));
+  EXPECT_EQ(diff({"still.png", "a.png"}).out,
+            "different: the test is an animation, the reference is a single picture\n");
+  EXPECT_EQ(diff({"a.png", "still.png"}).exitCode, 1);
+  EXPECT_EQ(diff({"a.png", "nothere.png"}).exitCode, 4);
+}
+
+TEST_F(DiffForms, TimesOfFramesAreCompared) {
+  save("even.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
+  save("rest.png", animation({10, 20, 30, 40}, {100, 2000, 100, 100}));
+  save("end.png", animation({10, 20, 30, 40}, {100, 100, 100, 2000}));
+  save("slow.png", animation({10, 20, 30, 40}, {300, 300, 300, 300}));
+  save("near.png", animation({10, 20, 30, 40}, {101, 99, 100, 101}));
+  EXPECT_THAT(diff({"even.png", "rest.png"}).out, StartsWith("different: frame 2 is at 2.1 s, not 0.2 s\n"));
+  EXPECT_THAT(diff({"even.png", "end.png"}).out,
+              StartsWith("different: the last frame is shown for 2 s, not 0.1 s\n"));
+  EXPECT_THAT(diff({"even.png", "slow.png"}).out,
+              StartsWith("different: the film has 3.333 frames a second, not 10\n"));
+  EXPECT_EQ(diff({"even.png", "near.png"}).exitCode, 0);
+}
+
+// Frame 1 has the larger mean, and is within limits that frame 2 breaks by far: a bright dot.
+TEST_F(DiffForms, TheWorstFrameIsTheOneFarthestBeyondItsLimits) {
+  std::vector<Bytes> before(3, Bytes(kSide * kSide * 3, 100)), after = before;
+  for (auto& v : after[1]) v = 108;
+  for (int c = 0; c < 3; ++c) after[2][static_cast<std::size_t>(c)] = 255;
+  save("a.png", apngBytes(square(kRgb), before, {100, 100, 100}));
+  save("b.png", apngBytes(square(kRgb), after, {100, 100, 100}));
+  const std::vector<std::string> words = {"a.png",  "b.png",       "--max", "0-10",       "--pixels",
+                                          "0-100%", "--flip-mean", "0-0.2", "--flip-max", "0-0.2"};
+  const json made = figures(words);
+  EXPECT_EQ(made["worst_frame"], 2);
+  EXPECT_GT(made["frames"][1]["flip"]["mean"], made["frames"][2]["flip"]["mean"]);
+  EXPECT_THAT(diff(words).out, HasSubstr("first      frame 2, at 0.200 s, is different"));
+}
+
+class DiffRules : public DiffForms {
+ protected:
+  /// The top row went from 100 to 200, and pixel (5, 9) from 100 to 104.
+  DiffRules() {
+    save("a.png", pngBytes(square(kRgb), Bytes(kSide * kSide * 3, 100)));
+    save("b.png", pngBytes(square(kRgb), samples([](int i) {
+                             return i < static_cast<int>(kSide) ? Values(3, 200)
+                                    : i == 9 * 16 + 5           ? Values(3, 104)
+                                                                : Values(3, 100);
+                           })));
+  }
+};
+
+TEST_F(DiffRules, IgnoredPlacesAreNotCompared) {
+  EXPECT_EQ(diff({"a.png", "b.png"}).exitCode, 1);
+  const json made = figures({"a.png", "b.png", "--ignore", "0,0,16,1"});
+  EXPECT_EQ(made["differing_pixels"], 1);
+  EXPECT_DOUBLE_EQ(made["differing_share"], 1.0 / 240);
+  EXPECT_DOUBLE_EQ(made["ignored_share"], 1.0 / 16);
+  const RunResult both = diff({"a.png", "b.png", "--ignore", "0,0,99,1", "--ignore", "5,9,1,1"});
+  EXPECT_EQ(both.exitCode, 0);
+  EXPECT_EQ(both.out, "identical\n  ignored            6.64 % of the picture\n");
+  save("mask.png", pngBytes(square(kGrey), samples([](int i) { return Values{i < 16 ? 255 : 0}; })));
+  EXPECT_EQ(figures({"a.png", "b.png", "--mask", "mask.png"})["differing_pixels"], 1);
+}
+
+TEST_F(DiffRules, WhatIgnoresWronglyIsRefused) {
+  save("small.png", pngBytes({8, 8, 8, kGrey, {}}, Bytes(64)));
+  save("white.png", pngBytes(square(kGrey), Bytes(256, 255)));
+  const auto error = [&](const std::vector<std::string>& more, int code = 2) {
+    std::vector<std::string> words = {"a.png", "b.png"};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult result = diff(words);
+    EXPECT_EQ(result.exitCode, code) << result.out;
+    return result.err;
+  };
+  EXPECT_THAT(error({"--ignore", "16,0,4,4"}),
+              HasSubstr("ignore [16, 0, 4, 4]: outside of the picture, whose size is 16x16"));
+  EXPECT_THAT(error({"--ignore", "1,2,3"}), HasSubstr("--ignore '1,2,3': write x, y, width and height in pixels"));
+  EXPECT_THAT(error({"--ignore", "1,2,0,3"}), HasSubstr("width and height at least 1"));
+  EXPECT_THAT(error({"--ignore", "1,2,x,3"}), HasSubstr("write x, y, width and height"));
+  EXPECT_THAT(error({"--ignore", "0,0,16,16"}), HasSubstr("nothing is left to compare"));
+  EXPECT_THAT(error({"--mask", "white.png"}), HasSubstr("nothing is left to compare"));
+  EXPECT_THAT(error({"--mask", "small.png"}),
+              HasSubstr("mask small.png: its size is 8x8; the picture's is 16x16"));
+  EXPECT_THAT(error({"--mask", "nothere.png"}, 4), HasSubstr("nothere.png"));
+}
+
+TEST_F(DiffRules, LevelsDoNotCountAsPixels) {
+  // 17 pixels differ; 16 by more than 4.
+  EXPECT_EQ(figures({"a.png", "b.png", "--level", "4"})["counted_pixels"], 16);
+  const std::vector<std::string> free = {"a.png",       "b.png", "--max",      "0-255",
+                                         "--flip-mean", "0-1",   "--flip-max", "0-1"};
+  const auto with = [&](const char* level, const char* pixels) {
+    auto words = free;
+    words.insert(words.end(), {"--level", level, "--pixels", pixels});
+    return diff(words);
+  };
+  EXPECT_EQ(with("3", "0-16").exitCode, 1);
+  EXPECT_EQ(with("4", "0-16").exitCode, 0);
+  EXPECT_THAT(with("4", "0-3").out, StartsWith("different: pixels beyond level 4 16 (limit 3)\n"));
+  EXPECT_THAT(with("4", "0-3").out, HasSubstr("17 of 256 (6.64 %), 16 by more than 4"));
+  EXPECT_EQ(with("255", "0-3").exitCode, 2);
+}
+
+TEST_F(DiffRules, RulesHaveNames) {
+  save("one.png", pngBytes(square(kRgb), samples([](int i) { return Values(3, i == 7 ? 101 : 100); })));
+  EXPECT_EQ(diff({"a.png", "one.png", "--rule", "same"}).exitCode, 1);
+  EXPECT_EQ(diff({"a.png", "one.png", "--rule", "near"}).exitCode, 0);
+  EXPECT_EQ(diff({"a.png", "one.png", "--rule", "same", "--max", "0-1", "--pixels", "0-1", "--flip-mean", "0-1",
+                  "--flip-max", "0-1"})
+                .exitCode,
+            0);
+  const json driver = figures({"a.png", "one.png", "--rule", "other_driver"})["limits"];
+  EXPECT_EQ(driver["max_difference"], 255);
+  EXPECT_EQ(driver["differing_share"], 1);
+  EXPECT_EQ(driver["flip_mean"], 0.02);
+  EXPECT_EQ(driver["flip_max"], 0.4);
+  EXPECT_THAT(diff({"a.png", "one.png", "--rule", "nere"}).err, HasSubstr("there are same, near, other_driver"));
+}
+
+TEST_F(DiffRules, LimitsAreExplained) {
+  const auto error = [&](const char* option, const char* value) {
+    const RunResult result = diff({"a.png", "b.png", option, value});
+    EXPECT_EQ(result.exitCode, 2);
+    return result.err;
+  };
+  EXPECT_THAT(error("--pixels", "50%"), HasSubstr("write 0-50%: a limit is a range from 0"));
+  EXPECT_THAT(error("--pixels", "50"), HasSubstr("write 0-50: a limit is a range from 0"));
+  EXPECT_THAT(error("--max", "0-50%"), HasSubstr("a share with % is for pixels only"));
+  const RunResult all =
+      diff({"a.png", "b.png", "--max", "0-255", "--pixels", "0-100%", "--flip-mean", "0-1", "--flip-max", "0-1"});
+  EXPECT_EQ(all.exitCode, 2);
+  EXPECT_THAT(all.err, HasSubstr("every picture would pass; lower at least one limit"));
+}
+
+TEST_F(DiffRules, NamesWhatIsMissing) {
+  std::filesystem::create_directory(folder_ / "new");
+  for (const auto& [a, b] :
+       {std::pair("nothere", "new"), {"nothere.png", "a.png"}, {"new", "nothere"}, {"a.png", "nothere.mp4"}}) {
+    const RunResult result = diff({a, b});
+    EXPECT_EQ(result.exitCode, 4) << a;
+    EXPECT_THAT(result.err, HasSubstr(": No such file or directory")) << a;
+    EXPECT_THAT(result.err, HasSubstr("nothere")) << a;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot
