@@ -12,9 +12,7 @@
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "image/png_file.h"
 #include "output/atomic_file.h"
-#include "output/film_reader.h"
 
 namespace poinsot::app {
 namespace {
@@ -22,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using core::Error;
 using core::ErrorKind;
-
-bool isComparable(const fs::path& file) { return image::isPngName(file) || output::isFilmName(file); }
 
 /// Names of the PNG files and films beneath a folder, from there; sorted. Hidden ones, and links to folders, are
 /// left out.
@@ -34,7 +30,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
        entry.increment(failure)) {
     const bool hidden = entry->path().filename().native().starts_with('.');
     if (hidden) entry.disable_recursion_pending();
-    if (!hidden && isComparable(entry->path()) && entry->is_regular_file(failure))
+    if (!hidden && isComparableName(entry->path()) && entry->is_regular_file(failure))
       names.push_back(entry->path().lexically_relative(folder).native());
   }
   if (failure)

@@ -15,14 +15,15 @@ namespace poinsot::app {
 /// One [[test]]: a scene, drawn at some times, or a picture that somebody else makes.
 struct GoldenTest {
   std::string name;
-  std::filesystem::path scene;  ///< or
-  std::filesystem::path image;  ///< ... this; the other is empty
+  std::filesystem::path scene;  ///< drawn; empty if there is an image
+  std::filesystem::path image;  ///< PNG or film that another program makes; empty if there is a scene
   std::vector<double> times_s;  ///< film times; empty: the scene's time.still
   std::optional<image::PixelSize> size;
   std::optional<int> height;           ///< in place of the size: the width keeps the scene's proportion
   core::SourceLocation heightAt;       ///< where the manifest says so
   core::SourceLocation timesAt;        ///< and of the times
   std::vector<std::string> overrides;  ///< "key=value"
+  std::string variant;                 ///< of an image: what made it, where references differ by that
   PictureRule rule;
 };
 
@@ -33,9 +34,10 @@ struct GoldenManifest {
   std::vector<GoldenTest> tests;     ///< those of a pattern by name
 };
 
-/// Reads it; paths in it are from its folder. A scene's file name may be a pattern with a *: a test for each. It
-/// may be a stranger's, so scenes and images must lie below its folder, the current one or an asset root, and
-/// references, which are written, below its folder or an asset root; links lead no further.
+/// Reads it; paths in it are from its folder. The path of a scene or an image may be a pattern (golden_files.h): a
+/// test for each file. A manifest may be a stranger's, so scenes and images must lie below its folder, the current
+/// one or an asset root, and references, which are written, below its folder or an asset root; links lead no
+/// further.
 /// @throws scene::SceneErrors with all that is wrong and where; core::Error(kIo) if it cannot be read.
 GoldenManifest readGoldenManifest(const std::filesystem::path& file, const scene::Allowance& allowance = {});
 /// The same of its text, as if it stood in that file. @throws scene::SceneErrors.

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
+#include "app/file_diff.h"
 #include "app/json_file.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
-#include "image/png_file.h"
 #include "output/atomic_file.h"
 
 namespace poinsot::app {
@@ -48,20 +49,38 @@ std::string slug(const std::string& renderer) {
   return text.empty() ? "other" : text;
 }
 
-/// "racket" for "racket.png" and "racket@llvmpipe.png".
-std::string testOf(const fs::path& picture) {
-  const std::string stem = picture.stem();
-  return stem.substr(0, stem.find('@'));
+/// Files in a folder, sorted. A link may lead anywhere, and is none.
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code ignored;  // no folder has no files
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.is_regular_file(ignored) && !entry.is_symlink(ignored)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
-/// A link may lead anywhere, and is none.
-std::vector<fs::path> picturesIn(const fs::path& folder) {
-  std::vector<fs::path> pictures;
-  std::error_code ignored;  // no folder has no pictures
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (image::isPngName(entry.path()) && !entry.is_symlink(ignored)) pictures.push_back(entry.path());
-  std::sort(pictures.begin(), pictures.end());
-  return pictures;
+/// A stem in two, at its last @.
+struct Stem {
+  std::string name, renderer;  ///< the second empty without an @
+};
+
+Stem split(const std::string& stem) {
+  const auto at = stem.rfind('@');
+  return at == std::string::npos ? Stem{stem, ""} : Stem{stem.substr(0, at), stem.substr(at + 1)};
+}
+
+/// The usual file of a test.
+fs::path usualFile(const fs::path& folder, const GoldenName& name) {
+  return folder / (name.name + name.extension);
+}
+
+/// Whether a picture was approved beside the usual one of a test: its description says for which renderer.
+bool isApprovedBeside(const fs::path& picture, const fs::path& usual) try {
+  const Stem stem = split(picture.stem());
+  return !stem.renderer.empty() && stem.name == usual.stem().native() &&
+         picture.extension() == usual.extension() && slug(originOf(picture).renderer) == stem.renderer;
+} catch (const core::Error&) {  // a description that cannot be read says nothing
+  return false;
 }
 
 void write(const fs::path& picture, const std::string& bytes, const GoldenOrigin& origin) {
@@ -84,7 +103,17 @@ fs::path placeOf(const std::vector<GoldenReference>& there, const GoldenOrigin& 
   for (const GoldenReference& reference : there)
     if (reference.origin.renderer == origin.renderer) return reference.picture;
   if (!beside || there.empty()) return usual;
-  return usual.parent_path() / fmt::format("{}@{}.png", usual.stem().native(), slug(origin.renderer));
+  return usual.parent_path() /
+         fmt::format("{}@{}{}", usual.stem().native(), slug(origin.renderer), usual.extension().native());
+}
+
+/// Whether a JSON file is a description that approve() wrote.
+bool isDescription(const fs::path& file) try {
+  const auto json = parseJson(core::readRegularFile(file, kMostOrigin, core::ErrorKind::kIo));
+  return json.is_object() && json.size() == 3 && json.contains("renderer") && json.contains("software") &&
+         json.contains("scene");
+} catch (const core::Error&) {
+  return false;
 }
 
 }  // namespace
@@ -101,12 +130,14 @@ std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text) try {
   return std::nullopt;
 }
 
-std::vector<GoldenReference> referencesOf(const fs::path& folder, const std::string& name) {
+std::vector<GoldenReference> referencesOf(const fs::path& folder, const GoldenName& name) {
+  const fs::path usual = usualFile(folder, name);
   std::vector<GoldenReference> references;
-  for (const fs::path& picture : picturesIn(folder))
-    if (testOf(picture) == name) references.push_back({picture, originOf(picture)});
-  const auto isUsual = [&](const GoldenReference& r) { return r.picture.stem() == name; };
-  std::stable_partition(references.begin(), references.end(), isUsual);
+  for (const fs::path& file : filesIn(usual.parent_path()))
+    if (file.filename() == usual.filename())
+      references.insert(references.begin(), {file, originOf(file)});
+    else if (isApprovedBeside(file, usual))
+      references.push_back({file, originOf(file)});
   return references;
 }
 
@@ -114,22 +145,22 @@ std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& refere
                                       const std::string& renderer) {
   std::vector<GoldenReference> own;
   for (const GoldenReference& reference : references)
-    if (!renderer.empty() && reference.origin.renderer == renderer) own.push_back(reference);
+    if (reference.origin.renderer == renderer) own.push_back(reference);
   return own.empty() ? references : own;
 }
 
 Approval approve(const fs::path& picture, const GoldenOrigin& origin, const fs::path& folder,
-                 const std::string& name, bool beside) {
-  output::makeFolders(folder);
+                 const GoldenName& name, bool beside) {
+  const fs::path usual = usualFile(folder, name);
+  output::makeFolders(usual.parent_path());
   const auto there = referencesOf(folder, name);
-  const fs::path usual = folder / (name + ".png");
   const bool isOwn =
       std::ranges::any_of(there, [&](const GoldenReference& r) { return r.origin.renderer == origin.renderer; });
   Approval approval{placeOf(there, origin, usual, beside), {}};
   write(approval.place, core::readRegularFile(picture, kMostPicture, core::ErrorKind::kIo), origin);
   if (beside) return approval;
   for (const GoldenReference& reference : there) {
-    const bool holds = isOwn && reference.origin.scene == origin.scene;
+    const bool holds = isOwn && !origin.scene.empty() && reference.origin.scene == origin.scene;
     if (reference.picture == approval.place || holds) continue;
     remove(reference);
     approval.removed.push_back(reference.picture);
@@ -137,11 +168,70 @@ Approval approve(const fs::path& picture, const GoldenOrigin& origin, const fs::
   return approval;
 }
 
-std::vector<std::string> unusedIn(const fs::path& folder, const std::vector<std::string>& names) {
-  std::vector<std::string> unused;
-  for (const fs::path& picture : picturesIn(folder))
-    if (std::ranges::find(names, testOf(picture)) == names.end()) unused.push_back(picture.filename());
-  return unused;
+namespace {
+
+/// Finds the files of one folder that no test refers to.
+class StrayFinder {
+ public:
+  StrayFinder(std::vector<fs::path> usual, bool all) : usual_(std::move(usual)), all_(all) {}
+
+  void search(const fs::path& folder) {
+    const std::vector<fs::path> files = filesIn(folder);
+    std::set<std::string> stems;
+    for (const fs::path& file : files)
+      if (isComparableName(file)) stems.insert(file.stem());
+    for (const fs::path& file : files)
+      if (isComparableName(file))
+        examine(file);
+      else if (all_ && file.extension() == ".json" && !stems.contains(file.stem()) && isDescription(file))
+        strays_.push_back(
+            {file, "describes a picture that is not there: remove " + core::printable(file.native())});
+  }
+
+  std::vector<StrayFile> strays() { return std::move(strays_); }
+
+ private:
+  void examine(const fs::path& file) {
+    if (std::ranges::find(usual_, file) != usual_.end()) return;
+    const Stem stem = split(file.stem());
+    const fs::path besides = file.parent_path() / (stem.name + file.extension().native());
+    const bool ofATest = !stem.renderer.empty() && std::ranges::find(usual_, besides) != usual_.end();
+    if (ofATest && isApprovedBeside(file, besides)) return;
+    if (ofATest)
+      strays_.push_back(
+          {file, fmt::format("lies beside {} but was not approved: approve it by --update --beside, or "
+                             "remove {}",
+                             core::printable(besides.filename().native()), core::printable(file.native()))});
+    else if (all_)
+      strays_.push_back({file, "approved, and no test makes it: remove " + withDescription(file)});
+  }
+
+  /// A picture, and its description if there is one.
+  static std::string withDescription(const fs::path& file) {
+    std::error_code ignored;
+    const fs::path json = originFile(file);
+    const std::string picture = core::printable(file.native());
+    return fs::exists(json, ignored) ? fmt::format("{} and {}", picture, core::printable(json.native())) : picture;
+  }
+
+  std::vector<fs::path> usual_;
+  bool all_;
+  std::vector<StrayFile> strays_;
+};
+
+}  // namespace
+
+std::vector<StrayFile> strayFiles(const fs::path& folder, const std::vector<GoldenName>& names, bool all) {
+  std::vector<fs::path> usual;
+  std::set<fs::path> folders;
+  if (all) folders.insert((folder / ".").parent_path());  // without a slash at its end
+  for (const GoldenName& name : names) {
+    usual.push_back(usualFile(folder, name));
+    folders.insert(usual.back().parent_path());
+  }
+  StrayFinder finder(std::move(usual), all);
+  for (const fs::path& each : folders) finder.search(each);
+  return finder.strays();
 }
 
 }  // namespace poinsot::app

@@ -11,7 +11,7 @@ namespace poinsot::app {
 
 /// What a picture was made with: kept beside a reference, in NAME.json.
 struct GoldenOrigin {
-  std::string renderer;  ///< GL_RENDERER; empty for pictures of others
+  std::string renderer;  ///< GL_RENDERER; the variant of a picture that another program made; empty without one
   std::string software;  ///< "poinsot 0.1.0"
   std::string scene;     ///< SHA-256 of the scene and what it names, in hexadecimal; empty for pictures of others
 };
@@ -23,11 +23,18 @@ struct GoldenReference {
   GoldenOrigin origin;
 };
 
+/// What a test's references are called, beneath the folder of references.
+struct GoldenName {
+  std::string name;       ///< of the case; may have folders: "axes/ticks"
+  std::string extension;  ///< of its pictures: ".png", ".mp4"
+};
+
 /// What a NAME.json says: a text that is missing is empty. Nothing where it is no JSON object.
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 
-/// Those of a test: the usual one first. @throws core::Error(kIo) for a NAME.json that is none of ours.
-std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, const std::string& name);
+/// References of a test, the usual one first. A NAME@X counts only if its NAME@X.json says that it was approved
+/// for the renderer X. @throws core::Error(kIo) for a NAME.json that is none of ours.
+std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, const GoldenName& name);
 
 /// Which of them a picture is compared with: those of its own renderer, if there are any, else all.
 std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& references, const std::string& renderer);
@@ -43,9 +50,17 @@ struct Approval {
 /// now.
 /// @throws core::Error(kIo).
 Approval approve(const std::filesystem::path& picture, const GoldenOrigin& origin,
-                 const std::filesystem::path& folder, const std::string& name, bool beside);
+                 const std::filesystem::path& folder, const GoldenName& name, bool beside);
 
-/// Names of the pictures in the folder that belong to no test of these names.
-std::vector<std::string> unusedIn(const std::filesystem::path& folder, const std::vector<std::string>& names);
+/// A file in the folder of references that is nobody's reference.
+struct StrayFile {
+  std::filesystem::path file;
+  std::string why;  ///< and what to do
+};
+
+/// Pictures and descriptions that belong to no test, in the folders that the names use.
+/// @param all  whether `names` are all that there are; else only files beside a reference of these are looked at
+std::vector<StrayFile> strayFiles(const std::filesystem::path& folder, const std::vector<GoldenName>& names,
+                                  bool all);
 
 }  // namespace poinsot::app

@@ -16,7 +16,10 @@
 #include "app/still_batch.h"
 #include "app/sweep_cells.h"
 #include "core/text.h"
+#include "core/wildcard.h"
 #include "image/png_file.h"
+#include "output/atomic_file.h"
+#include "output/film_reader.h"
 #include "output/target_check.h"
 #include "scene/limits.h"
 
@@ -45,6 +48,29 @@ std::string listText(const std::vector<std::string>& names) {
   const std::size_t shown = std::min(all.size(), kMost);
   return fmt::format("{}{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
                      shown < all.size() ? ", ..." : "");
+}
+
+bool isAskedFor(const GoldenCase& one, const std::string& only) {
+  return core::matchesWildcard(only, one.name) || core::matchesWildcard(only, one.test.name);
+}
+
+/// The cases that any of the names means. @throws core::Error(kUsage) for a name that means none.
+std::vector<GoldenCase> chosen(const std::vector<GoldenCase>& all, const std::vector<std::string>& only) {
+  for (const std::string& name : only) {
+    if (std::ranges::any_of(all, [&](const GoldenCase& one) { return isAskedFor(one, name); })) continue;
+    std::vector<std::string> names;
+    for (const GoldenCase& one : all) names.insert(names.end(), {one.name, one.test.name});
+    const auto near = core::closest(name, names);
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("{}: no such test{}", core::printable(name),
+                                  near ? fmt::format("; did you mean '{}'?", *near)
+                                       : fmt::format("; there are {}", core::printable(listText(names)))));
+  }
+  std::vector<GoldenCase> wanted;
+  for (const GoldenCase& one : all)
+    if (std::ranges::any_of(only, [&](const std::string& name) { return isAskedFor(one, name); }))
+      wanted.push_back(one);
+  return wanted;
 }
 
 image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene, const scene::Limits& limits) {
@@ -96,12 +122,20 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   return {place, std::move(render), digest};
 }
 
-/// What a picture's file says of itself.
-GoldenOrigin originOf(const fs::path& picture, const std::string& scene) {
-  GoldenOrigin origin{"", "", scene};
-  for (const auto& [key, value] : image::textsOfWholePng(picture).value_or(std::vector<image::PngText>{})) {
+/// @throws core::Error(kIo) if a picture, or a film's first one, cannot be read.
+void expectReadable(const fs::path& picture) {
+  if (output::isFilm(picture))
+    output::FilmReader(picture).next();
+  else
+    image::readPngAsStored(picture);
+}
+
+/// What a picture's file says of itself, and the user of an image.
+GoldenOrigin originOf(const GoldenCase& one, const std::string& scene) {
+  GoldenOrigin origin{one.variant(), "", scene};
+  for (const auto& [key, value] : image::textsOfWholePng(one.actual).value_or(std::vector<image::PngText>{})) {
     if (key == "Software") origin.software = value;
-    if (key == "Renderer") origin.renderer = value;
+    if (key == "Renderer" && origin.renderer.empty()) origin.renderer = value;
   }
   return origin;
 }
@@ -131,7 +165,7 @@ class Comparing {
   void into(GoldenOutcome& outcome) const {
     outcome.actual = one_.actual;
     forgetMaps(places());
-    const auto all = referencesOf(references_, one_.name);
+    const auto all = referencesOf(references_, one_.reference());
     if (all.empty()) {
       outcome.status = GoldenStatus::kNew;
       outcome.message = "nothing was approved yet: look at it, then --update";
@@ -166,6 +200,7 @@ class Comparing {
 
   void draw(const ComparedPictures& nearest, GoldenOutcome& outcome) const {
     const DiffRequest request = places();
+    output::makeFolders(request.map->parent_path());
     writeMaps(nearest, request);
     outcome.map = *request.map;
     outcome.difference = *request.difference;
@@ -189,7 +224,7 @@ class Run {
     for (std::size_t i = 0; i < cases_.size(); ++i) prepare(i);
     draw();
     forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
-    if (request_.only.empty()) addUnused();
+    addStrays();
     return std::move(outcomes_);
   }
 
@@ -205,6 +240,7 @@ class Run {
     outcomes_[place].name = one.name;
     if (one.test.scene.empty()) return;
     try {
+      output::makeFolders(one.actual.parent_path());
       output::checkTarget(one.actual, false);
       std::error_code ignored;
       fs::remove(one.actual, ignored);  // of an earlier run
@@ -241,8 +277,8 @@ class Run {
     GoldenOutcome& outcome = outcomes_[place];
     const auto start = std::chrono::steady_clock::now();
     try {
-      image::readPngAsStored(cases_[place].actual);  // what is wrong with it is said of it
-      outcome.origin = originOf(cases_[place].actual, outcome.origin.scene);
+      expectReadable(cases_[place].actual);  // what is wrong with it is said of it
+      outcome.origin = originOf(cases_[place], outcome.origin.scene);
       Comparing(cases_[place], manifest_.references, request_).into(outcome);
     } catch (const core::Error& error) {
       outcome.status = GoldenStatus::kError;
@@ -251,19 +287,19 @@ class Run {
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  void addUnused() {
-    std::vector<std::string> names;
-    for (const GoldenCase& one : cases_) names.push_back(one.name);
+  /// What lies among the references and is compared with nothing. Of a part of the tests only what lies beside
+  /// their own references is looked at.
+  void addStrays() {
+    std::vector<GoldenName> names;
+    for (const GoldenCase& one : cases_) names.push_back(one.reference());
     // A scene with a mistake may be what made it.
     const bool allMade = std::ranges::count(outcomes_, GoldenStatus::kError, &GoldenOutcome::status) == 0;
-    for (const std::string& file : unusedIn(manifest_.references, names)) {
+    for (const StrayFile& stray : strayFiles(manifest_.references, names, request_.only.empty())) {
       GoldenOutcome outcome;
-      outcome.name = fs::path(file).stem();
+      outcome.name = stray.file.lexically_relative(manifest_.references).replace_extension();
       outcome.status = GoldenStatus::kUnused;
-      outcome.message = "approved, and no test makes it: " +
-                        (allMade ? "remove " + core::printable((manifest_.references / file).native())
-                                 : "first mend what is in error");
-      outcome.reference = manifest_.references / file;
+      outcome.message = allMade ? stray.why : "approved, and no test makes it: first mend what is in error";
+      if (isComparableName(stray.file)) outcome.reference = stray.file;
       outcomes_.push_back(std::move(outcome));
     }
   }
@@ -297,26 +333,34 @@ std::string_view toString(GoldenStatus status) {
 }
 
 std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request) {
-  std::vector<GoldenCase> wanted;
-  std::vector<std::string> names;
-  std::set<std::string> found;
+  std::vector<GoldenCase> all;
   for (const GoldenTest& test : manifest.tests)
     for (GoldenCase& one : casesOf(test, request.output)) {
-      names.insert(names.end(), {one.name, test.name});
-      for (const std::string& only : request.only)
-        if (only == one.name || only == test.name) found.insert(only);
-      if (request.only.empty() || found.contains(one.name) || found.contains(test.name))
-        wanted.push_back(std::move(one));
+      if (!request.variant.empty()) one.test.variant = request.variant;
+      all.push_back(std::move(one));
     }
-  for (const std::string& only : request.only) {
-    if (found.contains(only)) continue;
-    const auto near = core::closest(only, names);
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("{}: no such test{}", core::printable(only),
-                                  near ? fmt::format("; did you mean '{}'?", *near)
-                                       : fmt::format("; there are {}", core::printable(listText(names)))));
+  return request.only.empty() ? all : chosen(all, request.only);
+}
+
+void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
+  std::set<std::string> wanted, known;
+  bool approved = false;
+  for (const GoldenCase& one : cases) {
+    if (one.variant().empty()) continue;
+    wanted.insert(one.variant());
+    for (const GoldenReference& reference : referencesOf(manifest.references, one.reference())) {
+      approved = true;
+      if (!reference.origin.renderer.empty()) known.insert(reference.origin.renderer);
+    }
   }
-  return wanted;
+  for (const std::string& variant : wanted)
+    if (approved && !known.contains(variant))
+      throw core::Error(core::ErrorKind::kUsage,
+                        fmt::format("variant '{}': no reference was approved for it; {}; approve the first by "
+                                    "--update --beside",
+                                    core::printable(variant),
+                                    known.empty() ? "there are none with a variant"
+                                                  : fmt::format("there are {}", fmt::join(known, ", "))));
 }
 
 std::vector<GoldenOutcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {

@@ -18,6 +18,10 @@ struct GoldenCase {
   GoldenTest test;
   std::optional<double> time_s;
   std::filesystem::path actual;  ///< where the new picture is
+
+  GoldenName reference() const { return {name, actual.extension()}; }
+  /// What made the picture of an image, as the user says; empty if nothing is said, and of a scene.
+  std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };
 
 enum class GoldenStatus {
@@ -50,16 +54,21 @@ struct GoldenOutcome {
 };
 
 struct GoldenRequest {
-  std::vector<std::string> only;  ///< names of tests or of cases; empty: all
+  std::vector<std::string> only;  ///< names of tests or of cases, * for any characters; empty: all
   std::filesystem::path output;   ///< folder of new pictures and maps; exists
   int jobs = 1;
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = true;
   scene::Allowance allowance = {};
+  std::string variant = {};  ///< of all images, in place of what their tests say
 };
 
 /// The cases of a manifest that are asked for. @throws core::Error(kUsage) for a name that is none.
 std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request);
+
+/// @throws core::Error(kUsage) if a case has a variant for which no reference of any case was approved, although
+/// some were: probably a slip.
+void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases);
 
 /// Makes the pictures of all cases and compares them with what was approved; `jobs` at a time. Where all cases are
 /// run, references that belong to none are told as well. In order of the cases, whatever the jobs.

@@ -34,7 +34,7 @@ using core::Error;
 using core::ErrorKind;
 
 struct GoldenOptions : AllowanceOptions {
-  std::string manifest = "golden.toml", output = "out/golden", junit, report, backend = "auto";
+  std::string manifest = "golden.toml", output = "out/golden", junit, report, variant, backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
   bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false;
@@ -59,7 +59,8 @@ app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allo
           options.jobs > 0 ? options.jobs : app::availableCpus(),
           backendOf(options.backend),
           !options.native,
-          std::move(allowance)};
+          std::move(allowance),
+          options.variant};
 }
 
 std::string lineOf(const GoldenOutcome& outcome, const std::string& message) {
@@ -122,13 +123,15 @@ class Golden {
     if (options_.update && options_.untrusted) refuse("--update: nothing that is not trusted is approved");
     if (options_.update) expectNotInCi();
     if (options_.beside && !options_.update) refuse("--beside: goes with --update");
+    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
+    if (!options_.update) app::expectKnownVariants(manifest_, cases);
     if (!options_.beside) return;
-    for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
-      if (one.test.scene.empty())
-        refuse(
-            fmt::format("--beside: {}: of a picture that another program made, the renderer is not known; choose "
-                        "tests with --only",
-                        core::printable(one.name)));
+    for (const app::GoldenCase& one : cases)
+      if (one.test.scene.empty() && one.variant().empty())
+        refuse(fmt::format(
+            "--beside: {}: of a picture that another program made, the renderer is not known: name it by "
+            "--variant, or choose tests with --only",
+            core::printable(one.name)));
   }
 
   /// New pictures may not come to lie on approved ones, nor reports on what somebody else wrote.
@@ -189,8 +192,8 @@ class Golden {
   }
 
   void approve(const GoldenOutcome& outcome) const {
-    const app::Approval approval =
-        app::approve(outcome.actual, outcome.origin, manifest_.references, outcome.name, options_.beside);
+    const app::Approval approval = app::approve(outcome.actual, outcome.origin, manifest_.references,
+                                                {outcome.name, outcome.actual.extension()}, options_.beside);
     for (const fs::path& file : approval.removed)
       say(fmt::format("{}: removed, as it was approved for what is no more\n", core::printable(file.native())));
     if (outcome.status == GoldenStatus::kIdentical) return;
@@ -223,13 +226,18 @@ void addGolden(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand("golden", "make the pictures of a golden.toml and compare them");
   command->add_option("MANIFEST", options->manifest, "what to make and compare (default: golden.toml)")
       ->check(notEmpty());
-  command->add_option("--only", options->only, "only the tests of these names")
+  command->add_option("--only", options->only, "only the tests of these names, * for any characters")
       ->type_name("NAME")
       ->check(notEmpty());
   command->add_flag("--update", options->update,
                     "approve the new pictures, and say how far each is from the one before; not in CI");
   command->add_flag("--beside", options->beside,
                     "with --update: keep what was approved of other renderers, and add this one's");
+  command
+      ->add_option("--variant", options->variant,
+                   "what made the images of other programs, where references differ by it")
+      ->type_name("NAME")
+      ->check(notEmpty());
   command->add_flag("--exact", options->exact, "only identical pictures pass");
   command->add_option("--junit", options->junit, "write the outcome as JUnit XML")
       ->type_name("FILE")

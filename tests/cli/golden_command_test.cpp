@@ -257,7 +257,7 @@ TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
             "golden.toml:3:8: error: test.rule: expected a table, got 3\n   3 | rule = 3\n     |        ^\n");
   EXPECT_THAT(refusal("[[test]]\nscen = 's.toml'\n"),
               HasSubstr("test.scen: unknown key; did you mean test.scene?"));
-  EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"), HasSubstr("make a name"));
+  EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"), HasSubstr("a name must be that of a file below the references"));
   EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\n[[test]]\nscene = 's.toml'\n"),
               HasSubstr("golden.toml:3:1: error: test.name: s is the name of another test"));
   EXPECT_THAT(refusal("[[test]]\nscene = 'no*.toml'\n"), HasSubstr("no file is there of the name no*.toml"));

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace poinsot::core {
+
+/// Whether a text is what a pattern means: `*` stands for any run of characters, also for none; every other
+/// character, brackets included, for itself.
+bool matchesWildcard(std::string_view pattern, std::string_view text);
+
+}  // namespace poinsot::core

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// `poinsot golden` with pictures and films that other programs make: patterns, variants, rules with places left
+// out.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program_run.h"
+#include "support/raw_png.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+Bytes flat(int level) { return pngBytes({16, 12, 8, 0, {}}, Bytes(16 * 12, static_cast<std::uint8_t>(level))); }
+
+Bytes film(const std::vector<int>& levels) {
+  std::vector<Bytes> pictures;
+  for (const int level : levels) pictures.emplace_back(16 * 12, static_cast<std::uint8_t>(level));
+  return apngBytes({16, 12, 8, 0, {}}, pictures, std::vector<std::uint16_t>(levels.size(), 100));
+}
+
+class GoldenImages : public ::testing::Test {
+ protected:
+  RunResult golden(std::vector<std::string> words = {}) {
+    words.insert(words.begin(), "golden");
+    return run(folder_, words, Stdout::kFile, {"CI="});
+  }
+  void approve(std::vector<std::string> words = {}) {
+    words.emplace_back("--update");
+    const RunResult made = golden(words);
+    ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
+  }
+  void manifest(const std::string& text) { folder_.put("golden.toml", "references = 'ref'\n" + text); }
+  void save(const std::string& name, const Bytes& bytes) { saveBytes(folder_ / name, bytes); }
+
+  ScratchFolder folder_;
+};
+
+// As `diff old new` pairs them: names with brackets, and the same name in two folders.
+TEST_F(GoldenImages, ArePairedByName) {
+  for (const char* name : {"new/wave[1].png", "new/wave[2].png", "new/axes/ticks.png", "new/lines/ticks.png",
+                           "new/icon@2x.png", "new/B\xc3\xa4r \xce\xb1.png"})
+    save(name, flat(90));
+  folder_.put("new/notes.txt", "no picture");
+  manifest("[[test]]\nimage = 'new/**/*'\n");
+  EXPECT_EQ(golden({"--list"}).out, "B\xc3\xa4r \xce\xb1\naxes/ticks\nicon@2x\nlines/ticks\nwave[1]\nwave[2]\n");
+  approve();
+  EXPECT_TRUE(fs::exists(folder_ / "ref/axes/ticks.png"));
+  EXPECT_EQ(golden().out, "6 identical\n");
+  save("new/lines/ticks.png", flat(190));
+  EXPECT_THAT(golden().out, StartsWith("different  lines/ticks: largest difference 100"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/golden/lines/ticks.flip.png"));
+  EXPECT_EQ(golden({"--only", "wave[*]"}).out, "2 identical\n");
+  EXPECT_EQ(golden({"--only", "*ticks"}).exitCode, 1);
+  EXPECT_EQ(golden({"--only", "nothing*"}).exitCode, 2);
+  fs::remove(folder_ / "new/wave[2].png");
+  EXPECT_THAT(
+      golden().out,
+      HasSubstr(
+          "unused     wave[2]: approved, and no test makes it: remove ref/wave[2].png and ref/wave[2].json"));
+  EXPECT_EQ(run(folder_, {"diff", "ref", "ref"}).out, "identical: 6 identical\n");
+}
+
+TEST_F(GoldenImages, PatternsThatMeanNothingAreRefused) {
+  manifest("[[test]]\nimage = 'new/*.png'\n");
+  const RunResult none = golden();
+  EXPECT_EQ(none.exitCode, 2);
+  EXPECT_THAT(none.err, HasSubstr("test.image: no PNG and no film is there of the name new/*.png"));
+}
+
+// The path outside is what is wrong, and all that is said.
+TEST_F(GoldenImages, SaysOneErrorForOneMistake) {
+  manifest("[[test]]\nimage = '../../x.png'\n");
+  const RunResult outside = golden();
+  EXPECT_THAT(outside.err, StartsWith("golden.toml:3:9: error: test.image: \"../../x.png\" is neither below"));
+  EXPECT_THAT(outside.err, Not(HasSubstr("expected a scene or an image")));
+}
+
+TEST_F(GoldenImages, FilmsAreTests) {
+  save("new/spin.apng", film({10, 20, 30}));
+  save("new/other.png", film({10, 20, 30}));
+  manifest("[[test]]\nimage = 'new/*'\n");
+  approve();
+  EXPECT_EQ(golden().out, "2 identical\n");
+  save("new/spin.apng", film({10, 20, 200}));
+  save("new/other.png", film({10, 120, 30}));
+  const RunResult changed = golden();
+  EXPECT_EQ(changed.exitCode, 1);
+  EXPECT_THAT(changed.out, HasSubstr("different  spin: frame 2 at 0.200 s: largest difference 170"));
+  EXPECT_THAT(changed.out, HasSubstr("different  other: frame 1 at 0.100 s: largest difference 100"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/golden/spin.flip.png"));
+  approve();
+  EXPECT_EQ(golden().exitCode, 0);
+}
+
+// A picture that was put beside a reference by hand is compared with nothing, and is named.
+TEST_F(GoldenImages, PicturesPutBesideAReferenceDoNotCount) {
+  save("new.png", flat(90));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  approve();
+  save("ref/s@x.png", flat(190));
+  save("new.png", flat(190));
+  const RunResult result = golden();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.out, StartsWith("different  s: "));
+  EXPECT_THAT(result.out, HasSubstr("unused     s@x: lies beside s.png but was not approved"));
+  EXPECT_THAT(golden({"--only", "s"}).out, HasSubstr("unused     s@x"));
+  save("new.png", flat(90));
+  EXPECT_EQ(golden().exitCode, 1);  // as long as it lies there
+  folder_.put("ref/s@x.json", bytesOf(folder_ / "ref/s.json"));
+  EXPECT_EQ(golden().exitCode, 1);  // was not approved for x either
+}
+
+TEST_F(GoldenImages, HaveAReferenceForEachVariant) {
+  save("new.png", flat(90));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  approve();
+  save("new.png", flat(120));
+  EXPECT_EQ(golden().exitCode, 1);
+  approve({"--beside", "--variant", "softpipe"});
+  EXPECT_TRUE(fs::exists(folder_ / "ref/s@softpipe.png"));
+  EXPECT_EQ(golden({"--variant", "softpipe"}).out, "1 identical\n");
+  EXPECT_EQ(golden().exitCode, 1);  // the other driver's reference is not this one's
+  save("new.png", flat(90));
+  EXPECT_EQ(golden().out, "1 identical\n");
+  EXPECT_EQ(golden({"--variant", "softpipe"}).exitCode, 1);
+
+  const RunResult slip = golden({"--variant", "sofpipe"});
+  EXPECT_EQ(slip.exitCode, 2);
+  EXPECT_THAT(slip.err, HasSubstr("variant 'sofpipe': no reference was approved for it; there are softpipe"));
+
+  save("new.png", flat(60));
+  EXPECT_THAT(golden({"--update"}).out, StartsWith("ref/s@softpipe.png: removed"));
+  EXPECT_FALSE(fs::exists(folder_ / "ref/s@softpipe.json"));
+  EXPECT_EQ(golden().out, "1 identical\n");
+}
+
+TEST_F(GoldenImages, TestsMayNameTheirVariant) {
+  save("new.png", flat(90));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  approve();
+  save("new.png", flat(120));
+  manifest("variant = 'mesa'\n[[test]]\nname = 's'\nimage = 'new.png'\n");
+  EXPECT_THAT(golden().err,
+              HasSubstr("variant 'mesa': no reference was approved for it; there are none with a variant"));
+  approve({"--beside"});
+  EXPECT_TRUE(fs::exists(folder_ / "ref/s@mesa.png"));
+  EXPECT_EQ(golden().exitCode, 0);
+  folder_.put("s.toml", kGoodScene);
+  manifest("[[test]]\nscene = 's.toml'\nvariant = 'mesa'\n");
+  EXPECT_THAT(golden().err, HasSubstr("variant is for an image"));
+}
+
+TEST_F(GoldenImages, RulesLeavePlacesOut) {
+  Bytes pixels(16 * 12, 90);
+  save("new.png", pngBytes({16, 12, 8, 0, {}}, pixels));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  approve();
+  for (std::size_t i = 0; i < 16; ++i) pixels[i] = 200;  // the top row
+  save("new.png", pngBytes({16, 12, 8, 0, {}}, pixels));
+  EXPECT_EQ(golden().exitCode, 1);
+  const auto with = [&](const std::string& rule) {
+    manifest("[[test]]\nname = 's'\nimage = 'new.png'\n" + rule);
+    return golden();
+  };
+  EXPECT_EQ(with("[test.rule]\nignore = [[0, 0, 16, 1]]\nreason = 'a date'\n").out, "1 identical\n");
+  EXPECT_EQ(with("[test.rule]\nignore = [0, 0, 16, 1]\nreason = 'a date'\n").exitCode, 0);
+  Bytes mask(16 * 12, 0);
+  for (std::size_t i = 0; i < 16; ++i) mask[i] = 255;
+  save("mask.png", pngBytes({16, 12, 8, 0, {}}, mask));
+  EXPECT_EQ(with("[test.rule]\nmask = 'mask.png'\nreason = 'a date'\n").exitCode, 0);
+  EXPECT_THAT(with("[test.rule]\nignore = [[0, 0, 16, 12]]\nreason = 'x'\n").out,
+              HasSubstr("error      s: the ignored places cover the whole picture"));
+  EXPECT_THAT(with("[test.rule]\nignore = [[20, 0, 4, 4]]\nreason = 'x'\n").out,
+              HasSubstr("error      s: ignore [20, 0, 4, 4]: outside of the picture, whose size is 16x12"));
+  EXPECT_THAT(with("[test.rule]\nignore = [[0, 0, 4]]\nreason = 'x'\n").err,
+              HasSubstr("test.rule.ignore: an array of 3: write x, y, width and height in pixels"));
+  EXPECT_THAT(with("[test.rule]\nmask = '/etc/x.png'\nreason = 'x'\n").err, HasSubstr("is neither below"));
+}
+
+TEST_F(GoldenImages, RulesHaveNamesAndLevels) {
+  save("new.png", flat(90));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  approve();
+  Bytes pixels(16 * 12, 90);
+  for (std::size_t i = 0; i < 16 * 3; ++i) pixels[i] = 91;  // a quarter, by one level
+  save("new.png", pngBytes({16, 12, 8, 0, {}}, pixels));
+  const auto with = [&](const std::string& rule) {
+    manifest("[[test]]\nname = 's'\nimage = 'new.png'\n" + rule);
+    return golden();
+  };
+  EXPECT_EQ(with("").exitCode, 1);
+  EXPECT_EQ(with("rule = 'other_driver'\n").out, "near       s\n1 near\n");
+  EXPECT_EQ(with("rule = 'same'\n").exitCode, 1);
+  EXPECT_EQ(with("[test.rule]\nlevel = 1\nflip_mean = '0-0.1'\nflip_max = '0-0.1'\nreason = 'x'\n").exitCode, 0);
+  EXPECT_EQ(with("[test.rule]\nlike = 'other_driver'\nmax = '0-0.5'\nreason = 'x'\n").exitCode, 1);
+  EXPECT_EQ(with("[test.rule]\nmax = '0-0.5'\nlike = 'other_driver'\nreason = 'x'\n").exitCode, 1);
+  EXPECT_THAT(with("rule = 'nere'\n").err, HasSubstr("there are same, near, other_driver"));
+  EXPECT_THAT(
+      with("[test.rule]\nmax = '0-255'\npixels = '0-100%'\nflip_mean = '0-1'\nflip_max = '0-1'\nreason = 'x'\n")
+          .err,
+      HasSubstr("test.rule: the limits: every picture would pass"));
+}
+
+TEST_F(GoldenImages, DescriptionsWithoutAPictureAreNamed) {
+  save("new.png", flat(90));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  approve();
+  folder_.put("ref/gone.json", bytesOf(folder_ / "ref/s.json"));
+  folder_.put("ref/theirs.json", "{\"a\": 1}");
+  const RunResult result = golden();
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_EQ(result.out.substr(0, result.out.find('\n')),
+            "unused     gone: describes a picture that is not there: remove ref/gone.json");
+  EXPECT_THAT(result.out, Not(HasSubstr("theirs")));
+}
+
+}  // namespace
+}  // namespace poinsot
