@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/diff_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace poinsot::app {
@@ -36,8 +37,7 @@ ordered_json textOrNull(const std::string& text) { return text.empty() ? ordered
 
 ordered_json optional(const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); }
 
-ordered_json limitsJson(const DiffRequest& request) {
-  const image::NearRule& rule = request.rule.limits;
+ordered_json limitsJson(const image::NearRule& rule) {
   ordered_json json{{"max_difference", rule.maxAbs}};
   if (rule.differingPixels)
     json["differing_pixels"] = *rule.differingPixels;
@@ -46,6 +46,11 @@ ordered_json limitsJson(const DiffRequest& request) {
   json["level"] = rule.level;
   json["flip_mean"] = rule.flipMean;
   json["flip_max"] = rule.flipMax;
+  return json;
+}
+
+ordered_json limitsJson(const DiffRequest& request) {
+  ordered_json json = limitsJson(request.rule.limits);
   json["pixels_per_degree"] = request.pixelsPerDegree;
   return json;
 }
@@ -67,7 +72,7 @@ ordered_json sizeJson(const PictureDiff& diff) {
 
 /// The object of one pair, without the names. `worstPixels`: with the list of them.
 ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
-  ordered_json json{{"verdict", image::toString(diff.verdict)},
+  ordered_json json{{"verdict", diff.isReadable ? image::toString(diff.verdict) : "error"},
                     {"mismatch", textOrNull(diff.mismatch)},
                     {"beyond", diff.excesses},
                     {"notes", diff.notes},
@@ -100,7 +105,43 @@ ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
   return json;
 }
 
+ordered_json outcomeJson(const Outcome& outcome) {
+  ordered_json json{{"name", outcome.name}};
+  json.update(figuresJson(outcome.diff, true));
+  json["verdict"] = toString(outcome.status);
+  json.update({{"message", textOrNull(outcome.message)},
+               {"reference", textOrNull(outcome.reference.native())},
+               {"test", textOrNull(outcome.actual.native())},
+               {"map", textOrNull(outcome.map.native())},
+               {"renderer", textOrNull(outcome.origin.renderer)},
+               {"limits", limitsJson(outcome.limits)}});
+  return json;
+}
+
+/// The verdict of all together: that of the worst.
+image::Verdict verdictOf(const std::vector<Outcome>& outcomes) {
+  image::Verdict worst = image::Verdict::kIdentical;
+  for (const Outcome& outcome : outcomes)
+    worst = std::max(worst, outcome.passes(false) ? outcome.diff.verdict : image::Verdict::kDifferent);
+  return worst;
+}
+
 }  // namespace
+
+std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& names) {
+  ordered_json json = headJson(verdictOf(outcomes), names);
+  json.update({{"pictures", ordered_json::array()},
+               {"only_in_reference", ordered_json::array()},
+               {"only_in_test", ordered_json::array()}});
+  for (const Outcome& outcome : outcomes)
+    if (outcome.status == OutcomeStatus::kUnused || outcome.status == OutcomeStatus::kMissing)
+      json["only_in_reference"].push_back(outcome.name);
+    else if (outcome.status == OutcomeStatus::kNew)
+      json["only_in_test"].push_back(outcome.name);
+    else
+      json["pictures"].push_back(outcomeJson(outcome));
+  return dumped(json);
+}
 
 std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request) {
   ordered_json json = headJson(diff.verdict, names);

@@ -5,6 +5,7 @@
 
 #include "app/film_diff.h"
 #include "app/folder_diff.h"
+#include "app/outcome.h"
 #include "app/picture_diff.h"
 
 namespace poinsot::app {
@@ -19,5 +20,7 @@ struct DiffNames {
 std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request);
 std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffRequest& request);
 std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffRequest& request);
+/// A suite: as of two folders, and of each picture also its files, its limits and what made it.
+std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& names);
 
 }  // namespace poinsot::app

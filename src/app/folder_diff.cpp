@@ -67,6 +67,7 @@ PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std:
 PictureDiff unreadablePair(const std::string& name, const Error& error) {
   PictureDiff diff;
   diff.name = name;
+  diff.isReadable = false;
   diff.mismatch = error.what();
   return diff;
 }

@@ -140,18 +140,6 @@ GoldenOrigin originOf(const GoldenCase& one, const std::string& scene) {
   return origin;
 }
 
-GoldenStatus statusOf(image::Verdict verdict) {
-  switch (verdict) {
-    case image::Verdict::kIdentical:
-      return GoldenStatus::kIdentical;
-    case image::Verdict::kNear:
-      return GoldenStatus::kNear;
-    case image::Verdict::kDifferent:
-      break;
-  }
-  return GoldenStatus::kDifferent;
-}
-
 std::string messageOf(const PictureDiff& diff, const PictureRule& rule) {
   return diff.verdict == image::Verdict::kNear ? rule.reason : reasonOf(diff);
 }
@@ -238,6 +226,7 @@ class Run {
   void prepare(std::size_t place) {
     const GoldenCase& one = cases_[place];
     outcomes_[place].name = one.name;
+    outcomes_[place].limits = one.test.rule.limits;
     if (one.test.scene.empty()) return;
     try {
       output::makeFolders(one.actual.parent_path());
@@ -313,24 +302,6 @@ class Run {
 };
 
 }  // namespace
-
-std::string_view toString(GoldenStatus status) {
-  switch (status) {
-    case GoldenStatus::kIdentical:
-      return "identical";
-    case GoldenStatus::kNear:
-      return "near";
-    case GoldenStatus::kDifferent:
-      return "different";
-    case GoldenStatus::kNew:
-      return "new";
-    case GoldenStatus::kUnused:
-      return "unused";
-    case GoldenStatus::kError:
-      return "error";
-  }
-  return "";
-}
 
 std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request) {
   std::vector<GoldenCase> all;

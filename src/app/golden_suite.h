@@ -7,7 +7,7 @@
 
 #include "app/golden_manifest.h"
 #include "app/golden_reference.h"
-#include "app/picture_diff.h"
+#include "app/outcome.h"
 #include "gl/offscreen_context.h"
 
 namespace poinsot::app {
@@ -24,34 +24,8 @@ struct GoldenCase {
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };
 
-enum class GoldenStatus {
-  kIdentical,
-  kNear,
-  kDifferent,
-  kNew,     ///< nothing was approved
-  kUnused,  ///< approved, and no test makes it
-  kError    ///< no picture, or one that cannot be read
-};
-
-/// "identical", "near", "different", "new", "unused", "error".
-std::string_view toString(GoldenStatus status);
-
-/// What came of a case.
-struct GoldenOutcome {
-  std::string name;
-  GoldenStatus status = GoldenStatus::kError;
-  std::string message;                    ///< why it is no pass; the reason of its rule where it is near by one
-  PictureDiff diff;                       ///< against `reference`; figures where both could be compared
-  std::filesystem::path reference;        ///< the nearest of those approved; empty if none
-  std::filesystem::path actual;           ///< the new picture; empty if there is none
-  std::filesystem::path map, difference;  ///< where the pictures are not identical
-  GoldenOrigin origin;                    ///< of the new picture
-  double seconds = 0;                     ///< of comparing
-
-  bool passes(bool exact) const {
-    return status == GoldenStatus::kIdentical || (status == GoldenStatus::kNear && !exact);
-  }
-};
+using GoldenStatus = OutcomeStatus;
+using GoldenOutcome = Outcome;
 
 struct GoldenRequest {
   std::vector<std::string> only;  ///< names of tests or of cases, * for any characters; empty: all

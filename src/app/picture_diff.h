@@ -44,6 +44,7 @@ struct PictureDiff {
   std::string name;  ///< of the pair in a folder; empty for two files
   image::Verdict verdict = image::Verdict::kDifferent;
   std::string mismatch;     ///< "the size is 640x480, not 320x240"; empty where the two go together
+  bool isReadable = true;   ///< whether both files could be read; else the mismatch says why not
   bool hasFigures = false;  ///< whether pixels were compared
   image::PixelSize size;    ///< of the reference; 0 where none could be read
   int channels = 3;         ///< of the reference, as stored

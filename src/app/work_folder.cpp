@@ -43,7 +43,7 @@ core::FileHandle openLocked(const std::filesystem::path& folder, WorkFolderUse u
     core::FileHandle handle(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (!handle && errno == ENOENT) continue;
     if (!handle) failWithErrno(folder);
-    if (flock(handle.get(), lock | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now");
+    if (flock(handle.get(), lock | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now: wait for it, or choose another output with -o");
     if (stillThere(handle.get(), folder)) return handle;
   }
 }

@@ -13,14 +13,20 @@
 #include "app/diff_report.h"
 #include "app/diff_text.h"
 #include "app/file_diff.h"
+#include "app/junit.h"
+#include "app/markdown.h"
+#include "app/outcome.h"
+#include "app/pair_approval.h"
 #include "app/picture_rule.h"
 #include "app/render_job.h"
+#include "cli/approval.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "core/error.h"
+#include "core/shell_word.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
 #include "output/film_reader.h"
@@ -34,10 +40,10 @@ using core::Error;
 using core::ErrorKind;
 
 struct DiffOptions : AllowanceOptions {
-  std::string reference, test, rule, mask, map, difference, curve, report;
+  std::string reference, test, rule, mask, map, difference, curve, report, junit, markdown;
   std::vector<std::string> limits =
       std::vector<std::string>(app::ruleLimits().size());  ///< words; empty: not given
-  std::vector<std::string> ignore;
+  std::vector<std::string> ignore, update;
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
   int jobs = 0;
   bool json = false, exact = false, quiet = false, force = false;
@@ -100,7 +106,8 @@ void checkApart(const DiffOptions& options) {
     return failure ? fs::path(word) : place;
   };
   std::vector<fs::path> places{placeOf(options.reference), placeOf(options.test)};
-  for (const std::string& written : {options.curve, options.report, options.map, options.difference}) {
+  for (const std::string& written :
+       {options.curve, options.report, options.map, options.difference, options.junit, options.markdown}) {
     if (written.empty()) continue;
     const fs::path place = placeOf(written);
     const auto taken = std::ranges::find(places, place);
@@ -124,15 +131,11 @@ void checkTargets(const DiffOptions& options, Kind kind) {
                   fmt::format("report '{}': works: NAME.html", core::printable(options.report)));
     output::checkTarget(options.report, options.force);
   }
+  if (!options.junit.empty())
+    output::checkTarget(options.junit, options.force || output::beginsWith(options.junit, app::kJunitMark));
 }
 
-/// What the exit code depends on.
-struct Result {
-  image::Verdict verdict;
-  bool storedAlike = true;
-};
-
-/// Compares in one of the three ways, and prints what came of it.
+/// Compares in one of the three ways, and writes what was asked for about it.
 class Diff {
  public:
   explicit Diff(const DiffOptions& options)
@@ -140,20 +143,21 @@ class Diff {
     checkTargets(options, kind_);
   }
 
-  Result tell() const {
+  /// @returns the exit code.
+  int run() const {
     switch (kind_) {
       case Kind::kFolder:
-        return tellOf(app::diffFolders(options_.reference, options_.test, request_, jobs()));
+        return finish(app::diffFolders(options_.reference, options_.test, request_, jobs()));
       case Kind::kFilm:
-        return tellOf(app::diffFilms(options_.reference, options_.test, request_, jobs()));
+        return finish(app::diffFilms(options_.reference, options_.test, request_, jobs()));
       case Kind::kPicture:
         break;
     }
     const auto compared = app::compareFiles(options_.reference, options_.test, request_);
     app::writeMaps(compared, request_);
-    say(options_.json ? app::diffJson(compared.diff, names(), request_) : app::diffText(compared.diff, request_));
     writeReport([&] { return app::diffReport(compared, subject()); });
-    return {compared.diff.verdict, compared.diff.storedAlike};
+    return finish({outcomeOf(compared.diff)}, options_.json ? app::diffJson(compared.diff, names(), request_)
+                                                            : app::diffText(compared.diff, request_));
   }
 
  private:
@@ -165,16 +169,23 @@ class Diff {
 
   app::DiffSubject subject() const { return {options_.reference, options_.test, request_}; }
 
+  app::Outcome outcomeOf(const app::PictureDiff& diff) const {
+    app::Outcome outcome = app::outcomeOf(diff, options_.reference, options_.test, request_);
+    if (diff.hasFigures) outcome.map = options_.map;
+    return outcome;
+  }
+
   template <class Page>
   void writeReport(Page page) const {
     if (!options_.report.empty()) output::writeFileAtomically(options_.report, page());
   }
 
-  Result tellOf(const app::FolderDiff& diff) const {
-    say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+  int finish(const app::FolderDiff& diff) const {
     writeReport([&] { return app::diffReport(diff, subject(), jobs()); });
+    const int code = finish(app::outcomesOf(diff, options_.reference, options_.test, request_),
+                            options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
     if (diff.firstError) throw *diff.firstError;  // after what could be told
-    return {diff.verdict(), std::ranges::all_of(diff.pictures, &app::PictureDiff::storedAlike)};
+    return code;
   }
 
   /// Of the worst frame.
@@ -184,12 +195,37 @@ class Diff {
                    [&](std::size_t, const app::ComparedPictures& frame) { app::writeMaps(frame, request_); });
   }
 
-  Result tellOf(const app::FilmDiff& diff) const {
+  int finish(const app::FilmDiff& diff) const {
     writeMaps(diff);
-    say(options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
     if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule.limits);
     writeReport([&] { return app::diffReport(diff, subject()); });
-    return {diff.verdict()};
+    return finish({outcomeOf(app::summaryOf(diff))},
+                  options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+  }
+
+  int finish(const std::vector<app::Outcome>& outcomes, const std::string& text) const {
+    writeReports(outcomes);
+    if (!options_.update.empty()) return approve(outcomes);
+    say(text);
+    const bool passes = app::countFailures(outcomes, options_.exact) == 0;
+    if (!passes && !options_.quiet && !options_.json && app::countFailures(outcomes, false) == 0)
+      writeErr("poinsot: not all pixels and not all ways of storing them are identical, as --exact asks\n");
+    return passes ? kDone : kNo;
+  }
+
+  void writeReports(const std::vector<app::Outcome>& outcomes) const {
+    const std::string command =
+        core::shellWords({"poinsot", "diff", options_.reference, options_.test, "--update"});
+    const app::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test), options_.exact,
+                                  options_.report, command, ""};
+    if (!options_.junit.empty()) output::writeFileAtomically(options_.junit, app::junitXml(outcomes, head));
+    if (!options_.markdown.empty()) output::appendToFile(options_.markdown, app::markdownOf(outcomes, head));
+  }
+
+  int approve(const std::vector<app::Outcome>& outcomes) const {
+    const app::PairApproval approval = app::approvePairs(outcomes, options_.update, options_.reference);
+    say(approval.text);
+    return approval.complete ? kDone : kNo;
   }
 
   const DiffOptions& options_;
@@ -198,25 +234,16 @@ class Diff {
 };
 
 Reach reachOf(const DiffOptions& options) {
-  Reach reach{
-      {}, {options.reference, options.test}, {options.map, options.difference, options.curve, options.report}};
+  Reach reach{{},
+              {options.reference, options.test},
+              {options.map, options.difference, options.curve, options.report, options.junit, options.markdown}};
   if (!options.mask.empty()) reach.inputs.push_back(options.mask);
   return reach;
 }
 
-/// What --exact refuses and the limits alone do not; empty if nothing.
-std::string exactFault(const Result& result) {
-  if (result.verdict == image::Verdict::kNear) return "near, but not identical, as --exact asks";
-  if (result.verdict == image::Verdict::kIdentical && !result.storedAlike)
-    return "the same pixels, but stored in another way, which --exact refuses";
-  return "";
-}
-
 int diff(const DiffOptions& options) {
-  const Result result = Diff(options).tell();
-  const std::string fault = options.exact ? exactFault(result) : "";
-  if (!fault.empty() && !options.quiet && !options.json) writeErr(fmt::format("poinsot: {}\n", fault));
-  return result.verdict == image::Verdict::kDifferent || !fault.empty() ? kNo : kDone;
+  if (!options.update.empty()) expectMayApprove(options);
+  return Diff(options).run();
 }
 
 void addLimits(CLI::App& command, DiffOptions& options) {
@@ -261,6 +288,20 @@ void addDiff(CLI::App& program, Action& chosen) {
       ->check(notEmpty());
   command->add_option("--report", options->report, "write a page with the pictures and the curve: HTML, one file")
       ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--junit", options->junit, "write the outcome as JUnit XML")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command
+      ->add_option("--markdown", options->markdown,
+                   "add a table in Markdown to a file, such as $GITHUB_STEP_SUMMARY")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command
+      ->add_option(
+          "--update", options->update,
+          "approve: copy the pictures of these names, * for any characters, over the reference; not in CI")
+      ->type_name("NAME")
       ->check(notEmpty());
   command->add_option("--ppd", options->pixelsPerDegree, "pixels per degree of view, for FLIP (default: 67.02)")
       ->type_name("N")

@@ -3,23 +3,26 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <system_error>
 
-#include "app/golden_junit.h"
+#include "app/diff_json.h"
 #include "app/golden_page.h"
 #include "app/golden_suite.h"
 #include "app/interrupt.h"
+#include "app/junit.h"
+#include "app/markdown.h"
 #include "app/render_job.h"
+#include "cli/approval.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "core/error.h"
+#include "core/shell_word.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
 #include "output/target_check.h"
@@ -34,20 +37,15 @@ using core::Error;
 using core::ErrorKind;
 
 struct GoldenOptions : AllowanceOptions {
-  std::string manifest = "golden.toml", output = "out/golden", junit, report, variant, backend = "auto";
+  std::string manifest = "golden.toml", output = "out/golden", junit, report, markdown, variant, approveBy,
+              backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
-  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false;
+  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false,
+       json = false;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
-
-/// A picture is approved by somebody who looked at it.
-void expectNotInCi() {
-  const char* ci = std::getenv("CI");
-  if (ci && *ci && std::string_view(ci) != "0" && std::string_view(ci) != "false")
-    refuse("--update: nothing is approved where the environment says CI; look at the pictures first");
-}
 
 gl::Backend backendOf(const std::string& word) {
   return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
@@ -81,17 +79,6 @@ std::string linesOf(const std::vector<GoldenOutcome>& outcomes, Wanted wanted) {
   return lines;
 }
 
-/// "60 identical, 2 near, 1 different".
-std::string countsText(const std::vector<GoldenOutcome>& outcomes) {
-  std::string text;
-  for (const auto status : {GoldenStatus::kIdentical, GoldenStatus::kNear, GoldenStatus::kDifferent,
-                            GoldenStatus::kNew, GoldenStatus::kUnused, GoldenStatus::kError}) {
-    const auto count = std::ranges::count(outcomes, status, &GoldenOutcome::status);
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, toString(status));
-  }
-  return text;
-}
-
 /// One run of a suite.
 class Golden {
  public:
@@ -104,12 +91,13 @@ class Golden {
     if (options_.list) return list();
     checkOptions();
     output::makeFolders(request_.output);
+    output::expectWritableFolder(request_.output);
     checkPlaces();
     app::watchInterrupts();
     outcomes_ = app::runGoldens(manifest_, request_);
     if (options_.update) return update();
-    tell();
     writeReports();
+    tell();
     return failures() == 0 ? kDone : kNo;
   }
 
@@ -120,8 +108,7 @@ class Golden {
   }
 
   void checkOptions() const {
-    if (options_.update && options_.untrusted) refuse("--update: nothing that is not trusted is approved");
-    if (options_.update) expectNotInCi();
+    if (options_.update) expectMayApprove(options_);
     if (options_.beside && !options_.update) refuse("--beside: goes with --update");
     const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
     if (!options_.update) app::expectKnownVariants(manifest_, cases);
@@ -148,9 +135,7 @@ class Golden {
     if (!options_.quiet) writeOut(text);
   }
 
-  std::ptrdiff_t failures() const {
-    return std::ranges::count_if(outcomes_, [&](const GoldenOutcome& o) { return !o.passes(options_.exact); });
-  }
+  std::ptrdiff_t failures() const { return app::countFailures(outcomes_, options_.exact); }
 
   /// Whether nothing but --exact makes it fail.
   bool onlyNear() const {
@@ -159,16 +144,39 @@ class Golden {
   }
 
   void tell() const {
+    if (options_.json) return say(app::suiteJson(outcomes_, {manifest_.references, options_.output}));
     say(linesOf(outcomes_, [](const GoldenOutcome& o) { return o.status != GoldenStatus::kIdentical; }));
-    say(fmt::format("{}{}\n", countsText(outcomes_), onlyNear() ? ": not all identical, as --exact asks" : ""));
-    if (failures() > 0) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
+    say(fmt::format("{}{}\n", app::countsText(outcomes_),
+                    onlyNear() ? ": not all identical, as --exact asks" : ""));
+    if (failures() == 0) return;
+    say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
+    if (!options_.report.empty()) say(fmt::format("page: {}\n", core::printable(options_.report)));
+    const std::string approve = app::approveCommand(outcomes_, reportHead());
+    if (!approve.empty()) say(fmt::format("after a look at them, approve by: {}\n", approve));
   }
 
   std::string suite() const { return fs::absolute(manifest_.file).parent_path().filename(); }
 
+  app::OutcomeReport reportHead() const {
+    return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy};
+  }
+
+  /// The command that approves tests, drawn and compared in the same way; their names follow.
+  std::string approveCommand() const {
+    std::vector<std::string> words{"poinsot", "golden", options_.manifest};
+    for (const std::string& root : options_.assetRoots) words.insert(words.end(), {"--asset-root", root});
+    if (options_.backend != "auto") words.insert(words.end(), {"--backend", options_.backend});
+    if (options_.native) words.emplace_back("--native");
+    if (!options_.variant.empty()) words.insert(words.end(), {"--beside", "--variant", options_.variant});
+    words.insert(words.end(), {"--update", "--only"});
+    return core::shellWords(words);
+  }
+
   void writeReports() const {
     if (!options_.junit.empty())
-      output::writeFileAtomically(options_.junit, app::junitXml(suite(), outcomes_, options_.exact));
+      output::writeFileAtomically(options_.junit, app::junitXml(outcomes_, reportHead()));
+    if (!options_.markdown.empty())
+      output::appendToFile(options_.markdown, app::markdownOf(outcomes_, reportHead()));
     if (!options_.report.empty())
       output::writeFileAtomically(options_.report, app::goldenPage(suite(), outcomes_, options_.exact));
   }
@@ -197,15 +205,7 @@ class Golden {
     for (const fs::path& file : approval.removed)
       say(fmt::format("{}: removed, as it was approved for what is no more\n", core::printable(file.native())));
     if (outcome.status == GoldenStatus::kIdentical) return;
-    const std::string name = core::printable(approval.place.native());
-    if (outcome.status == GoldenStatus::kNew)
-      say(fmt::format("{}: approved, the first of its test\n", name));
-    else if (!outcome.diff.hasFigures)
-      say(fmt::format("{}: approved, {}\n", name, outcome.diff.mismatch));
-    else
-      say(fmt::format("{}: approved, {} pixels changed, largest {:.4g}, FLIP mean {:.3g}, max {:.3g}\n", name,
-                      outcome.diff.figures.differingPixels, outcome.diff.figures.maxAbs,
-                      outcome.diff.figures.flip.mean, outcome.diff.figures.flip.max));
+    say(fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome)));
   }
 
   const GoldenOptions& options_;
@@ -215,8 +215,11 @@ class Golden {
 };
 
 Reach reachOf(const GoldenOptions& options) {
-  return {
-      {options.manifest}, options.assetRoots, {options.junit, options.report}, {options.output}, !options.native};
+  return {{options.manifest},
+          options.assetRoots,
+          {options.junit, options.report, options.markdown},
+          {options.output},
+          !options.native};
 }
 
 }  // namespace
@@ -241,6 +244,15 @@ void addGolden(CLI::App& program, Action& chosen) {
   command->add_flag("--exact", options->exact, "only identical pictures pass");
   command->add_option("--junit", options->junit, "write the outcome as JUnit XML")
       ->type_name("FILE")
+      ->check(notEmpty());
+  command
+      ->add_option("--markdown", options->markdown,
+                   "add a table in Markdown to a file, such as $GITHUB_STEP_SUMMARY")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_flag("--json", options->json, "the outcome as a JSON object, with the figures that diff has");
+  command->add_option("--approve-by", options->approveBy, "command that reports name as the one that approves")
+      ->type_name("COMMAND")
       ->check(notEmpty());
   command->add_option("--report", options->report, "write a page with all pictures: HTML, one file")
       ->type_name("FILE")

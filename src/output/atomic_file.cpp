@@ -64,6 +64,18 @@ void makeFolders(const std::filesystem::path& folder) {
   if (failure) fail(folder, "cannot be made", failure.value());
 }
 
+void expectWritableFolder(const std::filesystem::path& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "cannot be written to", errno);
+}
+
+void appendToFile(const std::filesystem::path& target, std::string_view text) {
+  const int descriptor = ::open(target.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(target, "cannot be opened", errno);
+  const int failure = writeAll(descriptor, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  const int atEnd = ::close(descriptor) == 0 ? 0 : errno;
+  if (failure != 0 || atEnd != 0) fail(target, "cannot be added to", failure != 0 ? failure : atEnd);
+}
+
 std::filesystem::path folderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }

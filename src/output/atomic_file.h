@@ -48,6 +48,12 @@ void writeFileAtomically(const std::filesystem::path& target, std::span<const st
 
 void writeFileAtomically(const std::filesystem::path& target, std::string_view text);
 
+/// Adds text at the end of a file, which is made if it is missing. @throws core::Error(kIo).
+void appendToFile(const std::filesystem::path& target, std::string_view text);
+
+/// @throws core::Error(kIo) with the folder if no file can be made in it.
+void expectWritableFolder(const std::filesystem::path& folder);
+
 /// Makes a file's content durable. @throws core::Error(kIo).
 void syncFile(const std::filesystem::path& file);
 

@@ -319,5 +319,55 @@ TEST_F(DiffRules, NamesWhatIsMissing) {
   }
 }
 
+class DiffReports : public DiffForms {
+ protected:
+  DiffReports() {
+    for (const char* name : {"old/same.png", "new/same.png", "old/x[1].png", "old/gone.png", "new/more.png"})
+      save(name, flat(100));
+    save("new/x[1].png", flat(180));
+  }
+  static Bytes flat(int level) { return pngBytes(square(kGrey), Bytes(256, static_cast<std::uint8_t>(level))); }
+  RunResult approve(const std::string& name, const std::string& ci = "CI=") {
+    return run(folder_, {"diff", "old", "new", "--update", name}, Stdout::kFile, {ci});
+  }
+};
+
+// The count of each element is that of the tests above; GitLab's form of attachments is from its documentation.
+TEST_F(DiffReports, AreReadByContinuousIntegration) {
+  EXPECT_EQ(diff({"old", "new", "--map", "maps", "--junit", "j.xml", "--markdown", "m.md"}).exitCode, 1);
+  const std::string xml = bytesOf(folder_ / "j.xml");
+  EXPECT_THAT(xml, HasSubstr("tests=\"4\" failures=\"3\" errors=\"0\""));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"different\" message=\"largest difference 80 (limit 2)"));
+  EXPECT_THAT(xml, HasSubstr("approve by poinsot diff old new --update 'x[1].png'"));
+  EXPECT_THAT(xml,
+              HasSubstr("[[ATTACHMENT|old/x[1].png]]\n[[ATTACHMENT|new/x[1].png]]\n[[ATTACHMENT|maps/x[1].png]]"));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"missing\""));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"new\""));
+  const std::string table = bytesOf(folder_ / "m.md");
+  EXPECT_THAT(table, StartsWith("### old and new: failed\n\n1 identical, 1 different, 1 new, 1 missing\n"));
+  EXPECT_THAT(table, HasSubstr("| different | x&#91;1&#93;&#46;png | largest difference 80 "));
+  EXPECT_THAT(table, HasSubstr("```sh\npoinsot diff old new --update "));
+  EXPECT_EQ(diff({"old", "old", "--markdown", "m.md"}).exitCode, 0);
+  EXPECT_EQ(bytesOf(folder_ / "m.md"), table + "### old and old: passed\n\n3 identical\n");  // is added to
+}
+
+TEST_F(DiffReports, ApprovePicturesByName) {
+  const std::string old = bytesOf(folder_ / "old/x[1].png");
+  EXPECT_EQ(approve("x[1].png", "CI=true").exitCode, 2);
+  EXPECT_EQ(bytesOf(folder_ / "old/x[1].png"), old);
+  const RunResult slip = approve("x[2].png");
+  EXPECT_EQ(slip.exitCode, 2);
+  EXPECT_THAT(slip.err, HasSubstr("--update x[2].png: no picture has this name; did you mean 'x[1].png'?"));
+  const RunResult made = approve("x*");
+  EXPECT_EQ(made.exitCode, 0);
+  EXPECT_THAT(made.out, StartsWith("old/x[1].png: approved, 256 pixels changed, largest 80"));
+  EXPECT_EQ(bytesOf(folder_ / "old/x[1].png"), bytesOf(folder_ / "new/x[1].png"));
+  const RunResult rest = approve("*");
+  EXPECT_EQ(rest.exitCode, 1);  // what is gone is not approved
+  EXPECT_EQ(rest.out,
+            "missing    gone.png: only in the reference\nold/more.png: approved, the first of its test\n");
+  EXPECT_EQ(approve("same.png").out, "nothing to approve: all of these are identical\n");
+}
+
 }  // namespace
 }  // namespace poinsot

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/shell_word.h"
+#include "core/text.h"
+
+namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr OutcomeStatus kAll[] = {OutcomeStatus::kIdentical, OutcomeStatus::kNear,    OutcomeStatus::kDifferent,
+                                  OutcomeStatus::kNew,       OutcomeStatus::kMissing, OutcomeStatus::kUnused,
+                                  OutcomeStatus::kError};
+
+/// The map of a pair where it was written.
+fs::path writtenMap(const std::optional<fs::path>& place, const std::string& name, const PictureDiff& diff) {
+  const bool written = place && diff.hasFigures && diff.verdict != image::Verdict::kIdentical;
+  return written ? *place / name : fs::path();
+}
+
+Outcome loneOutcome(const std::string& name, OutcomeStatus status, const char* message) {
+  Outcome outcome;
+  outcome.name = name;
+  outcome.status = status;
+  outcome.message = message;
+  return outcome;
+}
+
+bool canBeApproved(const Outcome& outcome) {
+  return outcome.status != OutcomeStatus::kError && outcome.status != OutcomeStatus::kUnused &&
+         outcome.status != OutcomeStatus::kMissing;
+}
+
+}  // namespace
+
+std::string_view toString(OutcomeStatus status) {
+  constexpr std::string_view kNames[] = {"identical", "near", "different", "new", "missing", "unused", "error"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+OutcomeStatus statusOf(image::Verdict verdict) {
+  switch (verdict) {
+    case image::Verdict::kIdentical:
+      return OutcomeStatus::kIdentical;
+    case image::Verdict::kNear:
+      return OutcomeStatus::kNear;
+    case image::Verdict::kDifferent:
+      break;
+  }
+  return OutcomeStatus::kDifferent;
+}
+
+std::string countsText(const std::vector<Outcome>& outcomes) {
+  std::string text;
+  for (const OutcomeStatus status : kAll) {
+    const auto count = std::ranges::count(outcomes, status, &Outcome::status);
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, toString(status));
+  }
+  return text;
+}
+
+std::ptrdiff_t countFailures(const std::vector<Outcome>& outcomes, bool exact) {
+  return std::ranges::count_if(outcomes, [&](const Outcome& o) { return !o.passes(exact); });
+}
+
+Outcome outcomeOf(const PictureDiff& diff, const fs::path& reference, const fs::path& test,
+                  const DiffRequest& request) {
+  Outcome outcome;
+  outcome.name = diff.name.empty() ? test.filename().native() : diff.name;
+  outcome.status = diff.isReadable ? statusOf(diff.verdict) : OutcomeStatus::kError;
+  outcome.message = reasonOf(diff);
+  outcome.diff = diff;
+  outcome.reference = reference;
+  outcome.actual = test;
+  outcome.limits = request.rule.limits;
+  outcome.map = writtenMap(request.map, diff.name, diff);
+  outcome.difference = writtenMap(request.difference, diff.name, diff);
+  return outcome;
+}
+
+std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& reference, const fs::path& test,
+                                const DiffRequest& request) {
+  std::vector<Outcome> outcomes;
+  for (const PictureDiff& pair : diff.pictures)
+    outcomes.push_back(outcomeOf(pair, reference / pair.name, test / pair.name, request));
+  for (const std::string& name : diff.onlyInReference) {
+    outcomes.push_back(loneOutcome(name, OutcomeStatus::kMissing, "only in the reference"));
+    outcomes.back().reference = reference / name;
+  }
+  for (const std::string& name : diff.onlyInTest) {
+    outcomes.push_back(loneOutcome(name, OutcomeStatus::kNew, "nothing in the reference has this name"));
+    outcomes.back().actual = test / name;
+  }
+  return outcomes;
+}
+
+std::string approvalText(const Outcome& outcome) {
+  if (outcome.status == OutcomeStatus::kNew) return "approved, the first of its test";
+  if (!outcome.diff.hasFigures) return "approved, " + outcome.diff.mismatch;
+  const image::ImageDifference& d = outcome.diff.figures;
+  return fmt::format("approved, {} pixels changed, largest {:.4g}, FLIP mean {:.3g}, max {:.3g}",
+                     d.differingPixels, d.maxAbs, d.flip.mean, d.flip.max);
+}
+
+std::string approveCommand(const std::vector<Outcome>& outcomes, const OutcomeReport& report) {
+  constexpr std::size_t kMostNames = 20;
+  std::vector<std::string> names;
+  for (const Outcome& outcome : outcomes)
+    if (!outcome.passes(report.exact) && canBeApproved(outcome)) names.push_back(outcome.name);
+  if (names.empty()) return "";
+  if (report.approve.empty() || !report.approveBy.empty()) return report.approveBy;
+  if (names.size() > kMostNames) names = {"*"};
+  return report.approve + " " + core::shellWords(names);
+}
+
+}  // namespace poinsot::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/outcome.h"
+
+namespace poinsot::app {
+
+/// What was approved, a line for each, and whether all that was asked for could be.
+struct PairApproval {
+  std::string text;
+  bool complete = true;
+};
+
+/// Copies pictures of the test over those of the reference: of the outcomes whose names the patterns mean (* for
+/// any characters), those that are not identical. Pictures that cannot be read and those that only the reference
+/// has stay as they are, and make the approval incomplete.
+/// @param reference  folder for pictures that are new
+/// @throws core::Error(kUsage) for a pattern that means no outcome; core::Error(kIo).
+PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
+                          const std::filesystem::path& reference);
+
+}  // namespace poinsot::app
