@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -71,9 +72,9 @@ class CairoImage {
   SurfacePtr surface_;
 };
 
-/// The embedded mathematics font as cairo has it, of the thread that asks.
-FontPtr mathematics() {
-  return {cairo_ft_font_face_create_for_ft_face(text::Font::mathematics().face(), 0), &cairo_font_face_destroy};
+/// An embedded font as cairo has it, of the thread that asks.
+FontPtr cairoFont(text::Typeface face) {
+  return {cairo_ft_font_face_create_for_ft_face(text::Font::of(face).face(), 0), &cairo_font_face_destroy};
 }
 
 /// Sets font and size, unhinted, unrounded.
@@ -91,7 +92,7 @@ void useFont(cairo_t* context, cairo_font_face_t* font, double size) {
 class Page {
  public:
   Page(cairo_t* context, const Figure& figure)
-      : context_(context), paper_(figure.picture.background), halos_(figure.hasPaper()), font_(mathematics()) {}
+      : context_(context), paper_(figure.picture.background), halos_(figure.hasPaper()) {}
 
   void paint(const image::Image& image) {
     const CairoImage pixels(image);
@@ -136,8 +137,9 @@ class Page {
     if (halos_ && text.halo && text.halo_px > 0) paintHalo(text, run);
     use(inkOver(paper_, text.color, text.opacity));
     for (auto begin = run.glyphs.begin(); begin != run.glyphs.end();) {
-      const double scale = begin->scale;
-      const auto end = std::find_if(begin, run.glyphs.end(), [&](const auto& g) { return g.scale != scale; });
+      const auto end = std::find_if(begin, run.glyphs.end(), [&](const text::PlacedGlyph& g) {
+        return g.scale != begin->scale || g.face != begin->face;
+      });
       show({begin, end}, text);
       begin = end;
     }
@@ -170,7 +172,12 @@ class Page {
             static_cast<double>(text.baseline_px.y) - size * glyph.y_em};
   }
 
-  // Glyphs of one size, each with the characters it stands for.
+  cairo_font_face_t* fontOf(text::Typeface face) {
+    const auto known = fonts_.find(face);
+    return (known != fonts_.end() ? known : fonts_.emplace(face, cairoFont(face)).first)->second.get();
+  }
+
+  // Glyphs of one font and size, each with the characters it stands for.
   void show(std::span<const text::PlacedGlyph> run, const draw::Text& text) {
     std::vector<cairo_glyph_t> glyphs;
     std::vector<cairo_text_cluster_t> clusters;
@@ -181,7 +188,7 @@ class Page {
       clusters.push_back({static_cast<int>(meaning.size()), 1});
       plain += meaning;
     }
-    useFont(context_, font_.get(), static_cast<double>(text.size_px) * run.front().scale);
+    useFont(context_, fontOf(run.front().face), static_cast<double>(text.size_px) * run.front().scale);
     cairo_show_text_glyphs(context_, plain.data(), static_cast<int>(plain.size()), glyphs.data(),
                            static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
                            cairo_text_cluster_flags_t{});
@@ -197,7 +204,7 @@ class Page {
 
   void paintHalo(const draw::Text& text, const text::GlyphRun& run) {
     for (const text::PlacedGlyph& glyph : run.glyphs) {
-      useFont(context_, font_.get(), static_cast<double>(text.size_px) * glyph.scale);
+      useFont(context_, fontOf(glyph.face), static_cast<double>(text.size_px) * glyph.scale);
       const cairo_glyph_t at = placed(glyph, text);
       cairo_glyph_path(context_, &at, 1);
     }
@@ -209,7 +216,7 @@ class Page {
   cairo_t* context_;
   draw::Color paper_;
   bool halos_;
-  FontPtr font_;
+  std::map<text::Typeface, FontPtr> fonts_;
 };
 
 /// The date that a build of fixed content asks for, as cairo wants it; empty where none does.

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "image/png_file.h"
 #include "output/figure_ink.h"
@@ -106,10 +107,20 @@ class PathWriter final : public text::OutlineSink {
   text::Point start_;
 };
 
-std::string pathOf(text::GlyphId id) {
+/// A glyph and its font.
+using FontGlyph = std::pair<text::Typeface, text::GlyphId>;
+
+std::string pathOf(const FontGlyph& glyph) {
   PathWriter path;
-  text::traceGlyph(id, path);
+  text::traceGlyph(glyph.first, glyph.second, path);
   return path.data();
+}
+
+/// Names by font and by the font's own glyph number, so that the same name is the same outline in every figure of
+/// a page.
+std::string nameOf(const FontGlyph& glyph) {
+  constexpr const char* kFonts[] = {"lmmath", "lmroman", "lmbold"};
+  return fmt::format("{}-{}", kFonts[static_cast<int>(glyph.first)], glyph.second);
 }
 
 class SvgDocument {
@@ -138,11 +149,10 @@ class SvgDocument {
     return head;
   }
 
-  // Named by the font's own glyph number, so that the same name is the same outline in every figure of a page.
   std::string glyphs() const {
     std::string defs = "<defs>\n";
-    for (const text::GlyphId id : glyphs_)
-      defs += fmt::format("<path id=\"lmmath-{}\" d=\"{}\"/>\n", id, pathOf(id));
+    for (const FontGlyph& glyph : glyphs_)
+      defs += fmt::format("<path id=\"{}\" d=\"{}\"/>\n", nameOf(glyph), pathOf(glyph));
     return defs + "</defs>\n";
   }
 
@@ -207,9 +217,10 @@ class SvgDocument {
       return strokeWidth > 0 ? fmt::format(" stroke-width=\"{}\"", number(strokeWidth / scale)) : "";
     };
     for (const text::PlacedGlyph& g : run.glyphs) {
-      glyphs_.insert(g.id);
+      const FontGlyph glyph(g.face, g.id);
+      glyphs_.insert(glyph);
       const std::string scale = g.scale == 1 ? "" : fmt::format(" scale({})", number(g.scale));
-      body_ += fmt::format("<use xlink:href=\"#lmmath-{}\" transform=\"translate({} {}){}\"{}/>\n", g.id,
+      body_ += fmt::format("<use xlink:href=\"#{}\" transform=\"translate({} {}){}\"{}/>\n", nameOf(glyph),
                            number(1000 * g.x_em), number(-1000 * g.y_em), scale, stroke(g.scale));
     }
     for (const text::Rule& r : run.rules)
@@ -221,7 +232,7 @@ class SvgDocument {
 
   const Figure& figure_;
   draw::Color paper_;
-  std::set<text::GlyphId> glyphs_;
+  std::set<FontGlyph> glyphs_;
   std::string body_;
 };
 

@@ -4,6 +4,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
+#include <fmt/format.h>
 #include <hb-ot.h>
 #include <hb.h>
 
@@ -13,8 +14,11 @@
 #include "core/error.h"
 #include "core/expect.h"
 
-extern "C" const unsigned char poinsot_font_latin_modern_math[];
-extern "C" const unsigned char poinsot_font_latin_modern_math_end[];
+extern "C" {
+extern const unsigned char poinsot_font_latin_modern_math[], poinsot_font_latin_modern_math_end[];
+extern const unsigned char poinsot_font_latin_modern_roman[], poinsot_font_latin_modern_roman_end[];
+extern const unsigned char poinsot_font_latin_modern_bold[], poinsot_font_latin_modern_bold_end[];
+}
 
 namespace poinsot::text {
 namespace {
@@ -23,7 +27,26 @@ using BufferPtr = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
 
 using SetPtr = std::unique_ptr<hb_set_t, decltype(&hb_set_destroy)>;
 
-long embeddedSize() { return poinsot_font_latin_modern_math_end - poinsot_font_latin_modern_math; }
+struct EmbeddedFile {
+  const char* name;
+  const unsigned char* begin;
+  const unsigned char* end;
+
+  long size() const { return end - begin; }
+};
+
+EmbeddedFile fileOf(Typeface face) {
+  switch (face) {
+    case Typeface::kMath:
+      return {"Latin Modern Math", poinsot_font_latin_modern_math, poinsot_font_latin_modern_math_end};
+    case Typeface::kRoman:
+      return {"Latin Modern Roman 10 Regular", poinsot_font_latin_modern_roman,
+              poinsot_font_latin_modern_roman_end};
+    case Typeface::kBold:
+      break;
+  }
+  return {"Latin Modern Roman 10 Bold", poinsot_font_latin_modern_bold, poinsot_font_latin_modern_bold_end};
+}
 
 // HarfBuzz goes on without what it got no memory for: a measure is zero then, a form is not found, a text is
 // short.
@@ -31,13 +54,14 @@ void expectMemory(bool sufficed) {
   if (!sufficed) throw std::bad_alloc();
 }
 
-// The substitutions behind a feature that the font has. Asked directly, as glyphs of mathematics are set one by
-// one.
+// The substitutions behind a feature of the mathematics font, which has it; none of a font for text. Asked
+// directly, as glyphs are set one by one.
 std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
+  std::vector<unsigned> lookups;
+  if (!hb_ot_math_has_data(face)) return lookups;
   const hb_tag_t wanted[] = {hb_tag_from_string(feature, -1), HB_TAG_NONE};
   const SetPtr set(hb_set_create(), &hb_set_destroy);
   hb_ot_layout_collect_lookups(face, HB_OT_TAG_GSUB, nullptr, nullptr, wanted, set.get());
-  std::vector<unsigned> lookups;
   hb_codepoint_t lookup = HB_SET_VALUE_INVALID;
   while (hb_set_next(set.get(), &lookup)) lookups.push_back(lookup);
   expectMemory(hb_set_allocation_successful(set.get()) && !lookups.empty());
@@ -48,7 +72,7 @@ std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
 BufferPtr makeBuffer() {
   BufferPtr buffer(hb_buffer_create(), &hb_buffer_destroy);
   hb_buffer_set_direction(buffer.get(), HB_DIRECTION_LTR);
-  hb_buffer_set_script(buffer.get(), HB_SCRIPT_MATH);  // the script under which the font keeps its features
+  hb_buffer_set_script(buffer.get(), HB_SCRIPT_LATIN);
   hb_buffer_set_language(buffer.get(), hb_language_from_string("en", -1));
   return buffer;
 }
@@ -63,18 +87,20 @@ struct Font::Handles {
   hb_font_t* shapingFont = nullptr;  // its scale is left at the font's units, so every position is a whole number
   double unitsPerEm = 1;
 
-  Handles() {
-    const unsigned char* bytes = poinsot_font_latin_modern_math;
-    if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, bytes, embeddedSize(), 0, &face) != 0) {
+  explicit Handles(Typeface which) {
+    const EmbeddedFile file = fileOf(which);
+    if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, file.begin, file.size(), 0, &face) != 0) {
       release();
-      throw core::Error(core::ErrorKind::kGraphics, "FreeType cannot read the embedded font Latin Modern Math");
+      throw core::Error(core::ErrorKind::kGraphics,
+                        fmt::format("FreeType cannot read the embedded font {}", file.name));
     }
-    blob = hb_blob_create(reinterpret_cast<const char*>(bytes), static_cast<unsigned>(embeddedSize()),
+    blob = hb_blob_create(reinterpret_cast<const char*>(file.begin), static_cast<unsigned>(file.size()),
                           HB_MEMORY_MODE_READONLY, nullptr, nullptr);
     shapingFace = hb_face_create(blob, 0);
     shapingFont = hb_font_create(shapingFace);
-    if (!hb_ot_layout_has_substitution(shapingFace) || !hb_ot_math_has_data(shapingFace) ||
-        shapingFont == hb_font_get_empty()) {
+    const bool whole =
+        which == Typeface::kMath ? hb_ot_math_has_data(shapingFace) : hb_ot_layout_has_positioning(shapingFace);
+    if (!hb_ot_layout_has_substitution(shapingFace) || !whole || shapingFont == hb_font_get_empty()) {
       release();
       throw std::bad_alloc();
     }
@@ -134,13 +160,21 @@ MathConstants readConstants(hb_font_t* font, double unitsPerEm) {
 
 }  // namespace
 
-const Font& Font::mathematics() {
-  static const thread_local Font font;
-  return font;
+const Font& Font::of(Typeface face) {
+  if (face == Typeface::kMath) {
+    static const thread_local Font math(Typeface::kMath);
+    return math;
+  }
+  if (face == Typeface::kRoman) {
+    static const thread_local Font roman(Typeface::kRoman);
+    return roman;
+  }
+  static const thread_local Font bold(Typeface::kBold);
+  return bold;
 }
 
-Font::Font()
-    : handles_(std::make_unique<const Handles>()),
+Font::Font(Typeface face)
+    : handles_(std::make_unique<const Handles>(face)),
       constants_(readConstants(handles_->shapingFont, handles_->unitsPerEm)),
       scriptLookups_(lookupsOf(handles_->shapingFace, "ssty")),
       dotlessLookups_(lookupsOf(handles_->shapingFace, "dtls")) {}
@@ -164,7 +198,9 @@ GlyphMetrics Font::metrics(GlyphId id) const {
   m.top = handles_->em(ink.y_bearing);
   m.bottom = handles_->em(ink.y_bearing + ink.height);
   m.italicCorrection = handles_->em(hb_ot_math_get_glyph_italics_correction(font, id));
-  m.topAccent = handles_->em(hb_ot_math_get_glyph_top_accent_attachment(font, id));
+  const bool attached = hb_ot_math_has_data(handles_->shapingFace);
+  m.topAccent =
+      attached ? handles_->em(hb_ot_math_get_glyph_top_accent_attachment(font, id)) : (m.left + m.right) / 2;
   return m;
 }
 
@@ -204,27 +240,18 @@ std::vector<GlyphId> Font::tallerForms(GlyphId id) const {
   return forms;
 }
 
-std::vector<ShapedGlyph> Font::shape(std::u32string_view text, int level) const {
+double Font::kerning_em(char32_t left, char32_t right) const {
   const BufferPtr buffer = makeBuffer();
-  for (std::size_t i = 0; i < text.size(); ++i) hb_buffer_add(buffer.get(), text[i], static_cast<unsigned>(i));
+  hb_buffer_add(buffer.get(), left, 0);
+  hb_buffer_add(buffer.get(), right, 1);
   hb_buffer_set_content_type(buffer.get(), HB_BUFFER_CONTENT_TYPE_UNICODE);
-  const hb_feature_t scriptForms = {HB_TAG('s', 's', 't', 'y'), static_cast<unsigned>(level),
-                                    HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
-  expectMemory(hb_shape_full(handles_->shapingFont, buffer.get(), &scriptForms, 1, nullptr) &&
+  expectMemory(hb_shape_full(handles_->shapingFont, buffer.get(), nullptr, 0, nullptr) &&
                hb_buffer_allocation_successful(buffer.get()));
-
   unsigned count = 0;
   const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
-  const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer.get(), nullptr);
-  std::vector<ShapedGlyph> glyphs;
-  hb_position_t pen = 0;
-  for (unsigned i = 0; i < count; ++i) {
-    const hb_glyph_position_t& p = positions[i];
-    glyphs.push_back({infos[i].codepoint, handles_->em(pen + p.x_offset), handles_->em(p.y_offset),
-                      handles_->em(p.x_advance), infos[i].cluster});
-    pen += p.x_advance;
-  }
-  return glyphs;
+  if (count != 2) return 0;  // a ligature
+  const hb_position_t advance = hb_buffer_get_glyph_positions(buffer.get(), nullptr)[0].x_advance;
+  return handles_->em(advance - hb_font_get_glyph_h_advance(handles_->shapingFont, infos[0].codepoint));
 }
 
 FT_FaceRec_* Font::face() const { return handles_->face; }

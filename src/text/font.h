@@ -20,7 +20,7 @@ struct GlyphMetrics {
   double bottom = 0;
   double top = 0;
   double italicCorrection = 0;  ///< how far a slanted letter leans over its advance
-  double topAccent = 0;         ///< x of the point where an accent is attached
+  double topAccent = 0;  ///< x of the point where an accent is attached; without a MATH table the ink's middle
 };
 
 /// What the font's MATH table says, in em (scales are ratios). Names are those of the OpenType specification.
@@ -52,23 +52,15 @@ struct MathConstants {
   double radicalExtraAscender = 0;
 };
 
-/// A glyph of shaped text at its place on the line, in em; `index` is the character it came from.
-struct ShapedGlyph {
-  GlyphId id = 0;
-  double x_em = 0;
-  double y_em = 0;
-  double advance_em = 0;
-  std::size_t index = 0;
-};
-
-/// Latin Modern Math, embedded in the program: unhinted outlines through FreeType, shaping and the MATH table
-/// through HarfBuzz. Everything is measured in the font's own whole units, so results have the same bits on every
-/// machine.
+/// An embedded font: unhinted outlines through FreeType, kerning and the MATH table through HarfBuzz. Everything
+/// is measured in the font's own whole units, so results have the same bits on every machine.
 class Font {
  public:
   /// The font. One per thread, made at its first use: it is a constant of the program, so nothing is gained by
   /// passing it about, but FreeType keeps the last glyph in the face, so threads must not share one.
-  static const Font& mathematics();
+  static const Font& of(Typeface face);
+  /// Latin Modern Math, the only one with a MATH table.
+  static const Font& mathematics() { return of(Typeface::kMath); }
 
   ~Font();
   Font(const Font&) = delete;
@@ -76,6 +68,7 @@ class Font {
 
   std::optional<GlyphId> glyph(char32_t character) const;
   GlyphMetrics metrics(GlyphId id) const;
+  /// All 0 where the font has no MATH table.
   const MathConstants& constants() const { return constants_; }
 
   /// The glyph's form for scripts (sturdier at small size); level 1 is script, 2 script of a script.
@@ -85,9 +78,9 @@ class Font {
   /// The same sign at its heights, smallest first.
   std::vector<GlyphId> tallerForms(GlyphId id) const;
 
-  /// Glyphs of a line of text, left to right, in their forms for that script level. The font has no kerning of its
-  /// own, so none is here (kerning.h).
-  std::vector<ShapedGlyph> shape(std::u32string_view text, int level) const;
+  /// Extra space between two characters by the font's own table, in em (negative: closer). Latin Modern Math has
+  /// none.
+  double kerning_em(char32_t left, char32_t right) const;
 
   /// FreeType's face, for outlines, to be loaded unscaled.
   FT_FaceRec_* face() const;
@@ -95,7 +88,7 @@ class Font {
 
  private:
   struct Handles;
-  Font();
+  explicit Font(Typeface face);
 
   std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from whoever includes this header
   MathConstants constants_;

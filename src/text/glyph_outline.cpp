@@ -52,8 +52,8 @@ FT_Outline_Funcs relayed() {
 
 }  // namespace
 
-void traceGlyph(GlyphId id, OutlineSink& sink) {
-  FT_Face face = Font::mathematics().face();
+void traceGlyph(Typeface font, GlyphId id, OutlineSink& sink) {
+  FT_Face face = Font::of(font).face();
   const FT_Error error = FT_Load_Glyph(face, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP);
   if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
   POINSOT_EXPECT(error == 0);

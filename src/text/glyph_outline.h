@@ -20,8 +20,8 @@ class OutlineSink {
   OutlineSink& operator=(const OutlineSink&) = default;
 };
 
-/// The unhinted outline of one of Font::mathematics()' glyphs, in the font's own units, which are whole numbers.
+/// Traces the unhinted outline of a glyph, in its font's own units, which are whole numbers.
 /// @throws std::bad_alloc; what the sink throws.
-void traceGlyph(GlyphId id, OutlineSink& sink);
+void traceGlyph(Typeface font, GlyphId id, OutlineSink& sink);
 
 }  // namespace poinsot::text

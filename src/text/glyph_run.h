@@ -5,11 +5,15 @@
 #include <string>
 #include <vector>
 
-/// Type: from a small TeX subset to positioned glyphs of the embedded mathematics font, and to coverage of pixels.
+/// Type: from a small TeX subset to positioned glyphs of the embedded fonts, and to coverage of pixels.
 /// Lengths named _em are in units of the type size, from the left end of the baseline, x right and y up.
 namespace poinsot::text {
 
-/// Index of a glyph in the embedded font.
+/// The embedded fonts, all of one design. Latin Modern Math sets formulas and what it has of text; the two others,
+/// Latin Modern Roman 10 in its regular and its bold weight, have the letters that it lacks.
+enum class Typeface : std::uint8_t { kMath, kRoman, kBold };
+
+/// Index of a glyph in its font.
 using GlyphId = std::uint32_t;
 
 /// One glyph; `scale` is 1 for ordinary type and less for scripts.
@@ -19,6 +23,7 @@ struct PlacedGlyph {
   double y_em = 0;
   double scale = 1;
   std::u32string plain;  ///< what it stands for, without alphabet: "ω", "fi"; what a reader copies from a figure
+  Typeface face = Typeface::kMath;
 };
 
 /// A filled rectangle (bar of a fraction or of a root); (x, y) is its lower left corner.

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "text/font.h"
+
 namespace poinsot::text {
 namespace {
 
@@ -53,9 +55,15 @@ constexpr Pair kPairs[] = {
     {U"f", U"’?!)]", -kClear_em},
 };
 
+// Letters beyond the table's: Latin with accents, Greek. What the table has beside ASCII is punctuation, after
+// U+2000.
+bool isAccented(char32_t character) { return character >= U'\u00C0' && character < U'\u2000'; }
+
 }  // namespace
 
-double kerning_em(char32_t left, char32_t right) {
+double kerning_em(char32_t left, char32_t right, bool bold) {
+  if (isAccented(left) || isAccented(right))
+    return Font::of(bold ? Typeface::kBold : Typeface::kRoman).kerning_em(left, right);
   for (const Pair& pair : kPairs)
     if (pair.left.find(left) != pair.left.npos && pair.right.find(right) != pair.right.npos) return pair.amount_em;
   return 0;

@@ -23,8 +23,10 @@ Starts startsOf(Alphabet alphabet) {
     case Alphabet::kMathItalic:
       return {U'\U0001D434', U'\U0001D44E', 0, 0, U'\U0001D6FC'};
     case Alphabet::kRoman:
+    case Alphabet::kText:
       return {};
     case Alphabet::kBold:
+    case Alphabet::kBoldText:
       return {U'\U0001D400', U'\U0001D41A', U'\U0001D7CE', U'\U0001D6A8', U'\U0001D6C2'};
     case Alphabet::kBoldItalic:
       return {U'\U0001D468', U'\U0001D482', U'\U0001D7CE', U'\U0001D6A8', U'\U0001D736'};
@@ -45,6 +47,7 @@ char32_t inAlphabet(char32_t letter, Alphabet alphabet) {
   if (between(letter, U'A', U'Z')) return shifted(letter, U'A', starts.capital);
   if (between(letter, U'a', U'z')) return shifted(letter, U'a', starts.small);
   if (between(letter, U'0', U'9')) return shifted(letter, U'0', starts.digit);
+  if (letter == U'\u03A2') return letter;  // a capital of the final sigma, which does not exist
   if (between(letter, U'Α', U'Ω')) return shifted(letter, U'Α', starts.greekCapital);
   if (between(letter, U'α', U'ω')) return shifted(letter, U'α', starts.greekSmall);
   const auto variant = kGreekVariants.find(letter);

@@ -9,7 +9,12 @@ enum class Alphabet {
   kRoman,
   kBold,
   kBoldItalic,
+  kText,      ///< of running text: as kRoman, with the marks of the font for text
+  kBoldText,  ///< of running text: as kBold
 };
+
+/// The alphabet of running text.
+constexpr Alphabet textAlphabet(bool bold) { return bold ? Alphabet::kBoldText : Alphabet::kText; }
 
 /// The character for `letter` in that shape; `letter` itself where it has no such form (operators, accented
 /// letters).

@@ -2,9 +2,12 @@
 #include "text/math_box.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/expect.h"
+#include "text/canonical.h"
 #include "text/kerning.h"
+#include "text/letter_glyph.h"
 
 namespace poinsot::text {
 namespace {
@@ -18,11 +21,16 @@ struct Ligature {
 constexpr Ligature kLigatures[] = {
     {U"ffi", U'\uFB03'}, {U"ffl", U'\uFB04'}, {U"ff", U'\uFB00'}, {U"fi", U'\uFB01'}, {U"fl", U'\uFB02'}};
 
+// A letter with a mark on it stands alone.
+bool begins(std::u32string_view text, const Ligature& ligature) {
+  const std::size_t length = ligature.letters.size();
+  return text.starts_with(ligature.letters) && (text.size() == length || !isMark(text[length]));
+}
+
 std::u32string withLigatures(std::u32string_view text) {
   std::u32string result;
   while (!text.empty()) {
-    const auto* found =
-        std::ranges::find_if(kLigatures, [&](const Ligature& l) { return text.starts_with(l.letters); });
+    const auto* found = std::ranges::find_if(kLigatures, [&](const Ligature& l) { return begins(text, l); });
     const bool joined = found != std::end(kLigatures);
     result += joined ? found->character : text.front();
     text.remove_prefix(joined ? found->letters.size() : 1);
@@ -36,10 +44,11 @@ std::u32string typedAs(char32_t character) {
   return found == std::end(kLigatures) ? std::u32string(1, character) : std::u32string(found->letters);
 }
 
-std::u32string inBold(std::u32string_view text) {
-  std::u32string bold;
-  for (const char32_t c : text) bold += inAlphabet(c, Alphabet::kBold);
-  return bold;
+// Where the letter after the one at `at` and its marks begins.
+std::size_t afterMarks(std::u32string_view letters, std::size_t at) {
+  do ++at;
+  while (at < letters.size() && isMark(letters[at]));
+  return at;
 }
 
 void growTo(Box& box, double top, double bottom) {
@@ -48,7 +57,7 @@ void growTo(Box& box, double top, double bottom) {
 }
 
 void addGlyph(Box& box, const PlacedGlyph& glyph) {
-  const GlyphMetrics ink = Font::mathematics().metrics(glyph.id);
+  const GlyphMetrics ink = Font::of(glyph.face).metrics(glyph.id);
   box.glyphs.push_back(glyph);
   growTo(box, glyph.y_em + glyph.scale * ink.top, glyph.y_em + glyph.scale * ink.bottom);
 }
@@ -60,54 +69,97 @@ double scaleOf(int level) {
   return level == 0 ? 1 : level == 1 ? constants.scriptScale : constants.scriptScriptScale;
 }
 
-Box glyphBox(char32_t character, char32_t plain, const MathStyle& style) {
-  const Font& font = Font::mathematics();
-  const auto nominal = font.glyph(character);
+Box glyphBox(char32_t character, const MathStyle& style) {
+  const std::optional<FontGlyph> nominal = glyphOf(character, style.alphabet);
   POINSOT_EXPECT(nominal.has_value());
-  const GlyphId id = font.scriptForm(*nominal, style.level);
+  const Font& font = Font::of(nominal->face);
+  const GlyphId id = font.scriptForm(nominal->id, style.level);
   const GlyphMetrics metrics = font.metrics(id);
   const double scale = scaleOf(style.level);
 
   Box box;
-  addGlyph(box, {id, 0, 0, scale, {plain}});
+  addGlyph(box, {id, 0, 0, scale, {character}, nominal->face});
   // Roman letters carry a correction too, which belongs to their use as accented or scripted bases, not to words.
-  box.italic = leans(plain, style.alphabet) ? scale * metrics.italicCorrection : 0;
+  box.italic = leans(character, style.alphabet) ? scale * metrics.italicCorrection : 0;
   box.width = scale * metrics.advance + box.italic;
   box.accentX = scale * metrics.topAccent;
   box.character = true;
-  box.plain = plain;
+  box.plain = character;
+  return box;
+}
+
+namespace {
+
+// The same letter without its dot; only a bare letter has one to lose.
+Box withoutDot(Box base) {
+  if (!base.character || base.glyphs.size() != 1 || base.glyphs.front().face != Typeface::kMath) return base;
+  const Font& font = Font::mathematics();
+  PlacedGlyph& glyph = base.glyphs.front();
+  const GlyphId dotless = font.dotlessForm(glyph.id);
+  if (dotless == glyph.id) return base;
+  glyph.id = dotless;
+  const GlyphMetrics metrics = font.metrics(dotless);
+  base.height = glyph.scale * metrics.top;
+  base.accentX = glyph.scale * metrics.topAccent;
+  base.width = glyph.scale * metrics.advance + base.italic;
+  return base;
+}
+
+// A mark is drawn for a letter of the font's accent height that stands on the baseline.
+double riseOf(MarkPlace place, const Box& base, int level) {
+  const double drawnFor = scaleOf(level) * Font::mathematics().constants().accentBaseHeight;
+  switch (place) {
+    case MarkPlace::kAbove:
+      return std::max(0.0, base.height - drawnFor);
+    case MarkPlace::kBelow:
+      return -base.depth;
+    case MarkPlace::kThrough:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Box accented(const Box& base, char32_t mark, const MathStyle& style) {
+  const MarkPlace where = placeOf(mark);
+  Box box = where == MarkPlace::kAbove ? withoutDot(base) : base;
+  const Box drawn = glyphBox(mark, style);
+  place(box, drawn, box.accentX - drawn.accentX, riseOf(where, box, style.level));
+  box.plain += mark;
   return box;
 }
 
 Box textBox(std::u32string_view text, bool bold, int level) {
-  const double scale = scaleOf(level);
+  const MathStyle style{level, false, textAlphabet(bold)};
   // Bold letters are the mathematical ones, which have no ligatures.
   const std::u32string letters = bold ? std::u32string(text) : withLigatures(text);
   Box box;
-  double kerned = 0;
-  const std::vector<ShapedGlyph> glyphs = Font::mathematics().shape(bold ? inBold(letters) : letters, level);
-  for (std::size_t i = 0; i < glyphs.size(); ++i) {
-    const ShapedGlyph& g = glyphs[i];
-    if (i > 0 && g.index > glyphs[i - 1].index)
-      kerned += kerning_em(letters[glyphs[i - 1].index], letters[g.index]);
-    addGlyph(box, {g.id, scale * (g.x_em + kerned), scale * g.y_em, scale, typedAs(letters[g.index])});
-    box.width += scale * g.advance_em;
+  for (std::size_t i = 0, before = 0; i < letters.size(); before = std::exchange(i, afterMarks(letters, i))) {
+    if (i > 0) box.width += scaleOf(level) * kerning_em(letters[before], letters[i], bold);
+    Box letter = glyphBox(letters[i], style);
+    letter.glyphs.front().plain = typedAs(letters[i]);
+    letter.accentX = letter.width / 2;  // as the font's own accented letters have it
+    for (std::size_t mark = i + 1; mark < afterMarks(letters, i); ++mark)
+      letter = accented(letter, letters[mark], style);
+    place(box, letter, box.width, 0);
+    box.width += letter.width;
   }
-  box.width += scale * kerned;
   box.accentX = box.width / 2;
-  box.plain = text;
+  box.plain = composed(text, [](char32_t) { return true; });
   return box;
 }
 
 Box spaceBox(double width_em, int level) {
   Box box;
   box.width = scaleOf(level) * width_em;
-  if (width_em > 0) box.plain = U" ";
+  if (width_em > 0) box.plain += U' ';
   return box;
 }
 
 void place(Box& box, const Box& part, double x, double y) {
-  for (const PlacedGlyph& g : part.glyphs) box.glyphs.push_back({g.id, x + g.x_em, y + g.y_em, g.scale, g.plain});
+  for (const PlacedGlyph& g : part.glyphs)
+    box.glyphs.push_back({g.id, x + g.x_em, y + g.y_em, g.scale, g.plain, g.face});
   for (const Rule& r : part.rules) box.rules.push_back({x + r.x_em, y + r.y_em, r.width_em, r.height_em});
   growTo(box, y + part.height, y - part.depth);
 }

@@ -35,11 +35,14 @@ struct Box {
   std::u32string plain;
 };
 
-/// One character; `plain` is what it means, without alphabet. The font must have it.
-Box glyphBox(char32_t character, char32_t plain, const MathStyle& style);
+/// One character in the style's alphabet. A font must have it.
+Box glyphBox(char32_t character, const MathStyle& style);
 
-/// Running text, kerned and with the ligatures of f; letters without a bold form stay as they are.
-/// The font must have every character.
+/// Draws `mark` (a combining character, in the style's alphabet) over, under or through `base`; an i or j under it
+/// loses its dot.
+Box accented(const Box& base, char32_t mark, const MathStyle& style);
+
+/// Running text, kerned and with the ligatures of f. Letters are split into glyphs already (splitIntoGlyphs()).
 Box textBox(std::u32string_view text, bool bold, int level);
 
 Box spaceBox(double width_em, int level);

@@ -103,37 +103,6 @@ Box withScripts(const Box& base, const Scripts& scripts, const MathStyle& style)
   return box;
 }
 
-namespace {
-
-// The same letter without its dot; only a bare letter has one to lose.
-Box withoutDot(Box base) {
-  if (!base.character || base.glyphs.size() != 1) return base;
-  const Font& font = Font::mathematics();
-  PlacedGlyph& glyph = base.glyphs.front();
-  const GlyphId dotless = font.dotlessForm(glyph.id);
-  if (dotless == glyph.id) return base;
-  glyph.id = dotless;
-  const GlyphMetrics metrics = font.metrics(dotless);
-  base.height = glyph.scale * metrics.top;
-  base.accentX = glyph.scale * metrics.topAccent;
-  base.width = glyph.scale * metrics.advance + base.italic;
-  return base;
-}
-
-}  // namespace
-
-Box accented(const Box& base, char32_t combining, const MathStyle& style) {
-  MathStyle markStyle = style;
-  markStyle.alphabet = Alphabet::kRoman;
-  const Box mark = glyphBox(combining, combining, markStyle);
-  Box box = withoutDot(base);
-  // The mark is drawn for a base of this height; over a taller one it rises by the difference.
-  const double drawnFor = scaleOf(style.level) * constants().accentBaseHeight;
-  place(box, mark, box.accentX - mark.accentX, std::max(0.0, box.height - drawnFor));
-  box.plain += combining;
-  return box;
-}
-
 Box fraction(const Box& numerator, const Box& denominator, const MathStyle& style, bool display) {
   const MathConstants& c = constants();
   const MathConstants::Fraction& f = display ? c.displayFraction : c.fraction;

@@ -29,9 +29,6 @@ struct Scripts {
 };
 Box withScripts(const Box& base, const Scripts& scripts, const MathStyle& style);
 
-/// `base` under the mark `combining` (a combining character), its dot taken off if it is an i or j.
-Box accented(const Box& base, char32_t combining, const MathStyle& style);
-
 /// With `display`, as wide apart as in an equation of its own.
 Box fraction(const Box& numerator, const Box& denominator, const MathStyle& style, bool display);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "text/canonical.h"
 #include "text/commands.h"
 #include "text/math_layout.h"
 #include "text/parsers.h"
@@ -11,6 +12,7 @@ namespace poinsot::text {
 namespace {
 
 MathStyle raised(const MathStyle& style) { return {std::min(style.level + 1, 2), style.cramped, style.alphabet}; }
+MathStyle upright(const MathStyle& style) { return {style.level, style.cramped, Alphabet::kRoman}; }
 MathStyle cramped(const MathStyle& style) { return {style.level, true, style.alphabet}; }
 
 class MathParser {
@@ -30,27 +32,30 @@ class MathParser {
     return joined(atoms, style_);
   }
 
-  // One letter, one command with its arguments or one group in braces.
+  // One letter, one command with its arguments or one group in braces, and the marks typed after it.
   Atom parseNucleus() {
     const TexReader::Nested nested(reader_);
     const std::size_t column = reader_.column();
     const char32_t c = reader_.take();
-    if (c == U'\\') return parseCommand(column);
-    if (c == U'{') return {parseMath(reader_, style_, {U'}', column})};
     if (c == U'$') reader_.fail(column, "'$' inside braces; close them first");
-    const Symbol symbol = symbolOf(c);
-    if (symbol.character != c || symbol.atomClass != AtomClass::kOrdinary)
-      return {glyphBox(symbol.character, symbol.character, style_), symbol.atomClass};
-    return {letterBox(c, column)};
+    if (c != U'\\' && c != U'{') return letterAtom(takeLetter(reader_, c, style_.alphabet));
+    Atom atom = c == U'\\' ? parseCommand(column) : Atom{parseMath(reader_, style_, {U'}', column})};
+    while (isMark(reader_.peek())) {
+      for (const char32_t mark : takeLetter(reader_, reader_.take(), style_.alphabet))
+        atom.box = accented(atom.box, mark, style_);
+    }
+    return atom;
   }
 
  private:
   static bool isScriptSign(char32_t c) { return c == U'_' || c == U'^' || c == U'\''; }
 
-  Box letterBox(char32_t letter, std::size_t column) const {
-    const char32_t shaped = inAlphabet(letter, style_.alphabet);
-    requireGlyph(reader_, column, shaped);
-    return glyphBox(shaped, letter, style_);
+  // A letter and its marks; a sign is spaced as what it is.
+  Atom letterAtom(std::u32string_view glyphs) const {
+    const Symbol symbol = symbolOf(glyphs.front());
+    Atom atom{glyphBox(symbol.character, style_), symbol.atomClass};
+    for (const char32_t mark : glyphs.substr(1)) atom.box = accented(atom.box, mark, style_);
+    return atom;
   }
 
   void parseScripts(Atom& atom) {
@@ -68,7 +73,7 @@ class MathParser {
     const char32_t sign = reader_.take();
     if (sign == U'\'') {
       if (!scripts.primes) scripts.primes.emplace();
-      append(*scripts.primes, glyphBox(U'′', U'′', style_));
+      append(*scripts.primes, glyphBox(U'′', style_));
       return;
     }
     std::optional<Box>& script = sign == U'_' ? scripts.sub : scripts.sup;
@@ -94,9 +99,8 @@ class MathParser {
     const std::string what = "\\" + name;
     switch (command->kind) {
       case CommandKind::kSymbol:
-        return {glyphBox(command->character, command->character, style_), command->atomClass};
       case CommandKind::kLetter:
-        return {letterBox(command->character, column)};
+        return {glyphBox(command->character, style_), command->atomClass};
       case CommandKind::kSpace:
         return {spaceBox(command->width_em, style_.level), {}, true};
       case CommandKind::kFunction:
@@ -106,7 +110,7 @@ class MathParser {
       case CommandKind::kAlphabet:
         return {parseArgument(column, what, {style_.level, style_.cramped, command->alphabet})};
       case CommandKind::kAccent:
-        return {accented(parseArgument(column, what, cramped(style_)), command->character, style_)};
+        return {accented(parseArgument(column, what, cramped(style_)), command->character, upright(style_))};
       case CommandKind::kRoot:
         return {rootBox(column, what)};
       case CommandKind::kFraction:

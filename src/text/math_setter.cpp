@@ -29,7 +29,7 @@ class InkBounds {
 void measureInk(GlyphRun& run) {
   InkBounds bounds(run);
   for (const PlacedGlyph& g : run.glyphs) {
-    const GlyphMetrics m = Font::mathematics().metrics(g.id);
+    const GlyphMetrics m = Font::of(g.face).metrics(g.id);
     bounds.add(g.x_em + g.scale * m.left, g.x_em + g.scale * m.right, g.y_em + g.scale * m.bottom,
                g.y_em + g.scale * m.top);
   }

@@ -78,8 +78,8 @@ std::vector<Segment> outlineSegments(const GlyphRun& run, double size_px, Point 
   Tracer tracer(segments, tolerance_px);
   for (const PlacedGlyph& glyph : run.glyphs) {
     const Point at = {origin.x + size_px * glyph.x_em, origin.y - size_px * glyph.y_em};
-    GlyphTracer scaled(tracer, at, size_px * glyph.scale / Font::mathematics().unitsPerEm());
-    traceGlyph(glyph.id, scaled);
+    GlyphTracer scaled(tracer, at, size_px * glyph.scale / Font::of(glyph.face).unitsPerEm());
+    traceGlyph(glyph.face, glyph.id, scaled);
   }
   for (const Rule& rule : run.rules) traceRule(tracer, rule, size_px, origin);
   return segments;

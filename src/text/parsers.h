@@ -32,7 +32,9 @@ bool takeEnd(TexReader& reader, const ListEnd& end);
 
 [[noreturn]] void failUnknownCommand(const TexReader& reader, std::size_t column, const std::string& name);
 
-/// @throws core::Error(kUsage) where the font has no glyph for what stands at `column`.
-void requireGlyph(const TexReader& reader, std::size_t column, char32_t character);
+/// Splits a letter and the marks that follow it into characters with glyphs (splitIntoGlyphs()); the letter has
+/// been taken, the marks are taken here.
+/// @throws core::Error(kUsage) with the column of the character that no font has.
+std::u32string takeLetter(TexReader& reader, char32_t letter, Alphabet alphabet);
 
 }  // namespace poinsot::text

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/text.h"
+#include "text/canonical.h"
 #include "text/commands.h"
+#include "text/letter_glyph.h"
 #include "text/parsers.h"
 #include "text/plain_text.h"
 
@@ -60,8 +64,7 @@ class TextParser {
       pending_ += U' ';
       return;
     }
-    requireGlyph(reader_, column, c);
-    pending_ += c;
+    pending_ += takeLetter(reader_, c, textAlphabet(style_.bold));
   }
 
   void parseFormula(std::size_t column) {
@@ -133,10 +136,21 @@ void failUnknownCommand(const TexReader& reader, std::size_t column, const std::
   reader.fail(column, fmt::format("unknown command \\{}{}", name, hint));
 }
 
-void requireGlyph(const TexReader& reader, std::size_t column, char32_t character) {
-  if (Font::mathematics().glyph(character)) return;
-  reader.fail(column, fmt::format("the font has no glyph for {} (U+{:04X})",
-                                  core::printable(toUtf8({&character, 1})), static_cast<unsigned>(character)));
+std::u32string takeLetter(TexReader& reader, char32_t letter, Alphabet alphabet) {
+  const std::size_t column = reader.column() - 1;
+  std::u32string typed(1, letter);
+  while (isMark(reader.peek())) typed += reader.take();
+  const std::u32string glyphs = splitIntoGlyphs(typed, alphabet);
+  const auto lacks = [&](char32_t c) { return !glyphOf(c, alphabet); };
+  if (std::ranges::none_of(glyphs, lacks)) return glyphs;
+  // Names the first of the typed characters that cannot be drawn by itself.
+  const auto missing = std::ranges::find_if(typed, [&](char32_t c) {
+    return std::ranges::any_of(splitIntoGlyphs({&c, 1}, alphabet), lacks);
+  });
+  const std::size_t at = missing == typed.end() ? 0 : static_cast<std::size_t>(missing - typed.begin());
+  reader.fail(column + at,
+              fmt::format("the font has no glyph for {} (U+{:04X})", core::printable(toUtf8({&typed[at], 1})),
+                          static_cast<unsigned>(typed[at])));
 }
 
 }  // namespace poinsot::text

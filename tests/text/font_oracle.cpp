@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace poinsot::text::testing {
 namespace {
 
-constexpr double kUnits = 1000;  // units to the em of this font
+constexpr double kUnits = 1000;  // units to the em of these fonts
 constexpr int kChords = 64;
 
 struct Trace {
@@ -66,10 +67,10 @@ Trace trace(FT_Face face, unsigned glyph) {
 
 }  // namespace
 
-FontOracle::FontOracle() {
-  if (FT_Init_FreeType(&library_) != 0 || FT_New_Face(library_, POINSOT_MATH_FONT, 0, &face_) != 0)
-    throw std::runtime_error("the oracle cannot read " POINSOT_MATH_FONT);
-  hb_blob_t* blob = hb_blob_create_from_file(POINSOT_MATH_FONT);
+FontOracle::FontOracle(const char* file) {
+  if (FT_Init_FreeType(&library_) != 0 || FT_New_Face(library_, file, 0, &face_) != 0)
+    throw std::runtime_error(std::string("the oracle cannot read ") + file);
+  hb_blob_t* blob = hb_blob_create_from_file(file);
   hb_face_t* face = hb_face_create(blob, 0);
   font_ = hb_font_create(face);
   hb_face_destroy(face);

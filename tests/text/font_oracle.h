@@ -15,15 +15,16 @@ struct Ink {
   double top = 0;
 };
 
-/// Latin Modern Math read from its file with FreeType and HarfBuzz directly: what the text layer is checked
+/// A font of Latin Modern read from its file with FreeType and HarfBuzz directly: what the text layer is checked
 /// against. Lengths in em.
 class FontOracle {
  public:
-  FontOracle();
+  explicit FontOracle(const char* file = POINSOT_MATH_FONT);
   ~FontOracle();
   FontOracle(const FontOracle&) = delete;
   FontOracle& operator=(const FontOracle&) = delete;
 
+  /// 0 where the font has none.
   unsigned glyph(char32_t character) const { return FT_Get_Char_Index(face_, character); }
   double advance(unsigned glyph) const;
   double italicCorrection(unsigned glyph) const;

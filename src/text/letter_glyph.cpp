@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/letter_glyph.h"
+
+#include <hb.h>
+
+#include <algorithm>
+
+#include "text/canonical.h"
+
+namespace poinsot::text {
+namespace {
+
+bool isLetter(char32_t character) {
+  switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), character)) {
+    case HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_MODIFIER_LETTER:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The font to look in first. In a formula letters and marks come in weights, and signs do not, as in TeX.
+Typeface preferredFont(char32_t character, Alphabet alphabet) {
+  switch (alphabet) {
+    case Alphabet::kText:
+      return isMark(character) ? Typeface::kRoman : Typeface::kMath;
+    case Alphabet::kBold:
+    case Alphabet::kBoldItalic:
+    case Alphabet::kBoldText:
+      return isLetter(character) || isMark(character) ? Typeface::kBold : Typeface::kMath;
+    default:
+      return Typeface::kMath;
+  }
+}
+
+std::optional<FontGlyph> glyphIn(Typeface face, char32_t character) {
+  const std::optional<GlyphId> id = Font::of(face).glyph(character);
+  if (!id) return std::nullopt;
+  return FontGlyph{face, *id};
+}
+
+bool haveGlyphs(std::u32string_view characters, Alphabet alphabet) {
+  return std::ranges::all_of(characters, [&](char32_t c) { return glyphOf(c, alphabet).has_value(); });
+}
+
+}  // namespace
+
+std::optional<FontGlyph> glyphOf(char32_t character, Alphabet alphabet) {
+  constexpr char32_t kSoftHyphen = U'\u00AD';  // to be seen only at the end of a broken line
+  if (character == kSoftHyphen) return std::nullopt;
+  const char32_t shaped = inAlphabet(character, alphabet);
+  if (shaped != character) return glyphIn(Typeface::kMath, shaped);
+  for (const Typeface face : {preferredFont(character, alphabet), Typeface::kMath, Typeface::kRoman})
+    if (const auto glyph = glyphIn(face, character)) return glyph;
+  return std::nullopt;
+}
+
+std::u32string splitIntoGlyphs(std::u32string_view letter, Alphabet alphabet) {
+  // A letter that leans has no accented forms of its own: its accents are set as a formula's.
+  const std::u32string parts = decomposed(letter);
+  if (leans(parts.front(), alphabet) && haveGlyphs(parts, alphabet)) return parts;
+  const std::u32string joined = composed(letter, [&](char32_t c) { return glyphOf(c, alphabet).has_value(); });
+  // The angle brackets U+2329 and U+232A are equal to Chinese ones that the fonts lack.
+  return haveGlyphs(letter, alphabet) && !haveGlyphs(joined, alphabet) ? std::u32string(letter) : joined;
+}
+
+}  // namespace poinsot::text
