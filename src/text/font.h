@@ -50,6 +50,9 @@ struct MathConstants {
   double radicalVerticalGap = 0;
   double radicalRuleThickness = 0;
   double radicalExtraAscender = 0;
+  double radicalKernBeforeDegree = 0;
+  double radicalKernAfterDegree = 0;
+  double radicalDegreeBottomRaise = 0;  ///< a share of the root sign's whole height
 };
 
 /// An embedded font: unhinted outlines through FreeType, kerning and the MATH table through HarfBuzz. Everything

@@ -158,4 +158,21 @@ std::optional<Box> squareRoot(const Box& content, const MathStyle& style) {
   return std::nullopt;
 }
 
+Box withIndex(const Box& root, const Box& index, const MathStyle& style) {
+  const MathConstants& c = constants();
+  const double scale = scaleOf(style.level);
+  const double before = scale * c.radicalKernBeforeDegree;
+  // The sign tucks in under a wide index, and does not stand out to the left of a narrow one.
+  const double signX = std::max(0.0, before + index.width + scale * c.radicalKernAfterDegree);
+  const double signHeight = root.height - scale * c.radicalExtraAscender + root.depth;
+  const double bottom = c.radicalDegreeBottomRaise * signHeight - root.depth;
+  Box box;
+  box.width = signX + root.width;
+  place(box, index, before, bottom + index.depth);
+  place(box, root, signX, 0);
+  box.accentX = box.width / 2;
+  box.plain = plainWithIndex(index.plain, root.plain);
+  return box;
+}
+
 }  // namespace poinsot::text

@@ -35,4 +35,7 @@ Box fraction(const Box& numerator, const Box& denominator, const MathStyle& styl
 /// Empty where `content` is taller than the font's largest root sign.
 std::optional<Box> squareRoot(const Box& content, const MathStyle& style);
 
+/// Sets the index of a root, such as the 3 of a cube root, on the left arm of `root`, a squareRoot().
+Box withIndex(const Box& root, const Box& index, const MathStyle& style);
+
 }  // namespace poinsot::text

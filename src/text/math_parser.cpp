@@ -138,8 +138,19 @@ class MathParser {
   }
 
   Box rootBox(std::size_t column, const std::string& what) {
-    if (const auto root = squareRoot(parseArgument(column, what, cramped(style_)), style_)) return *root;
-    reader_.fail(column, "what is under the root is taller than the font's largest root sign");
+    const std::optional<Box> index = rootIndex();
+    const auto root = squareRoot(parseArgument(column, what, cramped(style_)), style_);
+    if (!root) reader_.fail(column, "what is under the root is taller than the font's largest root sign");
+    return index ? withIndex(*root, *index, style_) : *root;
+  }
+
+  // The 3 of \sqrt[3]{x}, in type of the smallest size.
+  std::optional<Box> rootIndex() {
+    const std::size_t column = reader_.column();
+    if (!reader_.takeIf(U'[')) return std::nullopt;
+    Box index = parseMath(reader_, {2, style_.cramped, style_.alphabet}, {U']', column});
+    if (index.glyphs.empty()) reader_.fail(column, "a root with an empty index; write \\sqrt{x}, or \\sqrt[3]{x}");
+    return index;
   }
 
   TexReader& reader_;

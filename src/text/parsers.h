@@ -8,7 +8,7 @@ namespace poinsot::text {
 
 /// Where a list ends. The opening sign has been taken; its column is named if the end is missing.
 struct ListEnd {
-  char32_t sign = 0;  ///< '}' or '$', taken with the list; 0 is the end of the string
+  char32_t sign = 0;  ///< '}', '$' or ']', taken with the list; 0 is the end of the string
   std::size_t openedAt = 0;
 };
 

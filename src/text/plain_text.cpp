@@ -56,4 +56,11 @@ std::u32string plainFraction(const std::u32string& numerator, const std::u32stri
 
 std::u32string plainRoot(const std::u32string& content) { return U"√" + grouped(content); }
 
+std::u32string plainWithIndex(const std::u32string& index, const std::u32string& root) {
+  if (index == U"3") return U"∛" + root.substr(1);
+  if (index == U"4") return U"∜" + root.substr(1);
+  const bool small = index.find_first_not_of(kOnTheLine) == index.npos;
+  return (small ? plainSuperscript(index) : U"[" + index + U"]") + root;
+}
+
 }  // namespace poinsot::text

@@ -14,5 +14,7 @@ std::u32string plainSubscript(const std::u32string& script);
 std::u32string plainSuperscript(const std::u32string& script);
 std::u32string plainFraction(const std::u32string& numerator, const std::u32string& denominator);
 std::u32string plainRoot(const std::u32string& content);
+/// A root of plainRoot() with an index: "∛x", "⁵√x", "[n]√x".
+std::u32string plainWithIndex(const std::u32string& index, const std::u32string& root);
 
 }  // namespace poinsot::text

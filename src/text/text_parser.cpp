@@ -38,6 +38,12 @@ std::u32string withTypography(std::u32string_view text) {
   return result;
 }
 
+// How a character that the language uses itself is written as a sign.
+std::string orTheSign(char sign) {
+  const std::string name(1, sign);
+  return findCommand(name) ? fmt::format("for the sign write \\{}", name) : "there is no command for the sign";
+}
+
 class TextParser {
  public:
   TextParser(TexReader& reader, const TextStyle& style) : reader_(reader), style_(style) {}
@@ -56,15 +62,18 @@ class TextParser {
     if (c == U'\\') return parseCommand(column);
     if (c == U'$') return parseFormula(column);
     if (c == U'{') return setBox(parseText(reader_, style_, {U'}', column}));
-    if (c == U'_' || c == U'^')
-      reader_.fail(column, fmt::format("'{0}' outside a formula; write $...{0}...$, or \\_ for the sign",
-                                       static_cast<char>(c)));
+    if (c == U'_' || c == U'^') failScript(column, static_cast<char>(c));
     if (isBlank(c)) {
       reader_.skipBlanks();
       pending_ += U' ';
       return;
     }
     pending_ += takeLetter(reader_, c, textAlphabet(style_.bold));
+  }
+
+  [[noreturn]] void failScript(std::size_t column, char sign) const {
+    reader_.fail(column, fmt::format("'{0}' outside a formula; write $...{0}...$, such as $x{0}1$; {1}", sign,
+                                     orTheSign(sign)));
   }
 
   void parseFormula(std::size_t column) {
@@ -119,14 +128,26 @@ Box parseText(TexReader& reader, const TextStyle& style, const ListEnd& end) {
   return box;
 }
 
+namespace {
+
+// How the end of an open list is missed at the end of the string, or of an index where braces or the formula end.
+void failUnclosed(const TexReader& reader, const ListEnd& end) {
+  if (end.sign == U'}') reader.fail(end.openedAt, "'{' is never closed; " + orTheSign('{'));
+  if (end.sign == U'$') reader.fail(end.openedAt, "'$' is never closed; a formula is $...$; " + orTheSign('$'));
+  if (end.sign == U']') reader.fail(end.openedAt, "'[' is never closed; a root with an index is \\sqrt[3]{x}");
+}
+
+}  // namespace
+
 bool takeEnd(TexReader& reader, const ListEnd& end) {
   if (reader.atEnd()) {
-    if (end.sign == U'}') reader.fail(end.openedAt, "'{' is never closed");
-    if (end.sign == U'$') reader.fail(end.openedAt, "'$' is never closed; a formula is $...$, the sign \\$");
+    failUnclosed(reader, end);
     return true;
   }
   if (end.sign != 0 && reader.takeIf(end.sign)) return true;
-  if (reader.peek() == U'}') reader.fail(reader.column(), "'}' without its '{'");
+  const char32_t next = reader.peek();
+  if (end.sign == U']' && (next == U'}' || next == U'$')) failUnclosed(reader, end);
+  if (next == U'}') reader.fail(reader.column(), "'}' without its '{'; " + orTheSign('}'));
   return false;
 }
 

@@ -225,6 +225,43 @@ TEST_F(MathSetter, ARootCoversItsContent) {
   }
 }
 
+// Oracle: OpenType 1.9, MATH table, the three radical degree constants, and MathML Core 3.3.3: the index ends
+// RadicalKernAfterDegree (negative) before the sign begins, and its bottom is at that share of the sign's height.
+TEST_F(MathSetter, ARootsIndexStandsWhereTheFontSays) {
+  const double smallest = 10 * font_.constant(HB_OT_MATH_CONSTANT_SCRIPT_SCRIPT_PERCENT_SCALE_DOWN);
+  const double before = font_.constant(HB_OT_MATH_CONSTANT_RADICAL_KERN_BEFORE_DEGREE);
+  const double after = font_.constant(HB_OT_MATH_CONSTANT_RADICAL_KERN_AFTER_DEGREE);
+  const double raise = 10 * font_.constant(HB_OT_MATH_CONSTANT_RADICAL_DEGREE_BOTTOM_RAISE_PERCENT);
+  EXPECT_EQ(raise, 0.6);
+  for (const char* content : {"x", "\\frac{2T}{I_1}", "\\sqrt{x}"}) {
+    const std::string radicand = std::string("{") + content + "}$";
+    const GlyphRun plain = setTex("$\\sqrt" + radicand), run = setTex("$\\sqrt[3]" + radicand);
+    ASSERT_EQ(run.glyphs.size(), plain.glyphs.size() + 1) << content;
+    const PlacedGlyph &index = run.glyphs[0], &sign = run.glyphs[1];
+    EXPECT_EQ(index.scale, smallest);
+    EXPECT_NEAR(index.x_em, before, kExact_em);
+    const double signX = std::max(0.0, before + smallest * font_.advance(index.id) + after);
+    EXPECT_NEAR(sign.x_em, signX, kExact_em) << content;
+    EXPECT_NEAR(run.width_em, signX + plain.width_em, kExact_em) << content;
+    const testing::Ink ink = font_.ink(sign.id);
+    const double bottom = index.y_em + smallest * font_.ink(index.id).bottom;
+    // The layer's extents are whole units: measured at most 4e-4.
+    EXPECT_NEAR(bottom, sign.y_em + ink.bottom + raise * (ink.top - ink.bottom), 2e-3) << content;
+  }
+  EXPECT_EQ(setTex("$\\sqrt{x}$").glyphs.size(), 2u);
+}
+
+TEST_F(MathSetter, ARootsIndexIsAnyFormula) {
+  for (const char* tex :
+       {"$\\sqrt[n]{x}$", "$\\sqrt[n+1]{x}$", "$\\sqrt [3] x$", "$\\sqrt[\\sqrt[3]{2}]{x}$", "$\\sqrt[{[a]}]{x}$",
+        "$\\sqrt[3]{\\sqrt[5]{x}}$", "$\\sqrt[\\text{a]}]{x}$", "$x^{\\sqrt[3]{y}}$"})
+    EXPECT_GT(setTex(tex).rules.size(), 0u) << tex;
+  EXPECT_EQ(setTex("$\\sqrt[3]{x}$").plainText, "∛x");
+  EXPECT_EQ(setTex("$\\sqrt[4]{x+1}$").plainText, "∜(x + 1)");
+  EXPECT_EQ(setTex("$\\sqrt[12]{x}$").plainText, "¹²√x");
+  EXPECT_EQ(setTex("$\\sqrt[n]{x}$").plainText, "[n]√x");
+}
+
 // The layer's extents are those of HarfBuzz, whole font units; the oracle's come from the curves.
 TEST_F(MathSetter, InkBoundsAreThoseOfTheOutlines) {
   for (const char* tex : {"Poinsot", "$\\hat{\\mathbf{e}}_1$", "$2T/L$", " y ", "$\\frac{x}{y}$"}) {

@@ -42,7 +42,7 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
       {"a $\\mathbb{R}$", 4, "unknown command \\mathbb; did you mean \\mathbf?"},
       {"$\\zzzzzzzz$", 2, "unknown command \\zzzzzzzz"},
       {"ωω $x", 4, "'$' is never closed"},
-      {"cost 5$", 7, "'$' is never closed; a formula is $...$, the sign \\$"},
+      {"cost 5$", 7, "'$' is never closed; a formula is $...$; for the sign write \\$"},
       {"$\\mathbf{L$", 11, "'$' inside braces"},
       {"$\\mathbf{L", 9, "'{' is never closed"},
       {"\\textbf{a", 8, "'{' is never closed"},
@@ -56,6 +56,13 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
       {"$\\hat$", 2, "\\hat needs an argument"},
       {"$\\frac{1}$", 2, "\\frac needs an argument"},
       {tall.c_str(), 3, "what is under the root is taller than the font's largest root sign"},
+      {"$\\sqrt[3{x}$", 7, "'[' is never closed; a root with an index is \\sqrt[3]{x}"},
+      {"$a+\\sqrt[{3]}{x}$", 9, "'[' is never closed"},
+      {"${\\sqrt[3}]{x}$", 8, "'[' is never closed"},
+      {"$\\sqrt[3", 7, "'[' is never closed"},
+      {"$\\sqrt[3]$", 2, "\\sqrt needs an argument"},
+      {"$\\sqrt[]{x}$", 7, "a root with an empty index; write \\sqrt{x}, or \\sqrt[3]{x}"},
+      {"L^2", 2, "'^' outside a formula; write $...^...$, such as $x^1$; there is no command for the sign"},
       {"\\textbf a", 1, "\\textbf needs braces: \\textbf{...}"},
       {"$\\text{a $b$}$", 10, "a formula inside \\text{...}"},
       {"L 漢", 3, "the font has no glyph for 漢 (U+6F22)"},
@@ -72,6 +79,33 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
     EXPECT_THAT(message, ::testing::StartsWith("column " + std::to_string(m.column) + " of \"")) << m.tex;
     EXPECT_THAT(message, ::testing::HasSubstr(m.says)) << m.tex;
   }
+}
+
+// The commands that TeX has for its own characters, from The TeXbook, chapter 7; it has none that draws ^, ~ or a
+// backslash in running text.
+TEST(TexError, NamesTheCommandOfASignOnlyIfItDrawsTheSign) {
+  const std::string kSpecial = "&%#~{}\\$_^", kDrawn = "&%#{}$_";
+  for (const char sign : kSpecial) {
+    const std::string command = std::string("\\") + sign;
+    const bool drawn = kDrawn.find(sign) != kDrawn.npos;
+    EXPECT_EQ(failureOf(command) == "no error", drawn) << command;
+    if (drawn) {
+      EXPECT_EQ(setTex(command).plainText, std::string(1, sign));
+    }
+    for (const std::string& tex : {std::string(1, sign), "a" + std::string(1, sign) + "b",
+                                   "$a" + std::string(1, sign) + "$", "a" + command}) {
+      const std::string message = failureOf(tex);
+      for (const char other : kSpecial) {
+        const bool named = message.find(std::string("for the sign write \\") + other) != message.npos;
+        const bool right = kDrawn.find(other) != kDrawn.npos && tex.find(other) != tex.npos;
+        EXPECT_TRUE(!named || right) << message;
+      }
+    }
+  }
+  for (const char sign : std::string("{}$_"))
+    EXPECT_THAT(failureOf(std::string(1, sign)),
+                ::testing::HasSubstr(std::string("for the sign write \\") + sign));
+  EXPECT_THAT(failureOf("^"), ::testing::HasSubstr("no command for the sign"));
 }
 
 TEST(TexError, LimitsHostileInput) {
