@@ -20,6 +20,18 @@ constexpr std::string_view kHead =
 % From another folder: \graphicspath{{{{folder/}}}}. For larger or smaller labels: \newcommand*\poinsotscale{{1.2}}
 )";
 
+/// Makes the signs of ASCII ordinary characters until the group ends, but for TeX's own. Babel makes some of them
+/// commands: " in German, : and ; in French, = in Turkish, which spoil labels and the options of nodes.
+std::string ordinarySigns() {
+  constexpr std::string_view kSigns[] = {"!\"'()*+,-./", ":;<=>?@[]`|"};
+  std::string codes;
+  for (const std::string_view line : kSigns) {
+    for (const char sign : line) codes += fmt::format("\\catcode{} 12", static_cast<int>(sign));
+    codes += "\\relax\n";
+  }
+  return codes + "\\catcode94 7\\catcode95 8\\relax\n";
+}
+
 /// Each line of a text as a comment.
 std::string comment(std::string_view text) {
   std::string lines;
@@ -62,15 +74,15 @@ std::string tikzOf(const Figure& figure, const std::string& imageName) {
     all += latex;
   }
   const std::string text = fmt::format(fmt::runtime(kHead), fmt::arg("image", imageName)) +
-                           comment(figure.options.title) + comment(figure.options.description) +
-                           "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
+                           comment(figure.options.title) + comment(figure.options.description) + "\\begingroup\n" +
+                           ordinarySigns() + "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
                            fmt::format(
                                "\\begin{{tikzpicture}}\n"
                                "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"
                                "  \\node[anchor=south west, inner sep=0pt, outer sep=0pt] at (0, 0)\n"
                                "    {{\\includegraphics[width={0:.3f}bp, height={1:.3f}bp]{{{2}}}}};\n",
                                size_bp.x, size_bp.y, imageName) +
-                           nodes + "\\end{tikzpicture}%\n";
+                           nodes + "\\end{tikzpicture}%\n\\endgroup\n";
   return marked(kTexMark, text);
 }
 

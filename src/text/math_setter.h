@@ -13,12 +13,14 @@ namespace poinsot::text {
 /// space; \textbf{...}, \, \; \quad and "\ " spaces, \$ \% \& \# \_ \{ \} \degree \ldots. Inside $...$: Latin
 /// letters italic, digits upright, Greek by command (\omega, \Omega) or as itself, \mathbf \boldsymbol \mathrm
 /// \mathit, accents \hat \dot \ddot \bar \vec \tilde, scripts _ ^ ', \frac{}{}, \dfrac{}{} with its parts in full
-/// size, \sqrt{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as TeX spaces them; - is
-/// the minus sign.
+/// size, \sqrt{} \sqrt[3]{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as TeX spaces
+/// them; - is the minus sign.
+///
+/// Canonically equal texts, such as composed and decomposed letters, are set the same.
 ///
 /// Examples: Poinsot's construction | $\boldsymbol{\omega}$ | $\hat{\mathbf{e}}_1$ | $2T/L$
 /// @throws core::Error(kUsage) with the column (in characters, from 1): unknown command ("did you mean"), braces
-/// or dollars that do not match, a missing argument, a character that the font lacks.
+/// or dollars that do not match, a missing argument, a character that the fonts lack.
 GlyphRun setTex(std::string_view tex);
 
 }  // namespace poinsot::text

@@ -133,7 +133,7 @@ TEST_F(FigureTest, AccentedTypeIsThePngsPicture) {
   draw::Text text;
   text.size_px = 60;
   int line = 0;
-  for (const char* tex : {"\\textbf{Größe Übung řeč}", "Größe řeč đ ẍ", "\\textbf{đ ẍ} $\\sqrt{x}$"}) {
+  for (const char* tex : {"\\textbf{Größe Übung řeč}", "Größe řeč đ ẍ", "\\textbf{đ ẍ} $\\sqrt[3]{x}$"}) {
     text.tex = tex;
     text.baseline_px = {40, 90 + 90 * line++};
     picture.texts.push_back(text);
@@ -355,6 +355,21 @@ TEST_F(FigureTest, TikzCompiles) {
              "' && pdflatex -interaction=nonstopmode -halt-on-error -jobname tikzdoc "
              R"('\documentclass{article}\usepackage{tikz,amsmath}\begin{document}\input{tikz}\end{document}')");
   EXPECT_EQ(said.status, 0) << said.text;
+}
+
+// Babel's active characters: those that its language files declare (grep initiate@active@char *.ldf, TeX Live
+// 2022).
+TEST_F(FigureTest, TikzTakesSignsAsTheyAreInEveryLanguage) {
+  const std::string tex = content(written(plot(), "signs.tex"));
+  const auto begin = tex.find("\\begingroup\n"), picture = tex.find("\\begin{tikzpicture}"),
+             end = tex.find("\\end{tikzpicture}%\n\\endgroup\n");
+  ASSERT_LT(begin, picture);
+  ASSERT_LT(picture, end);
+  for (const char sign : std::string("!\"'-:;<=>?`.")) {
+    const auto code = tex.find("\\catcode" + std::to_string(static_cast<int>(sign)) + " 12");
+    EXPECT_TRUE(begin < code && code < picture) << sign;
+  }
+  EXPECT_EQ(tex.find("catcode126"), tex.npos);  // ~ stays a blank
 }
 
 TEST_F(FigureTest, NamesThatLatexCannotLoadAreRefused) {
