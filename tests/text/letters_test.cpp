@@ -123,6 +123,48 @@ TEST_F(Letters, AreAcceptedExactlyIfTheFontsHaveTheirParts) {
   for (const char* few : {"ẋ", "ẍ", "ŵ", "ĥ", "ή", "ế", "ǐ"}) EXPECT_TRUE(sets(few)) << few;
 }
 
+// Letters beyond a to z of the languages that docs/figures.md names, from the exemplar characters of Unicode's
+// CLDR.
+TEST_F(Letters, WriteTheLanguagesOfTheManual) {
+  const std::pair<const char*, const char*> kLanguages[] = {{"Catalan", "àçéèíïŀóòúü·"},
+                                                            {"Croatian", "čćđšžČĆĐŠŽ"},
+                                                            {"Czech", "áčďéěíňóřšťúůýžŘŮ"},
+                                                            {"Danish", "åæøÅÆØ"},
+                                                            {"Dutch", "áäéëíïóöúüĳ"},
+                                                            {"Esperanto", "ĉĝĥĵŝŭĈĜĤĴŜŬ"},
+                                                            {"Estonian", "äõöšüž"},
+                                                            {"Finnish", "äåö"},
+                                                            {"French", "àâæçéèêëîïôœùûüÿÉÇŒ«»"},
+                                                            {"German", "äöüßÄÖÜ„“"},
+                                                            {"Greek", "άέήίόύώΐΰϊϋςΆΈΉΊΌΎΏ"},
+                                                            {"Hungarian", "áéíóöőúüűŐŰ"},
+                                                            {"Icelandic", "áæðéíóöúýþÐÞ"},
+                                                            {"Irish", "áéíóúḃċḋḟġṁṗṡṫ"},
+                                                            {"Italian", "àéèìóòù"},
+                                                            {"Latvian", "āčēģīķļņšūžĢĶ"},
+                                                            {"Lithuanian", "ąčęėįšųūž"},
+                                                            {"Maltese", "ċġħżĊĠĦŻ"},
+                                                            {"Norwegian", "åæøéò"},
+                                                            {"Polish", "ąćęłńóśźżŁŹ"},
+                                                            {"Portuguese", "áâãàçéêíóôõú"},
+                                                            {"Romanian", "ăâîșțȘȚ"},
+                                                            {"Slovak", "áäčďéíĺľňóôŕšťúýž"},
+                                                            {"Slovenian", "čšž"},
+                                                            {"Spanish", "áéíñóúü¿¡"},
+                                                            {"Swedish", "åäö"},
+                                                            {"Turkish", "çğıöşüİĞŞ"},
+                                                            {"Vietnamese", "ăâđêôơưạảấầẩẫậỹ"},
+                                                            {"Welsh", "âêîôûŵŷẁẃẅŴŶ"},
+                                                            {"pinyin", "āáǎàēéěèīíǐìǖǘǚǜ"},
+                                                            {"signs", "«»“”„–—…§†•°€£²³½"}};
+  for (const auto& [language, letters] : kLanguages) {
+    EXPECT_TRUE(sets(letters)) << language;
+    EXPECT_TRUE(sets("\\textbf{" + std::string(letters) + "}")) << language;
+  }
+  for (const char* lacking : {"ẞ", "Ə", "ŧ", "Ж", "א", "ع", "अ", "ก", "中", "あ", "한", "😀"})
+    EXPECT_FALSE(sets(lacking)) << lacking;
+}
+
 TEST_F(Letters, LookTheSameComposedAndDecomposed) {
   for (const char32_t c : accepted()) {
     const std::string nfc = utf8(c), nfd = decomposedByTable(c);
