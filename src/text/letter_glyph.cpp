@@ -22,14 +22,18 @@ bool isLetter(char32_t character) {
   }
 }
 
+// Blanks are as wide in any weight, so that words keep their places.
+bool isSpace(char32_t character) { return character == U' ' || character == U'\u00A0'; }
+
 // The font to look in first. In a formula letters and marks come in weights, and signs do not, as in TeX.
 Typeface preferredFont(char32_t character, Alphabet alphabet) {
   switch (alphabet) {
     case Alphabet::kText:
       return isMark(character) ? Typeface::kRoman : Typeface::kMath;
+    case Alphabet::kBoldText:
+      return isSpace(character) ? Typeface::kMath : Typeface::kBold;
     case Alphabet::kBold:
     case Alphabet::kBoldItalic:
-    case Alphabet::kBoldText:
       return isLetter(character) || isMark(character) ? Typeface::kBold : Typeface::kMath;
     default:
       return Typeface::kMath;

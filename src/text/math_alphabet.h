@@ -10,7 +10,7 @@ enum class Alphabet {
   kBold,
   kBoldItalic,
   kText,      ///< of running text: as kRoman, with the marks of the font for text
-  kBoldText,  ///< of running text: as kBold
+  kBoldText,  ///< of running text: as kBold, and its marks, punctuation and signs are bold too
 };
 
 /// The alphabet of running text.

@@ -206,6 +206,16 @@ TEST_F(Letters, TakeTheBoldFontsOwnForm) {
   }
 }
 
+TEST_F(Letters, HaveBoldPunctuationBesideThem) {
+  for (const char32_t c : std::u32string_view(U".,:;!?()[]-–—’“”\"/%=+²½·§")) {
+    const GlyphRun run = setTex("\\textbf{" + (c == U'%' ? "\\%" : utf8(c)) + "}");
+    ASSERT_EQ(run.glyphs.size(), 1u) << utf8(c);
+    EXPECT_EQ(run.glyphs[0].face, Typeface::kBold) << utf8(c);
+    EXPECT_EQ(run.glyphs[0].id, bold_.glyph(c)) << utf8(c);
+  }
+  EXPECT_EQ(setTex("$\\mathbf{1.5}$").glyphs[1].face, Typeface::kMath);  // as in TeX
+}
+
 // Pictures of plain titles do not depend on the fonts for text.
 TEST_F(Letters, PlainLettersStayThoseOfTheMathematicsFont) {
   const std::string plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz 0123456789";
