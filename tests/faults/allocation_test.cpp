@@ -35,7 +35,7 @@ omega_body = [0.1, 2, 0.1]
 duration = 1
 fps = 2
 [show]
-title = '$\omega$ and $\mathbf{L}$'
+title = 'Élan: ẋ, $\omega$ and $\mathbf{L}$'
 [output]
 size = [64, 36]
 )";
