@@ -122,8 +122,8 @@ TEST_F(FigureTest, PdfTextIsFound) {
   EXPECT_THAT(scene, HasSubstr("L"));
 }
 
-// Regular and bold, with letters of three fonts: glyphs are drawn from the font that they are of. Nothing but edges of
-// large type: measured 0.021 and 0.018, and 0.038 of a line in other letters.
+// Regular and bold, with letters of three fonts: glyphs are drawn from the font that they are of. Nothing but
+// edges of large type: measured 0.021 and 0.018, and 0.038 of a line in other letters.
 TEST_F(FigureTest, AccentedTypeIsThePngsPicture) {
   POINSOT_NEEDS("pdftocairo");
   POINSOT_NEEDS("pdftotext");
