@@ -9,7 +9,7 @@ set(POINSOT_PUBLIC_HEADERS
   physics/possible_inertia.h physics/precession_cones.h physics/principal_axes.h physics/run_condition.h physics/solid.h physics/stability.h
   physics/start.h
   geometry/mesh.h geometry/mesh_file.h geometry/mesh_integrals.h geometry/primitives.h
-  image/difference.h image/flip.h image/image.h image/magma.h image/near_rule.h image/png_file.h
+  image/changes.h image/difference.h image/flip.h image/image.h image/magma.h image/near_rule.h image/png_file.h
   gl/offscreen_context.h
   scene/film_clock.h scene/limits.h scene/make_motion.h scene/reference.h scene/scene.h scene/scene_file.h
   scene/units.h

@@ -9,18 +9,6 @@
 namespace poinsot::image {
 namespace {
 
-DeepImage deepened(const Image& flat) {
-  DeepImage deep(flat.size, flat.channels);
-  constexpr int kRepeated = 257;  // 255 becomes 65535
-  std::ranges::transform(flat.pixels, deep.pixels.begin(),
-                         [](std::uint8_t v) { return static_cast<std::uint16_t>(kRepeated * v); });
-  return deep;
-}
-
-void deepen(AnyImage& picture) {
-  if (const auto* flat = std::get_if<Image>(&picture)) picture = deepened(*flat);
-}
-
 template <typename Sample>
 bool isOpaque(const BasicImage<Sample>& picture) {
   if (picture.channels == 3) return true;
@@ -61,8 +49,8 @@ void toCommonChannels(BasicImage<Sample>& a, BasicImage<Sample>& b) {
 
 void toCommonForm(AnyImage& a, AnyImage& b) {
   if (a.index() != b.index()) {
-    deepen(a);
-    deepen(b);
+    a = deepened(a);
+    b = deepened(b);
   }
   std::visit([&](auto& first) { toCommonChannels(first, std::get<std::decay_t<decltype(first)>>(b)); }, a);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/image.h"
 
+#include <algorithm>
+
 #include "core/expect.h"
 
 namespace poinsot::image {
@@ -38,5 +40,15 @@ const Sample* BasicImage<Sample>::at(int x, int y) const {
 
 template struct BasicImage<std::uint8_t>;
 template struct BasicImage<std::uint16_t>;
+
+DeepImage deepened(const AnyImage& picture) {
+  if (const auto* deep = std::get_if<DeepImage>(&picture)) return *deep;
+  const Image& flat = std::get<Image>(picture);
+  DeepImage out(flat.size, flat.channels);
+  constexpr int kRepeated = 257;  // 255 becomes 65535
+  std::transform(flat.pixels.begin(), flat.pixels.end(), out.pixels.begin(),
+                 [](std::uint8_t v) { return static_cast<std::uint16_t>(kRepeated * v); });
+  return out;
+}
 
 }  // namespace poinsot::image

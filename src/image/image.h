@@ -57,4 +57,7 @@ using AnyImage = std::variant<Image, DeepImage>;
 extern template struct BasicImage<std::uint8_t>;
 extern template struct BasicImage<std::uint16_t>;
 
+/// Returns the picture with 16 bits a sample: 255 of 8 bits becomes 65535.
+DeepImage deepened(const AnyImage& picture);
+
 }  // namespace poinsot::image
