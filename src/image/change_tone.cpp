@@ -71,7 +71,10 @@ std::optional<ToneChange> levelOf(const Mapping& mapping) {
     return e.to == std::clamp(e.from + level[static_cast<std::size_t>(e.channel)], 0, mapping.most);
   });
   const auto changed = std::ranges::count_if(level, [](int l) { return l != 0; });
-  if (!holds || changed == 0 || (!mapping.allChanged && evidence(mapping) < 2 * changed)) return std::nullopt;
+  if (!holds || changed == 0) return std::nullopt;
+  const bool isOneColour = evidence(mapping) <= changed;
+  const bool isGrey = level[0] == level[1] && level[1] == level[2];
+  if (isOneColour && !(mapping.allChanged && isGrey)) return std::nullopt;
   ToneChange change;
   std::ranges::transform(level, change.level.begin(), [&](int l) { return l * 255.0 / mapping.most; });
   return change;

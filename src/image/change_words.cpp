@@ -103,14 +103,15 @@ std::string channelText(const Changes& changes) {
   return fmt::format(", only in {}", kChannels[place]);
 }
 
-/// ", by at most 1 of 255", where the eye would not see it.
+/// Whether the eye would not see it, so that the colours say less than the size of the difference.
+bool isHardlySeen(const Changes& changes) { return changes.largest <= 4; }
+
 std::string sizeText(const Changes& changes) {
-  constexpr double kHardlySeen = 4;
-  return changes.largest <= kHardlySeen ? fmt::format(", by at most {:.3g} of 255", changes.largest) : "";
+  return isHardlySeen(changes) ? fmt::format(", by at most {:.3g} of 255", changes.largest) : "";
 }
 
 std::string colourText(const Changes& changes) {
-  if (!changes.recolouring || changes.shiftOfLargest) return "";
+  if (!changes.recolouring || changes.shiftOfLargest || isHardlySeen(changes)) return "";
   const auto& [from, to, pixels] = *changes.recolouring;
   return fmt::format(", {} became {}{}", from, to, pixels < changes.pixels ? fmt::format(" in {}", pixels) : "");
 }
