@@ -70,6 +70,17 @@ ordered_json sizeJson(const PictureDiff& diff) {
   return isKnown(diff.size) ? ordered_json({diff.size.width, diff.size.height}) : ordered_json();
 }
 
+/// Boxes as left, top, width and height, with the pixels that differ in each.
+ordered_json placesJson(const image::Changes& changes) {
+  constexpr std::size_t kMost = 10;
+  ordered_json json = ordered_json::array();
+  for (const auto& [box, pixels] : changes.places) {
+    if (json.size() == kMost) break;
+    json.push_back({box.left, box.top, box.right - box.left, box.bottom - box.top, pixels});
+  }
+  return json;
+}
+
 /// The object of one pair, without the names. `worstPixels`: with the list of them.
 ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
   ordered_json json{{"verdict", diff.isReadable ? image::toString(diff.verdict) : "error"},
@@ -99,7 +110,9 @@ ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
                    {"third_quartile", d.flip.thirdQuartile},
                    {"max", d.flip.max}}}});
   }
+  json["change"] = textOrNull(image::wordsOf(diff.changes));
   if (!worstPixels) return json;
+  json["places"] = placesJson(diff.changes);
   json["worst_pixels"] = ordered_json::array();
   for (const image::DifferingPixel& pixel : d.worst) json["worst_pixels"].push_back(pixelJson(pixel, d.channels));
   return json;

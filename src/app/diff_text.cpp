@@ -29,7 +29,7 @@ std::string worstText(const PictureDiff& diff) {
 }
 
 std::string figuresText(const PictureDiff& diff, double pixelsPerDegree) {
-  std::string text;
+  std::string text = fmt::format("  {:<18} {}\n", "what changed", image::wordsOf(diff.changes));
   for (const auto& [term, figures] : termsOf(diff, pixelsPerDegree))
     text += fmt::format("  {:<18} {}\n", term, figures);
   return text + worstText(diff);
@@ -67,9 +67,10 @@ std::string rowText(const PictureDiff& diff, const char* kind = "") {
   if (diff.film)
     return fmt::format("  {:<9}  {}{}: {}\n", image::toString(diff.verdict), kind, core::printable(diff.name),
                        reasonOf(diff));
-  return fmt::format("  {:<9}  {}{}: largest {:.4g}, {} pixels, FLIP mean {:.3g}, max {:.3g}\n",
+  const std::string change = image::wordsOf(diff.changes);
+  return fmt::format("  {:<9}  {}{}: largest {:.4g}, {} pixels, FLIP mean {:.3g}, max {:.3g}{}{}\n",
                      image::toString(diff.verdict), kind, core::printable(diff.name), d.maxAbs, d.differingPixels,
-                     d.flip.mean, d.flip.max);
+                     d.flip.mean, d.flip.max, change.empty() ? "" : "; ", change);
 }
 
 }  // namespace

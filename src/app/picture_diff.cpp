@@ -68,6 +68,10 @@ void compareForms(ComparedPictures& compared, const DiffRequest& request) {
   diff.beyond = image::distanceBeyond(diff.figures, request.rule.limits);
   if (diff.verdict == image::Verdict::kDifferent)
     diff.excesses = image::excesses(diff.figures, request.rule.limits);
+  if (diff.verdict == image::Verdict::kIdentical) return;
+  const auto& [reference, test, same, flip] = compared;
+  diff.changes = image::changesBetween(
+      reference.pixels, ignored ? image::withIgnoredOf(reference.pixels, test.pixels, *ignored) : test.pixels);
 }
 
 }  // namespace

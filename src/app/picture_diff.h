@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/picture_rule.h"
+#include "image/changes.h"
 #include "image/difference.h"
 #include "image/png_file.h"
 #include "scene/limits.h"
@@ -50,6 +51,7 @@ struct PictureDiff {
   int channels = 3;         ///< of the reference, as stored
   image::ImageDifference figures;
   double beyond = 0;                  ///< image::distanceBeyond() of the rule
+  image::Changes changes;             ///< where and how the pictures differ; empty where there are no figures
   std::vector<std::string> excesses;  ///< what of the rule does not hold
   double ignoredShare = 0;            ///< part of the picture that was not compared, 0 to 1
   std::vector<std::string> notes;     ///< what is no difference of pixels: "grey beside RGB, same pixels"

@@ -108,15 +108,6 @@ class Sums {
   Worst worst_;
 };
 
-/// Picture b with the ignored pixels of a, so that no measure sees a difference there.
-template <typename Sample>
-BasicImage<Sample> withIgnoredOf(const BasicImage<Sample>& a, BasicImage<Sample> b, const IgnoreMask& ignored) {
-  for (int y = 0; y < a.size.height; ++y)
-    for (int x = 0; x < a.size.width; ++x)
-      if (ignored.ignores(x, y)) std::copy_n(a.at(x, y), a.channels, b.at(x, y));
-  return b;
-}
-
 template <typename Sample>
 ImageDifference summed(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
                        const ComparisonOptions& options) {

@@ -2,6 +2,7 @@
 #include "image/ignore_mask.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <variant>
 
 #include "core/expect.h"
@@ -36,6 +37,25 @@ void IgnoreMask::ignore(int x, int y) {
   std::uint8_t& pixel = ignored_[index(x, y)];
   if (pixel == 0) ++count_;
   pixel = 1;
+}
+
+template <typename Sample>
+BasicImage<Sample> withIgnoredOf(const BasicImage<Sample>& a, BasicImage<Sample> b, const IgnoreMask& ignored) {
+  for (int y = 0; y < a.size.height; ++y)
+    for (int x = 0; x < a.size.width; ++x)
+      if (ignored.ignores(x, y)) std::copy_n(a.at(x, y), a.channels, b.at(x, y));
+  return b;
+}
+
+template Image withIgnoredOf(const Image& a, Image b, const IgnoreMask& ignored);
+template DeepImage withIgnoredOf(const DeepImage& a, DeepImage b, const IgnoreMask& ignored);
+
+AnyImage withIgnoredOf(const AnyImage& a, const AnyImage& b, const IgnoreMask& ignored) {
+  return std::visit(
+      [&](const auto& first) -> AnyImage {
+        return withIgnoredOf(first, std::get<std::decay_t<decltype(first)>>(b), ignored);
+      },
+      a);
 }
 
 }  // namespace poinsot::image

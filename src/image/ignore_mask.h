@@ -38,4 +38,9 @@ class IgnoreMask {
   std::int64_t count_ = 0;
 };
 
+/// Picture b with the ignored pixels of a, so that no measure sees a difference there. @pre one size and channels.
+template <typename Sample>
+BasicImage<Sample> withIgnoredOf(const BasicImage<Sample>& a, BasicImage<Sample> b, const IgnoreMask& ignored);
+AnyImage withIgnoredOf(const AnyImage& a, const AnyImage& b, const IgnoreMask& ignored);
+
 }  // namespace poinsot::image
