@@ -3,19 +3,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <tuple>
 
 #include "app/diff_text.h"
 #include "core/base64.h"
 #include "core/regular_file.h"
+#include "image/png_file.h"
 #include "output/figure_mark.h"
 
-// Of diff_page.html.
+// Contents of diff_page.html, .css, .js and diff_page_view.js.
 extern "C" const char poinsot_diff_page[], poinsot_diff_page_end[];
+extern "C" const char poinsot_diff_page_css[], poinsot_diff_page_css_end[];
+extern "C" const char poinsot_diff_page_view[], poinsot_diff_page_view_end[];
+extern "C" const char poinsot_diff_page_js[], poinsot_diff_page_js_end[];
 
 namespace poinsot::app {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 ordered_json dataUrl(const char* type, const std::string& bytes) {
@@ -23,22 +35,59 @@ ordered_json dataUrl(const char* type, const std::string& bytes) {
   return fmt::format("data:{};base64,{}", type, core::base64(bytes));
 }
 
-ordered_json pictureJson(const DiffPageEntry::Png& png) { return dataUrl("image/png", png); }
+/// The path as a relative URL (RFC 3986): all but unreserved characters as their bytes.
+std::string urlOf(const fs::path& path) {
+  std::string url;
+  for (const unsigned char c : path.generic_string())
+    url += std::isalnum(c) || std::string_view("-._~/").find(static_cast<char>(c)) != std::string_view::npos
+               ? std::string(1, static_cast<char>(c))
+               : fmt::format("%{:02X}", c);
+  return url;
+}
 
-ordered_json factsJson(const DiffPageEntry& entry) {
-  ordered_json facts = ordered_json::array();
-  if (entry.hasFigures && entry.diff.figures.differingPixels > 0) {
-    for (const auto& [term, text] : termsOf(entry.diff, entry.pixelsPerDegree))
-      facts.push_back(ordered_json::array({term, text}));
-    const image::DifferingPixel& worst = entry.diff.figures.worst.front();
-    facts.push_back({"worst pixel", fmt::format("({}, {})", worst.x, worst.y)});
-  }
-  for (const auto& [term, text] : entry.facts)
-    if (!text.empty()) facts.push_back({term, text});
+/// A file, from the folder of the page.
+std::string urlFrom(const fs::path& page, const fs::path& file) {
+  std::error_code failure;
+  const fs::path folder = fs::absolute(page).parent_path();
+  const fs::path relative = fs::proximate(fs::absolute(file), folder, failure);
+  return urlOf(failure ? fs::absolute(file).lexically_proximate(folder) : relative);
+}
+
+ordered_json pictureJson(const DiffPagePicture& picture, const fs::path& page) {
+  if (!picture.png.empty()) return dataUrl("image/png", picture.png);
+  return picture.file.empty() ? ordered_json() : ordered_json(urlFrom(page, picture.file));
+}
+
+ordered_json factsJson(const DiffPageFacts& facts) {
+  ordered_json json = ordered_json::array();
+  for (const auto& [term, text] : facts)
+    if (!text.empty()) json.push_back({term, text});
+  return json;
+}
+
+DiffPageFacts factsOf(const DiffPageEntry& entry) {
+  DiffPageFacts facts;
+  if (entry.hasFigures && entry.diff.figures.differingPixels > 0)
+    facts = termsOf(entry.diff, entry.pixelsPerDegree);
+  facts.insert(facts.end(), entry.facts.begin(), entry.facts.end());
   return facts;
 }
 
-ordered_json entryJson(const DiffPageEntry& entry) {
+/// What differs, and where: boxes as left, top, width, height and differing pixels.
+ordered_json changeJson(const DiffPageEntry& entry) {
+  const image::Changes& changes = entry.diff.changes;
+  ordered_json places = ordered_json::array();
+  for (const auto& [box, pixels] : changes.places)
+    places.push_back({box.left, box.top, box.right - box.left, box.bottom - box.top, pixels});
+  ordered_json json{{"change", image::wordsOf(changes)}, {"places", places}, {"place_count", changes.placeCount}};
+  if (entry.hasFigures && !entry.diff.figures.worst.empty()) {
+    const image::DifferingPixel& worst = entry.diff.figures.worst.front();
+    json["worst"] = {worst.x, worst.y};
+  }
+  return json;
+}
+
+ordered_json entryJson(const DiffPageEntry& entry, const fs::path& page) {
   ordered_json json{{"name", entry.name}, {"status", entry.status}, {"message", entry.message}};
   const image::ImageDifference& d = entry.diff.figures;
   if (entry.hasFigures)
@@ -46,12 +95,12 @@ ordered_json entryJson(const DiffPageEntry& entry) {
                  {"differing_pixels", d.differingPixels},
                  {"flip_mean", d.flip.mean},
                  {"flip_max", d.flip.max}});
-  json.update({{"width", entry.diff.size.width},
-               {"facts", factsJson(entry)},
-               {"reference", pictureJson(entry.reference)},
-               {"actual", pictureJson(entry.actual)},
-               {"difference", pictureJson(entry.difference)},
-               {"flip", pictureJson(entry.map)}});
+  json.update(changeJson(entry));
+  json.update({{"facts", factsJson(factsOf(entry))},
+               {"approve", entry.approve},
+               {"reference", pictureJson(entry.reference, page)},
+               {"actual", pictureJson(entry.actual, page)},
+               {"flip", pictureJson(entry.map, page)}});
   return json;
 }
 
@@ -71,10 +120,24 @@ ordered_json pageJson(const DiffPage& page) {
                     {"entry", page.entry},
                     {"reference", page.reference},
                     {"actual", page.actual},
+                    {"run", factsJson(page.run)},
+                    {"approve", page.approve},
                     {"curve", curveJson(page.curve)},
                     {"entries", ordered_json::array()}};
-  for (const DiffPageEntry& entry : page.entries) json["entries"].push_back(entryJson(entry));
+  for (const DiffPageEntry& entry : page.entries) json["entries"].push_back(entryJson(entry, page.file));
   return json;
+}
+
+/// Returns the picture of a file to embed; an empty one if the file cannot be read or is, where that is in doubt,
+/// no whole PNG.
+DiffPagePicture readPicture(const fs::path& file, bool inDoubt) try {
+  constexpr std::size_t kMost = std::size_t{512} << 20;
+  std::string png = core::readRegularFile(file, kMost, core::ErrorKind::kIo);
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(png.data()), png.size());
+  if (inDoubt && !image::textsOfWholePng(bytes)) return {};
+  return {std::move(png), file};
+} catch (const core::Error&) {
+  return {};
 }
 
 /// Inside a script element nothing may end it.
@@ -85,25 +148,50 @@ std::string scriptText(const ordered_json& json) {
   return safe;
 }
 
-}  // namespace
-
-bool DiffPage::hasRoom() const {
-  constexpr std::size_t kMost = std::size_t{192} << 20;
-  std::size_t bytes = 0;
-  for (const DiffPageEntry& e : entries)
-    bytes += e.reference.size() + e.actual.size() + e.difference.size() + e.map.size();
-  return bytes < kMost;
+/// Puts a text in place of the last such mark: names of files in the data come before the script's.
+void fillIn(std::string& html, std::string_view mark, const std::string& text) {
+  html.replace(html.rfind(mark), mark.size(), text);
 }
 
-DiffPageEntry::Png pngFile(const std::filesystem::path& file) {
-  constexpr std::size_t kMost = std::size_t{512} << 20;
-  return core::readRegularFile(file, kMost, core::ErrorKind::kIo);
+}  // namespace
+
+void EmbedBudget::admit(DiffPageEntry& entry) {
+  constexpr std::size_t kMostRows = 100, kMostBytes = 50'000'000;
+  std::size_t bytes = 0;
+  const auto pictures = {&entry.reference, &entry.actual, &entry.map};
+  for (const DiffPagePicture* picture : pictures) bytes += picture->png.size();
+  if (bytes == 0) return;
+  isSpent_ = isSpent_ || rows_ == kMostRows || bytes_ + bytes > kMostBytes;
+  if (isSpent_) {
+    for (DiffPagePicture* picture : pictures) picture->png.clear();
+    return;
+  }
+  ++rows_;
+  bytes_ += bytes;
+}
+
+std::vector<DiffPageEntry*> worstFirst(std::vector<DiffPageEntry>& entries) {
+  std::vector<DiffPageEntry*> order;
+  for (DiffPageEntry& entry : entries)
+    if (entry.status != "identical") order.push_back(&entry);
+  std::ranges::stable_sort(order, std::greater(), [](const DiffPageEntry* entry) {
+    return std::tuple(entry->diff.verdict, !entry->hasFigures, entry->diff.figures.flip.mean);
+  });
+  return order;
+}
+
+void embedFiles(DiffPageEntry& entry) {
+  for (DiffPagePicture* picture : {&entry.reference, &entry.actual, &entry.map})
+    if (!picture->file.empty()) *picture = readPicture(picture->file, entry.status == "error");
 }
 
 std::string htmlOf(const DiffPage& page) {
   std::string html(poinsot_diff_page, poinsot_diff_page_end);
-  constexpr std::string_view kMark = "@DATA@";
-  html.replace(html.find(kMark), kMark.size(), scriptText(pageJson(page)));
+  fillIn(html, "@STYLE@", {poinsot_diff_page_css, poinsot_diff_page_css_end});
+  fillIn(html, "@DATA@", scriptText(pageJson(page)));
+  fillIn(html, "@SCRIPT@",
+         std::string(poinsot_diff_page_view, poinsot_diff_page_view_end) +
+             std::string(poinsot_diff_page_js, poinsot_diff_page_js_end));
   return output::marked(output::kHtmlMark, html);
 }
 

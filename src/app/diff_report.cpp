@@ -10,6 +10,8 @@
 #include "app/diff_text.h"
 #include "app/file_diff.h"
 #include "app/parallel.h"
+#include "app/run_facts.h"
+#include "core/shell_word.h"
 #include "image/magma.h"
 #include "image/png_file.h"
 
@@ -18,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPairs = 100, kFilmParts = 20;
+constexpr std::size_t kFilmParts = 20;
 
 std::string textOf(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
 
-DiffPageEntry::Png pngOf(const image::AnyImage& picture) {
+std::string pngOf(const image::AnyImage& picture) {
   return textOf(std::visit([](const auto& p) { return image::encodePng(p); }, picture));
 }
 
@@ -30,61 +32,69 @@ DiffPage pageOf(const DiffSubject& subject, image::Verdict verdict, const std::s
   DiffPage page{subject.test.native(), std::string(image::toString(verdict))};
   page.note = "compared with " + subject.reference.native();
   page.entry = entry;
+  page.file = subject.page;
+  page.run = runFacts(subject.reference);
   return page;
 }
 
-/// What every pair has, without pictures.
+std::string statusText(const PictureDiff& diff) {
+  return diff.isReadable ? std::string(image::toString(diff.verdict)) : "error";
+}
+
+/// Returns what every pair has, without pictures.
 DiffPageEntry entryOf(const PictureDiff& diff, const std::string& name, const DiffSubject& subject) {
-  DiffPageEntry entry{name, std::string(image::toString(diff.verdict)), reasonOf(diff), diff};
+  DiffPageEntry entry{name, statusText(diff), reasonOf(diff), diff};
   entry.hasFigures = diff.hasFigures;
   entry.pixelsPerDegree = subject.request.pixelsPerDegree;
   return entry;
 }
 
-void addMaps(DiffPageEntry& entry, const ComparedPictures& compared, const DiffSubject& subject) {
-  if (!compared.diff.hasFigures) return;
-  entry.map = textOf(image::encodePng(image::magmaPicture(compared.flip)));
-  entry.difference = textOf(image::encodePng(differenceOf(compared, subject.request)));
+void addMap(DiffPageEntry& entry, const ComparedPictures& compared) {
+  if (compared.diff.hasFigures) entry.map.png = textOf(image::encodePng(image::magmaPicture(compared.flip)));
 }
 
-/// Both files, and what is drawn of them; nothing of those that cannot be read, which is said of them already.
-void addPictures(DiffPageEntry& entry, const DiffSubject& subject) try {
-  const fs::path reference = subject.reference / entry.diff.name, test = subject.test / entry.diff.name;
-  entry.reference = pngFile(reference);
-  entry.actual = pngFile(test);
-  addMaps(entry, compareFiles(reference, test, subject.request), subject);
-} catch (const core::Error&) {
-  entry.reference = entry.actual = {};
+/// Names the files of a row, for a page that does not embed them. An identical pair has one.
+void addFiles(DiffPageEntry& entry, const DiffSubject& subject) {
+  if (entry.status != "new") entry.reference.file = subject.reference / entry.name;
+  if (entry.status != "missing" && entry.status != "identical") entry.actual.file = subject.test / entry.name;
+  if (subject.request.map && entry.hasFigures && entry.status != "identical")
+    entry.map.file = *subject.request.map / entry.name;
 }
 
-/// Places of the pairs that are not identical, the worst first.
-std::vector<std::size_t> worstPairs(const std::vector<PictureDiff>& pairs) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (pairs[i].verdict != image::Verdict::kIdentical) order.push_back(i);
-  std::ranges::stable_sort(order,
-                           [&](std::size_t a, std::size_t b) { return badness(pairs[a]) > badness(pairs[b]); });
-  return order;
-}
-
-/// Pictures of the pairs in that order, `jobs` at a time, while there is room. @returns of how many.
-std::size_t addPictures(DiffPage& page, const std::vector<std::size_t>& order, const DiffSubject& subject,
-                        int jobs) {
-  std::size_t done = 0;
-  while (done < std::min(order.size(), kMostPairs) && page.hasRoom()) {
-    const std::size_t count = std::min({static_cast<std::size_t>(jobs), order.size() - done, kMostPairs - done});
-    forEachIndex(count, jobs, [&](std::size_t i) { addPictures(page.entries[order[done + i]], subject); });
-    done += count;
-  }
-  return done;
+/// Embeds what can be read of a pair, and FLIP's map of both.
+void embedPair(DiffPageEntry& entry, const DiffSubject& subject) try {
+  embedFiles(entry);
+  if (entry.hasFigures)
+    addMap(entry, compareFiles(subject.reference / entry.name, subject.test / entry.name, subject.request));
+} catch (const core::Error&) {  // the files changed meanwhile
+  entry.map = {};
 }
 
 DiffPageEntry loneEntry(const std::string& name, const char* status, const char* message) {
-  DiffPageEntry entry;
-  entry.name = name;
-  entry.status = status;
-  entry.message = message;
+  DiffPageEntry entry{name, status, message, {}};
   return entry;
+}
+
+std::vector<DiffPageEntry> entriesOf(const FolderDiff& diff, const DiffSubject& subject) {
+  std::vector<DiffPageEntry> entries;
+  for (const PictureDiff& pair : diff.pictures) entries.push_back(entryOf(pair, pair.name, subject));
+  for (const std::string& name : diff.onlyInReference)
+    entries.push_back(loneEntry(name, "missing", "only in the reference"));
+  for (const std::string& name : diff.onlyInTest)
+    entries.push_back(loneEntry(name, "new", "nothing in the reference has this name"));
+  return entries;
+}
+
+/// Embeds pictures while the budget lasts, `jobs` pairs at a time.
+void embedPairs(std::vector<DiffPageEntry>& entries, const DiffSubject& subject, int jobs) {
+  const auto order = worstFirst(entries);
+  EmbedBudget budget;
+  for (std::size_t done = 0; done < order.size() && !budget.isSpent();) {
+    const std::size_t count = std::min(static_cast<std::size_t>(jobs), order.size() - done);
+    forEachIndex(count, jobs, [&](std::size_t i) { embedPair(*order[done + i], subject); });
+    for (std::size_t i = 0; i < count; ++i) budget.admit(*order[done + i]);
+    done += count;
+  }
 }
 
 /// The worst of each part of the film that are not identical, rising.
@@ -105,9 +115,9 @@ DiffPageEntry frameEntry(const FilmDiff& diff, std::size_t frame, const Compared
                          const DiffSubject& subject) {
   DiffPageEntry entry = entryOf(diff.frames[frame], fmt::format("{}", frame), subject);
   if (diff.fps.num != 0) entry.facts = {{"time", fmt::format("{:.3f} s", diff.time_s(frame))}};
-  entry.reference = pngOf(compared.reference.pixels);
-  entry.actual = pngOf(compared.test.pixels);
-  addMaps(entry, compared, subject);
+  entry.reference.png = pngOf(compared.reference.pixels);
+  entry.actual.png = pngOf(compared.test.pixels);
+  addMap(entry, compared);
   return entry;
 }
 
@@ -116,23 +126,26 @@ DiffPageEntry frameEntry(const FilmDiff& diff, std::size_t frame, const Compared
 std::string diffReport(const ComparedPictures& compared, const DiffSubject& subject) {
   DiffPage page = pageOf(subject, compared.diff.verdict, "Picture");
   DiffPageEntry& entry = page.entries.emplace_back(entryOf(compared.diff, subject.test.filename(), subject));
-  entry.reference = pngOf(compared.reference.pixels);
+  entry.reference.file = subject.reference;
   if (compared.diff.verdict == image::Verdict::kIdentical) return htmlOf(page);
-  entry.actual = pngOf(compared.test.pixels);
-  addMaps(entry, compared, subject);
+  entry.actual.file = subject.test;
+  entry.reference.png = pngOf(compared.reference.pixels);
+  entry.actual.png = pngOf(compared.test.pixels);
+  addMap(entry, compared);
+  EmbedBudget().admit(entry);
   return htmlOf(page);
 }
 
 std::string diffReport(const FolderDiff& diff, const DiffSubject& subject, int jobs) {
   DiffPage page = pageOf(subject, diff.verdict(), "Picture");
-  for (const PictureDiff& pair : diff.pictures) page.entries.push_back(entryOf(pair, pair.name, subject));
-  const auto order = worstPairs(diff.pictures);
-  for (std::size_t i = addPictures(page, order, subject, jobs); i < order.size(); ++i)
-    page.entries[order[i]].facts.emplace_back("pictures", "left out: those of worse ones fill the page");
-  for (const std::string& name : diff.onlyInReference)
-    page.entries.push_back(loneEntry(name, "missing", "only in the reference"));
-  for (const std::string& name : diff.onlyInTest)
-    page.entries.push_back(loneEntry(name, "new", "nothing in the reference has this name"));
+  page.approve = core::shellWords({"poinsot", "diff", subject.reference, subject.test, "--update"});
+  page.entries = entriesOf(diff, subject);
+  for (DiffPageEntry& entry : page.entries) {
+    addFiles(entry, subject);
+    if (entry.status != "identical" && entry.status != "missing" && entry.status != "error")
+      entry.approve = core::shellWord(entry.name);
+  }
+  embedPairs(page.entries, subject, jobs);
   return htmlOf(page);
 }
 
@@ -143,10 +156,10 @@ std::string diffReport(const FilmDiff& diff, const DiffSubject& subject) {
   page.counts = fmt::format("{} frames: {}", diff.frames.size(), countsText(diff.frames));
   page.curve = DiffPageCurve{curveSvg(diff, subject.request.rule.limits), kCurveLeft, kCurveRight, {}};
   const double last = std::max<double>(1, static_cast<double>(diff.frames.size()) - 1);
+  EmbedBudget budget;
   forFrames(subject.reference, subject.test, worstFrames(diff.frames), subject.request,
             [&](std::size_t frame, const ComparedPictures& compared) {
-              if (!page.hasRoom()) return;
-              page.entries.push_back(frameEntry(diff, frame, compared, subject));
+              budget.admit(page.entries.emplace_back(frameEntry(diff, frame, compared, subject)));
               page.curve->placesOfEntries.push_back(static_cast<double>(frame) / last);
             });
   return htmlOf(page);

@@ -262,8 +262,8 @@ class Run {
   }
 
   void compare(std::size_t place) {
-    if (failed_.contains(place)) return;
     GoldenOutcome& outcome = outcomes_[place];
+    if (failed_.contains(place)) return showApproved(place);
     const auto start = std::chrono::steady_clock::now();
     try {
       expectReadable(cases_[place].actual);  // what is wrong with it is said of it
@@ -272,8 +272,17 @@ class Run {
     } catch (const core::Error& error) {
       outcome.status = GoldenStatus::kError;
       outcome.message = error.what();
+      outcome.actual = cases_[place].actual;
+      showApproved(place);
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Names a reference of a test that has no new picture to compare with it.
+  void showApproved(std::size_t place) try {
+    const auto all = referencesOf(manifest_.references, cases_[place].reference());
+    if (!all.empty()) outcomes_[place].reference = all.front().picture;
+  } catch (const core::Error&) {  // the outcome already says what is wrong
   }
 
   /// What lies among the references and is compared with nothing. Of a part of the tests only what lies beside

@@ -167,7 +167,7 @@ class Diff {
     if (!options_.quiet) writeOut(text);
   }
 
-  app::DiffSubject subject() const { return {options_.reference, options_.test, request_}; }
+  app::DiffSubject subject() const { return {options_.reference, options_.test, request_, options_.report}; }
 
   app::Outcome outcomeOf(const app::PictureDiff& diff) const {
     app::Outcome outcome = app::outcomeOf(diff, options_.reference, options_.test, request_);
@@ -286,7 +286,7 @@ void addDiff(CLI::App& program, Action& chosen) {
       ->add_option("--curve", options->curve, "write the figures of two films over time: CSV, or SVG as a picture")
       ->type_name("FILE")
       ->check(notEmpty());
-  command->add_option("--report", options->report, "write a page with the pictures and the curve: HTML, one file")
+  command->add_option("--report", options->report, "write a page of HTML that shows what changed")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--junit", options->junit, "write the outcome as JUnit XML")

@@ -178,7 +178,11 @@ class Golden {
     if (!options_.markdown.empty())
       output::appendToFile(options_.markdown, app::markdownOf(outcomes_, reportHead()));
     if (!options_.report.empty())
-      output::writeFileAtomically(options_.report, app::goldenPage(suite(), outcomes_, options_.exact));
+      output::writeFileAtomically(options_.report, app::goldenPage(outcomes_, pageRequest()));
+  }
+
+  app::GoldenPageRequest pageRequest() const {
+    return {manifest_.file, options_.report, approveCommand(), options_.exact};
   }
 
   /// Approves what is not as it was; exit 1 only where there is no picture to approve.
@@ -254,7 +258,7 @@ void addGolden(CLI::App& program, Action& chosen) {
   command->add_option("--approve-by", options->approveBy, "command that reports name as the one that approves")
       ->type_name("COMMAND")
       ->check(notEmpty());
-  command->add_option("--report", options->report, "write a page with all pictures: HTML, one file")
+  command->add_option("--report", options->report, "write a page of HTML that shows what changed")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("-o,--output", options->output, "folder of new pictures and maps (default: out/golden)")

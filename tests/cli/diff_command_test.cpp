@@ -260,7 +260,37 @@ TEST_F(DiffCommand, TellsOfAllPairsThoughOneCannotBeRead) {
   EXPECT_THAT(result.out, StartsWith("different: 1 identical, 2 different\n"));
   EXPECT_THAT(result.out, HasSubstr("  different  c.png: largest 100"));
   EXPECT_THAT(result.err, HasSubstr("new/b.png: not a readable PNG"));
-  EXPECT_EQ(dataOf(bytesOf(folder_ / "r.html"))["entries"].size(), 3u);
+  const json entries = dataOf(bytesOf(folder_ / "r.html"))["entries"];
+  ASSERT_EQ(entries.size(), 3u);
+  EXPECT_EQ(entries[1]["status"], "error");
+  EXPECT_THAT(entries[1]["reference"].dump(), StartsWith("\"data:image/png;base64,"))
+      << "the one that can be read";
+  EXPECT_EQ(entries[1]["actual"], nullptr);
+}
+
+// far.png has one white pixel at (30, 20) on grey 100, which is 0x64; each channel of c.png is 100 higher.
+TEST_F(DiffCommand, TellsWhatChangedInWords) {
+  const std::string words = "1 pixel at (30, 20), #646464 became #ffffff";
+  EXPECT_THAT(diff({"a.png", "far.png"}).out, HasSubstr("\n  what changed       " + words + "\n"));
+  const json one = figures({"a.png", "far.png"}, 1);
+  EXPECT_EQ(one["change"], words);
+  EXPECT_EQ(one["places"], json::parse("[[30, 20, 1, 1, 1]]"));
+  const json same = figures({"a.png", "same.png"}, 0);
+  EXPECT_EQ(same["change"], nullptr);
+  EXPECT_EQ(same["places"], json::array());
+  save(folder_ / "old/c.png", a_);
+  save(folder_ / "new/c.png", grey({64, 48}, 200));
+  EXPECT_THAT(diff({"old", "new"}).out, HasSubstr("; brighter by 100 everywhere\n"));
+}
+
+// A page names files as URLs from its own folder: RFC 3986 escapes all but letters, digits and "-._~".
+TEST_F(DiffCommand, NamesFilesFromTheFolderOfItsReport) {
+  const std::string name = "a b?#%é'.png";
+  for (const char* side : {"old/", "new/"}) save(folder_ / (side + name), a_);
+  std::filesystem::create_directories(folder_ / "pages");
+  EXPECT_EQ(diff({"old", "new", "--report", "pages/r.html"}).exitCode, 0);
+  EXPECT_EQ(dataOf(bytesOf(folder_ / "pages/r.html"))["entries"][0]["reference"],
+            "../old/a%20b%3F%23%25%C3%A9%27.png");
 }
 
 TEST_F(DiffCommand, LeavesNoMapOfAnEarlierRun) {
@@ -279,7 +309,8 @@ TEST_F(DiffCommand, SeesPngsWhateverTheCase) {
   EXPECT_EQ(diff({"old", "new"}).exitCode, 1);
 }
 
-// Of 103 pairs that differ the hundred worst have pictures: the one of another size, and those that differ most.
+// Of 105 rows that are not identical the hundred worst have pictures in the page: those of another size and
+// without a partner, and the 97 pairs that differ most.
 TEST_F(DiffCommand, ReportsTheWorstOfManyPairs) {
   for (int k = 0; k <= 101; ++k) {
     const std::string name = "p" + std::to_string(k) + ".png";
@@ -302,16 +333,20 @@ TEST_F(DiffCommand, ReportsTheWorstOfManyPairs) {
   EXPECT_EQ(entries["size.png"]["message"], "the size is 3x4, not 4x3");
   EXPECT_EQ(entries["gone.png"]["status"], "missing");
   EXPECT_EQ(entries["more.png"]["status"], "new");
-  for (const char* shown : {"size.png", "p101.png", "p3.png"})
+  for (const char* shown : {"size.png", "p101.png", "p5.png"})
     EXPECT_THAT(entries[shown]["actual"].dump(), StartsWith("\"data:image/png;base64,")) << shown;
-  for (const char* left : {"p1.png", "p2.png"}) {  // near, and there are 99 worse and that of another size
-    EXPECT_EQ(entries[left]["status"], "near");
-    EXPECT_EQ(entries[left]["actual"], nullptr);
-    EXPECT_THAT(entries[left]["facts"].dump(), HasSubstr("left out: those of worse ones fill the page"));
+  for (const char* left : {"p1.png", "p2.png", "p4.png"}) {
+    EXPECT_EQ(entries[left]["actual"], "new/" + std::string(left)) << "loaded from its file";
+    EXPECT_EQ(entries[left]["flip"], nullptr);
   }
-  EXPECT_EQ(entries["p0.png"]["actual"], nullptr);
+  EXPECT_EQ(entries["p0.png"]["reference"], "old/p0.png");
+  EXPECT_EQ(entries["p0.png"]["actual"], nullptr) << "the same as the reference";
   EXPECT_EQ(entries["size.png"]["flip"], nullptr);
-  EXPECT_NE(entries["p3.png"]["flip"], nullptr);
+  EXPECT_NE(entries["p5.png"]["flip"], nullptr);
+  EXPECT_THAT(entries["gone.png"]["reference"].dump(), StartsWith("\"data:image/png;base64,"));
+  EXPECT_EQ(entries["gone.png"]["actual"], nullptr);
+  EXPECT_THAT(entries["more.png"]["actual"].dump(), StartsWith("\"data:image/png;base64,"));
+  EXPECT_EQ(entries["more.png"]["reference"], nullptr);
 }
 
 // Whoever may not read a file cannot know whose it is.

@@ -1,217 +1,346 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pages of `poinsot golden --report` and `poinsot diff --report` in a real browser: a suite's is sorted, its slider
-is moved, the failing row found; on a film's curve a frame is chosen.
+"""The pages of `poinsot golden --report` and `poinsot diff --report` in a real browser, in narrow and wide windows: what is
+framed, magnified, painted and blended has the colours that the pictures of the test ask for; rows are sorted, filtered, marked
+and linked to; pictures that are not embedded are loaded from their files.
 
     page_test.py PROGRAM SCREENSHOT
 """
 import os
 import pathlib
-import struct
+import re
 import subprocess
 import sys
 import tempfile
 import time
-import zlib
+import urllib.parse
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.by import By
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.keys import Keys
 
-
-def png(path, colour_at, width=64, height=48):
-    rows = b''.join(b'\0' + b''.join(bytes(colour_at(x, y)) for x in range(width)) for y in range(height))
-    chunk = lambda kind, data: (struct.pack('>I', len(data)) + kind + data
-                                + struct.pack('>I', zlib.crc32(kind + data)))
-    path.write_bytes(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0))
-                     + chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b''))
+from page_driver import Page, browser, close, expect, expect_colour, until
+from page_inputs import BLACK, BLUE, COMMIT, GREY, HOSTILE, RED, WHITE, films, many, pairs, suite
 
 
-def pixels_of(data):
-    """Colours of a PNG of 8 bits without interlace, as Chromium writes it."""
-    at, parts, size = 8, b'', None
-    while at < len(data):
-        length, kind = struct.unpack('>I4s', data[at:at + 8])
-        if kind == b'IHDR':
-            size = struct.unpack('>IIBB', data[at + 8:at + 18])
-        if kind == b'IDAT':
-            parts += data[at + 8:at + 8 + length]
-        at += 12 + length
-    width, height, _, colour = size
-    bpp = {2: 3, 6: 4}[colour]
-    raw, rows, stride = zlib.decompress(parts), [], width * bpp
-    before = bytearray(stride)
-    for y in range(height):
-        kind, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for i in range(stride):
-            a = line[i - bpp] if i >= bpp else 0
-            b, c = before[i], before[i - bpp] if i >= bpp else 0
-            if kind == 4:
-                p = a + b - c
-                near = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            line[i] = (line[i] + (0, a, b, (a + b) // 2, near if kind == 4 else 0)[kind]) & 255
-        rows.append(line)
-        before = line
-    return lambda x, y: tuple(rows[y][x * bpp:x * bpp + 3])
+def check_rows(page):
+    expect(page.texts('#chips button'), ['1 error', '2 different', '1 new', '1 unused', '1 near', '1 identical'], 'chips')
+    worst_first = ['torn', 'recoloured', 'lost', 'fresh', 'gone', 'brighter']
+    expect(page.names(), worst_first, 'worst first, without the identical one')
+    expect(page.find('li[aria-selected=true]').get_attribute('data-name'), 'torn', 'shown first')
+    page.find('#chips button.identical').click()
+    expect(page.names(), worst_first + ['same'], 'with the identical one')
+    page.sort_by(1)
+    by_name = ['brighter', 'fresh', 'gone', 'lost', 'recoloured', 'same', 'torn']
+    expect(page.names(), by_name, 'by name')
+    page.find('#turn').click()
+    expect(page.names(), by_name[::-1], 'by name, downwards')
+    page.sort_by(2)
+    # |200 - 30| = 170 in red and in blue; |128 - 30| = 98; 1; 0
+    expect(page.names()[:4], ['recoloured', 'lost', 'brighter', 'same'], 'by the largest difference')
+    expect([row.text for row in page.all('#rows .figure')][:4], ['170', '98', '1', '0'], 'largest differences')
+    page.find('#chips button.different').click()
+    expect(page.names()[:2], ['brighter', 'same'], 'without different ones')
+    page.find('#chips button.different').click()
+    page.find('#find').send_keys('one PLACE of 20x12')
+    expect(page.names(), ['lost'], 'filtered by what changed')
+    page.find('#find').send_keys(' nothing')
+    expect(page.find('#none').is_displayed(), True, 'what is said where nothing matches')
+    page.find('#find').send_keys(Keys.ESCAPE)
+    page.find('#find').clear()
+    page.find('#find').send_keys(' ', Keys.ESCAPE)
+    page.sort_by(0)
 
 
-RED, BLUE, GREY = (200, 30, 30), (30, 60, 200), (128, 128, 128)
+def check_lost_block(page):
+    """A block of 20x12 at (300, 200), blue on grey, is lost."""
+    page.choose('lost')
+    expect(page.find('#words').text, 'different: 240 pixels in one place of 20x12 px at (300, 200), #1e3cc8 became #808080', 'why')
+    expect(page.driver.current_url.split('#')[1], 'lost', 'the address')
+    expect(len(page.all('#stage .frame')), 1, 'frames')
+    left, top, width, height = page.rect(page.find('#stage .frame'))
+    x, y = page.on_screen(page.find('#stage img'), 309.5, 205.5)
+    assert abs(left + width / 2 - x) < 1 and abs(top + height / 2 - y) < 1, 'the frame is about the block'
+    expect_colour(page.colour(310, 206), GREY, 'the new picture within the frame')
+    expect_colour(page.colour(50, 50), [0.4 * 128 + 0.6 * 255] * 3, 'the rest, under 60 % of the white page')
+    for selector, colour in ('figure:first-child', BLUE), ('figure:nth-child(2)', GREY):
+        image = page.find(f'#near {selector} img')
+        expect_colour(page.screen_colour(*page.on_screen(image, 310, 206)), colour, f'near, {selector}')
+        times = page.scale(image)
+        assert times >= 1 and times == round(times), f'{times}: a whole multiple'
+        caption = page.find(f'#near {selector} figcaption').text
+        assert caption.endswith(', 1:1' if times == 1 else f', {times:.0f} times'), caption
+    page.press('5')
+    expect_colour(page.colour(310, 206), (0.9 * 255, 0, 127.5), 'painted')
+    # Grey is 127.75 at half the contrast, 159.7 at 1.25 times the brightness.
+    expect_colour(page.colour(50, 50), [159.7] * 3, 'pale')
+    page.press('6')
+    expect_colour(page.colour(310, 206), WHITE, 'differences of 98, 68 and 72, 16 times')
+    expect_colour(page.colour(50, 50), BLACK, 'no difference')
 
 
-def suite(program, folder):
-    """Three tests of pictures: one the same, one a little brighter, one of another colour."""
-    environment = {**os.environ, 'CI': ''}
-    names = ['same', 'brighter', 'recoloured']
-    tests = ''.join(f"[[test]]\nimage = '{name}.png'\n" for name in names)
-    (folder / 'golden.toml').write_text(tests)
-    for name in names:
-        png(folder / f'{name}.png', lambda x, y: RED if name == 'recoloured' else GREY)
-    subprocess.run([program, 'golden', '--update'], cwd=folder, env=environment, check=True)
-    png(folder / 'brighter.png', lambda x, y: tuple(v + 1 for v in GREY) if (x, y) == (5, 5) else GREY)
-    png(folder / 'recoloured.png', lambda x, y: BLUE)
-    made = subprocess.run([program, 'golden', '--report', 'report.html'], cwd=folder, env=environment)
-    assert made.returncode == 1, made.returncode
-    return folder / 'report.html'
-
-
-def browser():
-    options = webdriver.ChromeOptions()
-    options.binary_location = '/usr/bin/chromium'
-    for argument in ('--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage',
-                     '--window-size=1280,800', '--force-device-scale-factor=1'):
-        options.add_argument(argument)
-    options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
-    return webdriver.Chrome(service=Service('/usr/bin/chromedriver'), options=options)
-
-
-class Page:
-    def __init__(self, driver):
-        self.driver = driver
-
-    def find(self, selector):
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
-
-    def names(self):
-        return [row.get_attribute('data-name') for row in self.driver.find_elements(By.CSS_SELECTOR, 'tbody tr')]
-
-    def sort_by(self, column):
-        self.find(f'th[data-column={column}] button').click()
-
-    def mode(self, name):
-        self.find(f'.modes button[data-mode={name}]').click()
-
-    def colour_at(self, share):
-        """Of the stage in its middle row, that far from its left edge."""
-        stage = self.find('#stage')
-        at = pixels_of(stage.screenshot_as_png)
-        return at(int(share * stage.size['width']), stage.size['height'] // 2)
-
-
-def expect(value, expected, what):
-    assert value == expected, f'{what}: {value!r}, not {expected!r}'
-
-
-def close(colour, expected):
-    return all(abs(a - b) <= 3 for a, b in zip(colour, expected))
-
-
-def check(driver, report, screenshot):
-    driver.get(report.as_uri())
-    page = Page(driver)
-    expect(page.find('#counts').text, '1 different, 1 near, 1 identical', 'counts')
-    # What fails stands first, and is shown.
-    expect(page.names(), ['recoloured', 'brighter', 'same'], 'order by status')
-    expect(page.find('tr[aria-selected=true]').get_attribute('data-name'), 'recoloured', 'shown first')
-    assert 'largest difference 170 (limit 2)' in page.find('#message').text, page.find('#message').text
-
-    page.sort_by('name')
-    expect(page.names(), ['brighter', 'recoloured', 'same'], 'order by name')
-    page.sort_by('name')
-    expect(page.names(), ['same', 'recoloured', 'brighter'], 'order by name, downwards')
-    page.sort_by('flip')
-    expect(page.names(), ['recoloured', 'brighter', 'same'], 'order by FLIP')
-
+def check_modes(page):
+    page.choose('brighter')
+    page.mode('difference')
+    expect_colour(page.colour(5, 5), (16, 16, 16), 'a difference of one level, 16 times', 0)
+    page.choose('recoloured')
     page.mode('slider')
-    expect(close(page.colour_at(0.2), RED) and close(page.colour_at(0.8), BLUE), True, 'the slider in the middle')
+    expect_colour(page.colour(12, 24), RED, 'left of the slider')
+    expect_colour(page.colour(52, 24), BLUE, 'right of the slider')
     slider = page.find('#slider')
-    for _ in range(60):
-        slider.send_keys(Keys.ARROW_RIGHT)
+    slider.send_keys(*[Keys.ARROW_RIGHT] * 60)
     expect(slider.get_attribute('value'), '100', 'the slider moved')
-    expect(close(page.colour_at(0.8), RED), True, 'the slider at its end shows what was approved')
-    for _ in range(90):
-        slider.send_keys(Keys.ARROW_LEFT)
-    expect(close(page.colour_at(0.2), BLUE), True, 'the slider at 10 shows what is new')
-    driver.save_screenshot(screenshot)
-
-    page.mode('blink')
+    expect_colour(page.colour(52, 24), RED, 'the slider at its end shows what was approved')
+    slider.send_keys(*[Keys.ARROW_LEFT] * 90)
+    expect_colour(page.colour(12, 24), BLUE, 'the slider at 10 shows what is new')
+    page.press('b')
     seen = set()
     for _ in range(12):
-        seen.add(page.find('#stage img').get_attribute('alt'))
-        time.sleep(0.2)
-    expect(seen, {'approved', 'new'}, 'blinking')
-
+        seen.add((page.find('#stage figcaption').text, RED if close(page.colour(30, 20), RED) else BLUE))
+        time.sleep(0.15)
+    assert {('approved', RED), ('new', BLUE)} <= seen, seen
     page.mode('flip')
-    assert page.colour_at(0.5) != (0, 0, 4), 'a map that sees nothing'
-    page.find('tr[data-name=same]').click()
-    expect(page.find('#view h2').text, 'same', 'another test')
-    page.find('body').send_keys(Keys.ARROW_UP)
-    expect(page.find('#view h2').text, 'brighter', 'the arrow key')
-
-    expect_nothing_loaded(driver)
+    assert page.colour(30, 20) != (0, 0, 4), 'a map that sees nothing'
+    page.press('1')
 
 
-def expect_nothing_loaded(driver):
-    loaded = driver.execute_script("return performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length")
-    expect(loaded, 0, 'loaded from elsewhere')
-    expect([e for e in driver.get_log('browser') if e['level'] == 'SEVERE'], [], 'errors')
+def check_zoom(page):
+    page.choose('lost')
+    page.press('2')
+    images = page.all('#stage img')
+    panes = page.all('#stage .pane')
+
+    def seen():
+        """Scale, and place in its pane, of each picture."""
+        return [[round(v, 2) for v in (page.scale(image), page.rect(image)[0] - page.rect(pane)[0],
+                                       page.rect(image)[1] - page.rect(pane)[1])] for image, pane in zip(images, panes)]
+
+    def linked(what):
+        now = seen()
+        expect(now[0], now[1], what)
+        return now[0]
+
+    fit = linked('whole pictures')
+    page.press('z')
+    expect((linked('at 1:1')[0], page.find('#zoom').text), (1, '100 %'), '1:1')
+    page.press('+')
+    expect(linked('larger')[0], 1.5, 'larger')
+    page.press('-', '-')
+    expect(linked('smaller')[0], 0.67, 'smaller')
+    page.find('[data-zoom=one]').click()
+    ActionChains(page.driver).scroll_from_origin(ScrollOrigin.from_element(panes[0]), 0, -1000).perform()
+    page.settle()
+    now = linked('by the wheel')
+    assert now[0] > 2, now
+    expect('crisp' in page.find('#stage').get_attribute('class'), True, 'pixels stay squares')
+    ActionChains(page.driver).drag_and_drop_by_offset(panes[1], -30, -20).perform()
+    page.settle()
+    after = linked('dragged')
+    expect([round(a - b, 1) for a, b in zip(after, now)], [0, -30, -20], 'dragged by')
+    page.press('0')
+    expect(linked('whole again'), fit, 'whole again')
+    page.press('1')
+    page.script("document.querySelector('#figures').open = true")
+    page.find('#worst').click()
+    page.settle()
+    # Of equal ones the first pixel of the block is the worst.
+    x, y = page.on_screen(page.find('#stage img'), 300, 200)
+    left, top, width, height = page.rect(page.find('#stage .pane'))
+    assert abs(left + width / 2 - x) < 1.5 and abs(top + height / 2 - y) < 1.5, 'the worst pixel is in the middle'
+    expect((page.find('#worst').text, page.find('#zoom').text), ('(300, 200)', '800 %'), 'the worst pixel')
+    page.press('0')
 
 
-def films(program, folder):
-    """Two of 41 frames that differ in the 11th and the 31st."""
-    for name, odd in (('a', []), ('b', [10, 30])):
-        frames = folder / name
-        frames.mkdir()
-        for k in range(41):
-            png(frames / f'{k:02}.png', lambda x, y: BLUE if k in odd else GREY)
-        subprocess.run(['ffmpeg', '-v', 'error', '-framerate', '10', '-i', frames / '%02d.png', '-c:v', 'ffv1',
-                        '-pix_fmt', 'bgr0', folder / f'{name}.mkv'], check=True)
-    made = subprocess.run([program, 'diff', 'a.mkv', 'b.mkv', '--report', 'film.html'], cwd=folder)
-    expect(made.returncode, 1, 'exit code of different films')
-    return folder / 'film.html'
+def check_alone(page):
+    """Rows with one picture that can be shown."""
+    for name, caption, colour, words in (('torn', 'approved; the other cannot be read', GREY, 'the file ends too early'),
+                                         ('fresh', 'new', BLUE, 'nothing was approved yet'),
+                                         ('gone', 'approved', GREY, 'no test makes it')):
+        page.choose(name)
+        expect(page.texts('#modes button'), ['Picture'], name)
+        expect(page.find('#stage figcaption').text, caption, name)
+        expect_colour(page.colour(20, 20), colour, name)
+        assert words in page.find('#message').text, page.find('#message').text
+
+
+def check_keys(page):
+    page.choose('torn')
+    for key, name in ((Keys.ARROW_DOWN, 'recoloured'), ('j', 'lost'), ('k', 'recoloured'), (Keys.ARROW_UP, 'torn')):
+        page.press(key)
+        expect(page.find('#view h2').text, name, f'key {key!r}')
+    expect(page.find('footer').is_displayed(), False, 'nothing is marked')
+    page.press('m')
+    expect(page.find('footer').is_displayed(), False, 'a torn one cannot be approved')
+    page.press('j', 'm', 'j', 'm')
+    expect(page.find('footer input').get_attribute('value'), 'poinsot golden golden.toml --update --only recoloured lost', 'the command')
+    page.press('m')
+    expect(page.find('footer b').text, '1 marked', 'one is marked no more')
+    page.find('#copy').click()
+    until(lambda: page.find('#copy').text == 'Copied', 'copying')
+    page.find('#find').clear()
+    page.find('#find').send_keys(Keys.CONTROL, 'v')
+    expect(page.find('#find').get_attribute('value').strip(), 'poinsot golden golden.toml --update --only recoloured', 'copied')
+    page.find('#find').clear()
+    page.find('#find').send_keys(' ', Keys.ESCAPE)
+    page.find('#unmark').click()
+    expect(page.find('footer').is_displayed(), False, 'cleared')
+
+
+def check_suite(driver, report, screenshot):
+    page = Page(driver, report)
+    check_rows(page)
+    check_lost_block(page)
+    check_modes(page)
+    check_zoom(page)
+    check_alone(page)
+    check_keys(page)
+    page.finish()
+    page.choose('same')
+    expect(page.find('#stage figcaption').text, 'approved and new are identical', 'an identical one')
+    expect_colour(page.colour(20, 20), GREY, 'an identical one, from its file')
+    page.choose('lost')
+    driver.save_screenshot(screenshot)
+    page.finish(['same.png'])
+
+
+def check_pairs(driver, report):
+    page = Page(driver, report, '#two.png')
+    expect(page.find('#view h2').text, 'two.png', 'chosen by the address')
+    expect(page.find('#words').text,
+           'different: 350 pixels in 2 places, the largest of 30x10 px at (20, 20), #1e3cc8 became #808080 in 300', 'why')
+    expect(page.find('#place span').text, 'place 1 of 2: 300 pixels, 30×10 px at (20, 20)', 'the largest')
+    page.press('n')
+    expect(page.find('#place span').text, 'place 2 of 2: 50 pixels, 10×5 px at (200, 100)', 'the next')
+    expect_colour(page.colour(204, 102, '#near img'), RED, 'the next, near')
+    page.press('n')
+    page.all('#stage .frame')[1].click()
+    page.settle()
+    expect(page.find('#place span').text[:12], 'place 2 of 2', 'the place that was clicked')
+    page.find('#near figure').click()
+    page.settle()
+    x, y = page.on_screen(page.find('#stage img'), 204.5, 102)
+    left, top, width, height = page.rect(page.find('#stage .pane'))
+    assert left < x < left + width and top < y < top + height, 'the place is in view'
+
+    page.choose('moved.png')
+    expect(page.find('#words').text, 'different: the picture moved by 1 px to the right', 'moved')
+    page.choose('size.png')
+    expect(page.texts('#modes button'), ['Side by side', 'Slider', 'Blink', 'Overlay', 'Difference'], 'views of two sizes')
+    expect(page.texts('#stage figcaption'), ['reference 64×48', 'test 80×60'], 'sizes')
+    for mode in ('side', 'slider', 'blink', 'difference'):
+        page.mode(mode)
+        a, b = page.all('#stage img')
+        assert abs(page.scale(a) - page.scale(b)) < 1e-3, f'{mode}: stretched'
+        if mode != 'side':
+            expect(page.rect(a)[:2], page.rect(b)[:2], f'{mode}: from the top left')
+    expect(page.find('#near').is_displayed(), False, 'no places of two sizes')
+
+    for name, caption, colour in (('gone.png', 'reference; missing in test', BLUE), ('more.png', 'test', RED),
+                                  ('torn.png', 'reference; the other cannot be read', BLUE)):
+        page.choose(name)
+        expect(page.find('#stage figcaption').text, caption, name)
+        expect_colour(page.colour(20, 20), colour, name)
+    assert 'not a readable PNG: the file ends too early' in page.find('#message').text, page.find('#message').text
+    expect(page.find('#words').text, 'error', 'status of a torn one')
+
+    page.choose(HOSTILE)
+    page.press('m')
+    page.choose('two.png')
+    page.press('m')
+    command = page.find('footer input').get_attribute('value')
+    words = subprocess.run(['bash', '-c', 'printf "%s\\0" ' + command], capture_output=True, check=True).stdout.decode().split('\0')
+    expect(words[:5] + sorted(words[5:-1]), ['poinsot', 'diff', 'old', 'new', '--update', HOSTILE, 'two.png'], 'the command, as bash reads it')
+
+    facts = dict(zip(*[page.script(f"return [...document.querySelectorAll('#run {tag}')].map(e => e.textContent)") for tag in ('dt', 'dd')]))
+    assert re.fullmatch(r'\d{4}-\d\d-\d\d \d\d:\d\d:\d\d [+-]\d{4}', facts.pop('date')), 'the date'
+    assert facts.pop('program').startswith('poinsot '), 'the program'
+    expect(facts, {'commit': COMMIT, 'machine': os.uname().nodename, 'command': f'{pathlib.Path(sys.argv[1]).name} diff old new --report pairs.html'},
+           'the run')
+    assert COMMIT[:10] in page.find('#run summary').text, page.find('#run summary').text
+    page.finish()
+    page = Page(driver, report, '#' + urllib.parse.quote(HOSTILE))
+    expect(page.find('#view h2').text, HOSTILE, 'a hostile name in the address')
+    page.script("location.hash = '#same.png'")
+    until(lambda: page.find('#view h2').text == 'same.png', 'another address')
+    expect('same.png' in page.names(), True, 'the row of an identical one that is linked to')
+
+
+def check_many(driver, report):
+    """The hundred worst are embedded; k0 and those that are identical are loaded when they are looked at."""
+    page = Page(driver, report)
+    expect((len(page.all('#rows li')), len(page.names())), (402, 101), 'rows, and those that are shown')
+    assert len(page.all('img')) < 10, 'pictures that are not shown'
+    expect(page.names()[0::100], ['k100.png', 'k0.png'], 'the worst and the least')
+    page.choose('k1.png')
+    page.finish()
+    page.choose('k0.png')
+    page.mode('side')
+    expect([page.script('return i = document.querySelectorAll("#stage img")[arguments[0]].naturalWidth', k) for k in (0, 1)], [4, 4], 'loaded')
+    expect('FLIP' in page.texts('#modes button'), False, 'no map without a file')
+    page.mode('difference')
+    expect_colour(page.colour(1, 1), WHITE, 'a difference of 100 without a file, 16 times')
+    page.finish(['k0.png'])
+    (report.parent / 'm_new/k0.png').unlink()
+    page = Page(driver, report, '#k0.png')
+    assert page.find('#stage .lost').text.startswith('m_new/k0.png cannot be loaded.'), page.find('#stage .lost').text
+    driver.get_log('browser')  # tells of the missing file
+
+
+def check_widths(driver, reports):
+    """From 700 px of width on the picture is in the window, without scrolling."""
+    for width, height in ((720, 640), (1100, 700), (1920, 1080)):
+        for report in reports:
+            page = Page(driver, report)
+            page.window(width, height)
+            for row in page.names()[:8]:
+                page.choose(row)
+                where = f'{report.name}, {row}, {width} px'
+                expect(page.script('const d = document.documentElement; return [d.scrollWidth, d.scrollHeight]'), [width, height], where)
+                left, top, wide, high = page.rect(page.find('#stage'))
+                assert left >= 0 and top >= 0 and left + wide <= width and top + high <= height, where
+                assert wide >= 0.5 * width and high >= 128, f'{where}: {wide}x{high}'
+                _, top, _, high = page.rect(page.find('#stage img'))
+                assert top + high <= height, where
+    driver.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
 
 
 def check_film(driver, report, screenshot):
-    driver.get(report.as_uri())
-    page = Page(driver)
+    page = Page(driver, report)
     expect(page.find('#counts').text, '41 frames: 39 identical, 2 different', 'counts')
     expect(page.names(), ['10', '30'], 'the frames that differ')
     curve = page.find('#curve')
     expect(curve.is_displayed(), True, 'the curve')
     picture = page.find('#curve img')
-    expect(driver.execute_script('return arguments[0].complete && arguments[0].naturalWidth > 0', picture), True,
-           'the curve is a picture')
+    expect(page.script('return arguments[0].complete && arguments[0].naturalWidth > 0', picture), True, 'the curve is a picture')
     for share, name in ((0.7, '30'), (0.3, '10')):
         click = ActionChains(driver).move_to_element_with_offset(curve, int((share - 0.5) * curve.size['width']), 0)
         click.click().perform()
-        expect(page.find('#view h2').text, name, f'a click at {share}')
+        page.settle()
+        expect(page.find('#view h2').text, 'Frame ' + name, f'a click at {share}')
         cursor = page.find('#curve i').rect['x'] + 1 - curve.rect['x']
         moment = (cursor / curve.rect['width'] - 0.055) / 0.93  # where the axis begins and how long it is
         expect(abs(moment - int(name) / 40) < 0.01, True, f'the cursor, at {moment}')
-    expect(close(page.colour_at(0.2), GREY) and close(page.colour_at(0.8), BLUE), True, 'both frames')
+    expect(page.all('#rows input'), [], 'frames are not approved')
+    page.mode('side')
+    expect([page.colour(20, 20, f'#stage figure:nth-child({k}) img') for k in (1, 2)], [GREY, BLUE], 'both frames')
     driver.save_screenshot(screenshot)
-    expect_nothing_loaded(driver)
+    page.finish()
 
 
 def main():
     program, screenshot = sys.argv[1:]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        report, film = suite(program, folder), films(program, folder)
+        for part in ('suite', 'pairs', 'many', 'films'):
+            (folder / part).mkdir()
+        report, both = suite(program, folder / 'suite'), pairs(program, folder / 'pairs')
+        all_of_them, film = many(program, folder / 'many'), films(program, folder / 'films')
         driver = browser()
         try:
-            check(driver, report, screenshot)
+            check_suite(driver, report, screenshot)
+            check_pairs(driver, both)
             check_film(driver, film, screenshot.replace('.png', '_film.png'))
+            check_widths(driver, [report, both, film])
+            check_many(driver, all_of_them)
         finally:
             driver.quit()
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of the page: sorted, filtered, marked, linked to; keys. Follows diff_page_view.js.
+// ---- The list: rows are made once; sorting moves them and filtering hides them.
+const sorts = [['Worst first', t => order.indexOf(t.status)], [data.entry + ' name', t => t.name], ['Largest difference', t => t.max_difference ?? -1],
+  ['Differing pixels', t => t.differing_pixels ?? -1], ['FLIP mean', t => t.flip_mean ?? -1], ['FLIP max', t => t.flip_max ?? -1]];
+const worstFirst = data.entries.some(t => t.status !== 'identical');
+const state = {sort: 0, down: false, hidden: new Set(worstFirst ? ['identical'] : []), selected: null, mode: 'changes', place: 0, marked: new Set()};
+
+function rowOf(test) {
+  test.title = data.curve ? `${data.entry} ${test.name}` : test.name;
+  const row = make('li', {role: 'option', className: test.status, onclick: () => select(test)},
+    make('span', {className: 'name', textContent: test.title, title: test.name}), make('span', {className: 'figure'}));
+  if (data.approve && test.approve) {
+    const onclick = event => { event.stopPropagation(); mark(test); };
+    test.box = make('input', {type: 'checkbox', title: 'mark for approval ( m )', tabIndex: -1, onclick});
+    test.box.setAttribute('aria-label', 'mark ' + test.name);
+    row.append(test.box);
+  }
+  const why = test.change || test.message;
+  row.append(make('span', {className: 'why'}, make('span', {className: 'status', textContent: test.status}), why && ' · ' + why));
+  row.dataset.name = test.name;
+  test.sought = [test.name, test.change, test.message].join('\n').toLowerCase();
+  return row;
+}
+
+const shown = () => sorted().filter(t => !t.row.hidden);
+
+function sorted() {
+  const key = sorts[state.sort][1], sign = state.down ? -1 : 1;
+  const compare = (a, b) => typeof a === 'string' ? a.localeCompare(b, undefined, {numeric: true}) : a - b;
+  // Of equal ones what an eye notices most comes first.
+  const rest = (a, b) => (b.flip_mean ?? -1) - (a.flip_mean ?? -1) || compare(a.name, b.name);
+  return [...data.entries].sort((a, b) => sign * compare(key(a), key(b)) || rest(a, b));
+}
+
+function sortBy(column, down) {
+  Object.assign(state, {sort: column, down});
+  $('#turn').textContent = down ? '↓' : '↑';
+  const value = sorts[column][1];
+  for (const test of data.entries) test.row.children[1].textContent = column > 1 && value(test) >= 0 ? number(value(test)) : '';
+  $('#rows').append(...sorted().map(t => t.row));
+}
+
+function filter() {
+  const words = $('#find').value.toLowerCase().split(/\s+/).filter(Boolean);
+  for (const test of data.entries)
+    test.row.hidden = state.hidden.has(test.status) || !words.every(w => test.sought.includes(w));
+  $('#none').hidden = data.entries.some(t => !t.row.hidden);
+  for (const chip of $('#chips').children) chip.setAttribute('aria-pressed', !state.hidden.has(chip.dataset.status));
+}
+
+function makeChips() {
+  for (const status of order) {
+    const count = data.entries.filter(t => t.status === status).length;
+    if (!count) continue;
+    const onclick = () => { state.hidden.delete(status) || state.hidden.add(status); filter(); };
+    const chip = make('button', {className: status, onclick}, make('b', {textContent: count}), ' ' + status);
+    chip.dataset.status = status;
+    $('#chips').append(chip);
+  }
+}
+
+function select(test) {
+  if (state.selected) state.selected.row.setAttribute('aria-selected', false);
+  Object.assign(state, {selected: test, place: 0});
+  if (test.row.hidden) { state.hidden.delete(test.status); $('#find').value = ''; filter(); }
+  test.row.setAttribute('aria-selected', true);
+  test.row.scrollIntoView({block: 'nearest'});
+  if (hashName() !== test.name) history.replaceState(null, '', '#' + encodeURIComponent(test.name));
+  placeCursor();
+  show();
+}
+
+/// The name behind # in the address.
+function hashName() {
+  try { return decodeURIComponent(location.hash.slice(1)); } catch { return ''; }  // not written by this page
+}
+
+function selectByHash() {
+  const name = hashName(), test = data.entries.find(t => t.name === name);
+  if (test && test !== state.selected) select(test);
+  return Boolean(test);
+}
+
+function step(by) {
+  const tests = shown(), next = tests[tests.indexOf(state.selected) + by];
+  if (next) select(next);
+}
+
+// ---- Approval: the page only writes the command.
+function mark(test) {
+  if (!data.approve || !test?.approve) return;
+  state.marked.delete(test) || state.marked.add(test);
+  showMarked();
+}
+function showMarked() {
+  for (const test of data.entries) if (test.box) test.box.checked = state.marked.has(test);
+  $('footer').hidden = !state.marked.size;
+  $('footer b').textContent = state.marked.size + ' marked';
+  $('footer input').value = [data.approve, ...data.entries.filter(t => state.marked.has(t)).map(t => t.approve)].join(' ');
+  $('#copy').textContent = 'Copy';
+}
+$('#copy').onclick = async () => {
+  const box = $('footer input');
+  box.select();
+  try { await navigator.clipboard.writeText(box.value); } catch { document.execCommand('copy'); }
+  $('#copy').textContent = 'Copied';
+};
+$('#unmark').onclick = () => { state.marked.clear(); showMarked(); };
+
+// ---- The curve over time: a click chooses the entry that is next to it.
+const shareOf = entry => data.curve.left + (data.curve.right - data.curve.left) * data.curve.places[data.entries.indexOf(entry)];
+
+function placeCursor() {
+  if (!data.curve || !state.selected) return;
+  $('#curve i').hidden = false;
+  $('#curve i').style.left = 100 * shareOf(state.selected) + '%';
+}
+
+function showCurve() {
+  $('#curve').hidden = !data.curve;
+  if (!data.curve) return;
+  $('#curve img').src = data.curve.picture;
+  $('#curve').onclick = event => {
+    const box = $('#curve').getBoundingClientRect(), share = (event.clientX - box.left) / box.width;
+    const distance = entry => Math.abs(shareOf(entry) - share);
+    if (data.entries.length) select(data.entries.reduce((a, b) => distance(b) < distance(a) ? b : a));
+  };
+}
+
+// ---- Keys.
+const keys = {
+  ArrowDown: () => step(1), j: () => step(1), ArrowUp: () => step(-1), k: () => step(-1),
+  n: () => showPlace(state.place + 1), p: () => showPlace(state.place - 1),
+  b: () => chooseMode('blink'), m: () => mark(state.selected), '/': () => $('#find').focus(),
+  '+': zooms.in, '=': zooms.in, '-': zooms.out, 0: zooms.fit, z: zooms.one,
+};
+Object.keys(modes).slice(0, 7).forEach((mode, i) => keys[i + 1] = () => chooseMode(mode));
+function chooseMode(mode) {
+  if (state.selected && usable(state.selected).includes(mode)) { state.mode = mode; show(); }
+}
+document.addEventListener('keydown', event => {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const typing = event.target.matches('input:not([type=checkbox]), select');
+  if (typing && event.key === 'Escape') event.target.blur();
+  if (typing || !keys[event.key] || !data.entries.length) return;
+  event.preventDefault();
+  keys[event.key]();
+});
+
+// ---- The page.
+function showRun() {
+  const facts = new Map(data.run);
+  $('#run').hidden = !facts.size;
+  $('#run summary').textContent = [facts.get('date'), facts.get('commit')?.slice(0, 10), facts.get('machine')].filter(Boolean).join(' · ');
+  $('#run dl').replaceChildren(...terms(data.run));
+}
+
+document.title = data.title + ': ' + data.verdict;
+$('#title').textContent = data.title;
+$('#verdict').textContent = data.verdict;
+$('#verdict').classList.add({passed: 'identical', failed: 'different'}[data.verdict] || data.verdict);
+$('#note').textContent = data.note;
+$('#counts').textContent = data.counts;
+$('#markhint').hidden = !data.approve;
+$('#figures').open = innerHeight >= 900;
+showRun();
+showCurve();
+$('main').hidden = !data.entries.length;
+$('main').classList.toggle('single', data.entries.length === 1);
+$('main').classList.toggle('filmed', Boolean(data.curve));
+if (data.entries.length) {
+  for (const test of data.entries) test.row = rowOf(test);
+  makeChips();
+  $('#sort').append(...sorts.map(([title], i) => make('option', {textContent: title, value: i})));
+  $('#sort').onchange = () => sortBy(+$('#sort').value, +$('#sort').value > 1);
+  $('#turn').onclick = () => sortBy(state.sort, !state.down);
+  $('#find').oninput = filter;
+  for (const button of document.querySelectorAll('[data-zoom]')) button.onclick = zooms[button.dataset.zoom];
+  for (const button of document.querySelectorAll('#place button')) button.onclick = () => showPlace(state.place + +button.dataset.step);
+  sortBy(0, false);
+  filter();
+  if (!selectByHash()) select(shown()[0]);
+  addEventListener('hashchange', selectByHash);
+}
