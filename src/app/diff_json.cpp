@@ -127,7 +127,7 @@ ordered_json outcomeJson(const Outcome& outcome) {
                {"test", textOrNull(outcome.actual.native())},
                {"map", textOrNull(outcome.map.native())},
                {"renderer", textOrNull(outcome.origin.renderer)},
-               {"limits", limitsJson(outcome.limits)}});
+               {"limits", limitsJson(outcome.rule.limits)}});
   return json;
 }
 

@@ -69,8 +69,18 @@ DiffPageFacts factsOf(const DiffPageEntry& entry) {
   DiffPageFacts facts;
   if (entry.hasFigures && entry.diff.figures.differingPixels > 0)
     facts = termsOf(entry.diff, entry.pixelsPerDegree);
+  if (entry.diff.ignoredShare > 0)
+    facts.emplace_back("ignored", fmt::format("{:.3g} % of the picture", 100 * entry.diff.ignoredShare));
   facts.insert(facts.end(), entry.facts.begin(), entry.facts.end());
   return facts;
+}
+
+/// Boxes as left, top, width and height.
+ordered_json ignoredJson(const PictureDiff& diff) {
+  ordered_json boxes = ordered_json::array();
+  for (const image::PixelRect& box : diff.ignored)
+    boxes.push_back({box.left, box.top, box.right - box.left, box.bottom - box.top});
+  return boxes;
 }
 
 /// What differs, and where: boxes as left, top, width, height and differing pixels.
@@ -79,7 +89,10 @@ ordered_json changeJson(const DiffPageEntry& entry) {
   ordered_json places = ordered_json::array();
   for (const auto& [box, pixels] : changes.places)
     places.push_back({box.left, box.top, box.right - box.left, box.bottom - box.top, pixels});
-  ordered_json json{{"change", image::wordsOf(changes)}, {"places", places}, {"place_count", changes.placeCount}};
+  ordered_json json{{"change", image::wordsOf(changes)},
+                    {"places", places},
+                    {"place_count", changes.placeCount},
+                    {"ignored", ignoredJson(entry.diff)}};
   if (entry.hasFigures && !entry.diff.figures.worst.empty()) {
     const image::DifferingPixel& worst = entry.diff.figures.worst.front();
     json["worst"] = {worst.x, worst.y};
@@ -117,6 +130,7 @@ ordered_json pageJson(const DiffPage& page) {
                     {"verdict", page.verdict},
                     {"note", page.note},
                     {"counts", page.counts},
+                    {"first", page.first},
                     {"entry", page.entry},
                     {"reference", page.reference},
                     {"actual", page.actual},
@@ -174,9 +188,7 @@ std::vector<DiffPageEntry*> worstFirst(std::vector<DiffPageEntry>& entries) {
   std::vector<DiffPageEntry*> order;
   for (DiffPageEntry& entry : entries)
     if (entry.status != "identical") order.push_back(&entry);
-  std::ranges::stable_sort(order, std::greater(), [](const DiffPageEntry* entry) {
-    return std::tuple(entry->diff.verdict, !entry->hasFigures, entry->diff.figures.flip.mean);
-  });
+  std::ranges::stable_sort(order, std::greater(), [](const DiffPageEntry* entry) { return badness(entry->diff); });
   return order;
 }
 

@@ -45,6 +45,7 @@ struct DiffPage {
   std::string entry = "Picture";                         ///< name of a row
   std::string note = {};                                 ///< beside the title; empty for none
   std::string counts = {};                               ///< where entries are not all that was compared
+  std::string first = {};           ///< name of the row that is chosen at first; empty for the first in order
   std::filesystem::path file = {};  ///< of the page: files of pictures are named from its folder
   DiffPageFacts run = {};           ///< what identifies the run
   std::string approve = {};         ///< command that approves the rows whose arguments follow; empty for none

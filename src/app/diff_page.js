@@ -180,6 +180,6 @@ if (data.entries.length) {
   for (const button of document.querySelectorAll('#place button')) button.onclick = () => showPlace(state.place + +button.dataset.step);
   sortBy(0, false);
   filter();
-  if (!selectByHash()) select(shown()[0]);
+  if (!selectByHash()) select(data.entries.find(t => t.name === data.first) || shown()[0]);
   addEventListener('hashchange', selectByHash);
 }

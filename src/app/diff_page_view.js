@@ -120,7 +120,12 @@ const sheet = (className, ...images) => make('div', {className: 'sheet ' + class
 const layer = (className, ...content) => make('div', {className: 'layer ' + className}, ...content);
 const pane = (...content) => make('div', {className: 'pane'}, ...content);
 const label = text => make('span', {textContent: text});
-const figure = (labels, ...content) => make('figure', {}, make('figcaption', {}, ...[labels].flat()), pane(...content));
+const boxed = (element, box) => {
+  ['l', 't', 'w', 'h'].forEach((name, k) => element.style.setProperty('--' + name, box[k]));
+  return element;
+};
+const hatches = test => (test?.ignored || []).map(box => boxed(make('div', {className: 'ignored', title: 'ignored: not compared'}), box));
+const figure = (labels, ...content) => make('figure', {}, make('figcaption', {}, ...[labels].flat()), pane(...content, ...hatches(state.selected)));
 const imagesOf = test => [picture(test.reference, old), picture(test.actual, fresh)];
 const both = (test, className) => sheet(className, ...imagesOf(test));
 
@@ -138,7 +143,7 @@ function sized(image) {
 function frames(test) {
   return test.places.map((box, i) => {
     const frame = make('button', {className: 'frame', tabIndex: -1, title: placeText(box), number: i});
-    ['l', 't', 'w', 'h'].forEach((name, k) => frame.style.setProperty('--' + name, box[k]));
+    boxed(frame, box);
     frame.setAttribute('aria-label', 'place ' + (i + 1));
     frame.onclick = event => { if (!event.detail) showPlace(i); };  // by keyboard; a pointer's is told from a drag
     return frame;
@@ -277,7 +282,7 @@ function layOutNear() {
     const [worstX, worstY] = state.selected.worst || [];
     const [wholeX, wholeY] = sizeOf(element);
     place(element, {s, x: at(width, l, w, worstX, wholeX), y: at(height, t, h, worstY, wholeY)});
-    ['l', 't', 'w', 'h'].forEach((name, k) => element.children[1].style.setProperty('--' + name, nearBox[k]));
+    boxed(element.children[1], nearBox);
     element.previousSibling.textContent = `${i ? fresh : old}, ${s === 1 ? '1:1' : s + ' times'}`;
     element.scale = s;
   });

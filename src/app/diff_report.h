@@ -1,30 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "app/film_diff.h"
-#include "app/folder_diff.h"
+#include "app/outcome_page.h"
 
-/// Results of a comparison as a page (diff_page.h). All throw core::Error(kIo), or (kLimit), where a picture
-/// cannot be read again.
 namespace poinsot::app {
 
-/// The two things compared, the request and the page that reports on them.
-struct DiffSubject {
-  std::filesystem::path reference, test;
-  const DiffRequest& request;
-  std::filesystem::path page;
-};
+/// Shows one pair that was just compared. `outcome` is made of the same comparison.
+std::string diffReport(const ComparedPictures& compared, const Outcome& outcome, const OutcomePageHead& head);
 
-std::string diffReport(const ComparedPictures& compared, const DiffSubject& subject);
-
-/// Embeds the pictures of the worst pairs that are not identical, as far as EmbedBudget allows, and names the
-/// files of the others. `jobs` pairs at a time are read again.
-std::string diffReport(const FolderDiff& diff, const DiffSubject& subject, int jobs);
-
-/// Shows the curve over time and, of each twentieth of the film, the worst frame that is not identical.
-std::string diffReport(const FilmDiff& diff, const DiffSubject& subject);
+/// Shows the curve of two films over time and, of each twentieth of the film, the worst frame that is not
+/// identical; the worst of all is chosen first.
+/// @throws core::Error(kIo), or (kLimit), if the films cannot be read again.
+std::string diffReport(const FilmDiff& diff, const std::filesystem::path& reference,
+                       const std::filesystem::path& test, const DiffRequest& request, OutcomePageHead head);
 
 }  // namespace poinsot::app

@@ -226,7 +226,7 @@ class Run {
   void prepare(std::size_t place) {
     const GoldenCase& one = cases_[place];
     outcomes_[place].name = one.name;
-    outcomes_[place].limits = one.test.rule.limits;
+    outcomes_[place].rule = one.test.rule;
     if (one.test.scene.empty()) return;
     try {
       output::makeFolders(one.actual.parent_path());

@@ -77,7 +77,7 @@ Outcome outcomeOf(const PictureDiff& diff, const fs::path& reference, const fs::
   outcome.diff = diff;
   outcome.reference = reference;
   outcome.actual = test;
-  outcome.limits = request.rule.limits;
+  outcome.rule = request.rule;
   outcome.map = writtenMap(request.map, diff.name, diff);
   outcome.difference = writtenMap(request.difference, diff.name, diff);
   return outcome;

@@ -35,7 +35,7 @@ struct Outcome {
   std::filesystem::path actual;           ///< the new picture; empty if there is none
   std::filesystem::path map, difference;  ///< files that were written of it; empty if none
   GoldenOrigin origin;                    ///< of the new picture
-  image::NearRule limits;                 ///< that it was held to
+  PictureRule rule;                       ///< that it was held to
   double seconds = 0;                     ///< of comparing
 
   bool passes(bool exact) const {

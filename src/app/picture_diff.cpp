@@ -63,7 +63,9 @@ void compareForms(ComparedPictures& compared, const DiffRequest& request) {
   compared.flip = std::move(made.flip);
   diff.hasFigures = true;
   diff.figures = std::move(made.difference);
+  constexpr std::size_t kMostBoxes = 400;
   diff.ignoredShare = ignored ? ignored->share() : 0;
+  if (ignored) diff.ignored = ignored->boxes(kMostBoxes);
   diff.verdict = image::verdict(diff.figures, request.rule.limits);
   diff.beyond = image::distanceBeyond(diff.figures, request.rule.limits);
   if (diff.verdict == image::Verdict::kDifferent)

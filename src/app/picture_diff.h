@@ -50,13 +50,14 @@ struct PictureDiff {
   image::PixelSize size;    ///< of the reference; 0 where none could be read
   int channels = 3;         ///< of the reference, as stored
   image::ImageDifference figures;
-  double beyond = 0;                  ///< image::distanceBeyond() of the rule
-  image::Changes changes;             ///< where and how the pictures differ; empty where there are no figures
-  std::vector<std::string> excesses;  ///< what of the rule does not hold
-  double ignoredShare = 0;            ///< part of the picture that was not compared, 0 to 1
-  std::vector<std::string> notes;     ///< what is no difference of pixels: "grey beside RGB, same pixels"
-  bool storedAlike = true;            ///< whether both files store their pixels in the same way
-  std::optional<FilmSummary> film;    ///< of two films
+  double beyond = 0;                      ///< image::distanceBeyond() of the rule
+  image::Changes changes;                 ///< where and how the pictures differ; empty where there are no figures
+  std::vector<std::string> excesses;      ///< what of the rule does not hold
+  double ignoredShare = 0;                ///< part of the picture that was not compared, 0 to 1
+  std::vector<image::PixelRect> ignored;  ///< places that were not compared; a few hundred at most
+  std::vector<std::string> notes;         ///< what is no difference of pixels: "grey beside RGB, same pixels"
+  bool storedAlike = true;                ///< whether both files store their pixels in the same way
+  std::optional<FilmSummary> film;        ///< of two films
 
   /// Whether the pair is good enough. @param exact  asks for identical pixels that are stored alike
   bool passes(bool exact) const {

@@ -155,9 +155,10 @@ class Diff {
     }
     const auto compared = app::compareFiles(options_.reference, options_.test, request_);
     app::writeMaps(compared, request_);
-    writeReport([&] { return app::diffReport(compared, subject()); });
-    return finish({outcomeOf(compared.diff)}, options_.json ? app::diffJson(compared.diff, names(), request_)
-                                                            : app::diffText(compared.diff, request_));
+    const app::Outcome outcome = outcomeOf(compared.diff);
+    writeReport([&] { return app::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
+    return finish({outcome}, options_.json ? app::diffJson(compared.diff, names(), request_)
+                                           : app::diffText(compared.diff, request_));
   }
 
  private:
@@ -167,7 +168,19 @@ class Diff {
     if (!options_.quiet) writeOut(text);
   }
 
-  app::DiffSubject subject() const { return {options_.reference, options_.test, request_, options_.report}; }
+  std::string approveCommand() const {
+    return core::shellWords({"poinsot", "diff", options_.reference, options_.test, "--update"});
+  }
+
+  app::OutcomePageHead headOf(image::Verdict verdict) const {
+    app::OutcomePageHead head{options_.test, std::string(image::toString(verdict)),
+                              "compared with " + options_.reference};
+    head.page = options_.report;
+    head.place = options_.reference;
+    head.approve = approveCommand();
+    head.pixelsPerDegree = request_.pixelsPerDegree;
+    return head;
+  }
 
   app::Outcome outcomeOf(const app::PictureDiff& diff) const {
     app::Outcome outcome = app::outcomeOf(diff, options_.reference, options_.test, request_);
@@ -181,9 +194,10 @@ class Diff {
   }
 
   int finish(const app::FolderDiff& diff) const {
-    writeReport([&] { return app::diffReport(diff, subject(), jobs()); });
-    const int code = finish(app::outcomesOf(diff, options_.reference, options_.test, request_),
-                            options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+    const auto outcomes = app::outcomesOf(diff, options_.reference, options_.test, request_);
+    writeReport([&] { return app::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
+    const int code =
+        finish(outcomes, options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
     if (diff.firstError) throw *diff.firstError;  // after what could be told
     return code;
   }
@@ -198,7 +212,9 @@ class Diff {
   int finish(const app::FilmDiff& diff) const {
     writeMaps(diff);
     if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule.limits);
-    writeReport([&] { return app::diffReport(diff, subject()); });
+    writeReport([&] {
+      return app::diffReport(diff, options_.reference, options_.test, request_, headOf(diff.verdict()));
+    });
     return finish({outcomeOf(app::summaryOf(diff))},
                   options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
   }
@@ -214,10 +230,8 @@ class Diff {
   }
 
   void writeReports(const std::vector<app::Outcome>& outcomes) const {
-    const std::string command =
-        core::shellWords({"poinsot", "diff", options_.reference, options_.test, "--update"});
     const app::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test), options_.exact,
-                                  options_.report, command, ""};
+                                  options_.report, approveCommand(), ""};
     if (!options_.junit.empty()) output::writeFileAtomically(options_.junit, app::junitXml(outcomes, head));
     if (!options_.markdown.empty()) output::appendToFile(options_.markdown, app::markdownOf(outcomes, head));
   }

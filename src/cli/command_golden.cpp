@@ -9,11 +9,11 @@
 #include <system_error>
 
 #include "app/diff_json.h"
-#include "app/golden_page.h"
 #include "app/golden_suite.h"
 #include "app/interrupt.h"
 #include "app/junit.h"
 #include "app/markdown.h"
+#include "app/outcome_page.h"
 #include "app/render_job.h"
 #include "cli/approval.h"
 #include "cli/commands.h"
@@ -178,11 +178,15 @@ class Golden {
     if (!options_.markdown.empty())
       output::appendToFile(options_.markdown, app::markdownOf(outcomes_, reportHead()));
     if (!options_.report.empty())
-      output::writeFileAtomically(options_.report, app::goldenPage(outcomes_, pageRequest()));
+      output::writeFileAtomically(options_.report, app::outcomePage(outcomes_, pageHead(), request_.jobs));
   }
 
-  app::GoldenPageRequest pageRequest() const {
-    return {manifest_.file, options_.report, approveCommand(), options_.exact};
+  app::OutcomePageHead pageHead() const {
+    app::OutcomePageHead head{suite(), failures() == 0 ? "passed" : "failed", "", "approved", "new", "Test"};
+    head.page = options_.report;
+    head.place = manifest_.file;
+    head.approve = approveCommand();
+    return head;
   }
 
   /// Approves what is not as it was; exit 1 only where there is no picture to approve.

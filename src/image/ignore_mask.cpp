@@ -2,7 +2,9 @@
 #include "image/ignore_mask.h"
 
 #include <algorithm>
+#include <map>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "core/expect.h"
@@ -31,6 +33,27 @@ void IgnoreMask::add(const AnyImage& painted) {
           }
       },
       painted);
+}
+
+std::vector<PixelRect> IgnoreMask::boxes(std::size_t most) const {
+  std::vector<PixelRect> boxes;
+  std::map<std::pair<int, int>, std::size_t> open;  // boxes that end at the row before, by their sides
+  for (int y = 0; y < size_.height; ++y) {
+    std::map<std::pair<int, int>, std::size_t> now;
+    for (int x = 0; x < size_.width; ++x) {
+      if (!ignores(x, y)) continue;
+      const int left = x;
+      while (x < size_.width && ignores(x, y)) ++x;
+      const auto above = open.find({left, x});
+      if (above == open.end() && boxes.size() == most) continue;
+      const std::size_t box = above == open.end() ? boxes.size() : above->second;
+      if (above == open.end()) boxes.push_back({left, y, x, y});
+      boxes[box].bottom = y + 1;
+      now[{left, x}] = box;
+    }
+    open = std::move(now);
+  }
+  return boxes;
 }
 
 void IgnoreMask::ignore(int x, int y) {

@@ -24,6 +24,8 @@ class IgnoreMask {
   bool ignores(int x, int y) const { return ignored_[index(x, y)] != 0; }
   std::int64_t ignoredPixels() const { return count_; }
   std::int64_t comparedPixels() const { return static_cast<std::int64_t>(ignored_.size()) - count_; }
+  /// The ignored pixels as boxes that do not overlap, from the top left, `most` at most.
+  std::vector<PixelRect> boxes(std::size_t most) const;
   /// Ignored part of all pixels, 0 to 1.
   double share() const { return static_cast<double>(count_) / static_cast<double>(ignored_.size()); }
 
