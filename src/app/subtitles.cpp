@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "app/frame_clock.h"
+#include "core/regular_file.h"
+#include "core/sha256.h"
 #include "output/atomic_file.h"
+#include "output/figure_mark.h"
 #include "output/film.h"
+#include "output/film_format.h"
 #include "output/target_check.h"
 #include "text/math_setter.h"
 
@@ -43,7 +48,22 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) { output::writeFileAtomically(file, text); }
+constexpr std::string_view kDigestOfSrt = "NOTE sha256 of the .srt: ";
+
+/// The content; empty where the file is missing or cannot be read. Subtitles of ours are smaller than the limit.
+std::string textOf(const std::filesystem::path& file) try {
+  constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+  return core::readRegularFile(file, kMostBytes, core::ErrorKind::kIo);
+} catch (const core::Error&) {
+  return "";
+}
+
+/// The .vtt vouches for the .srt. Without it, the same text is: replacing that loses nothing.
+bool isOwnSrt(const std::string& srt, const std::filesystem::path& vtt, const std::vector<Subtitle>& subtitles) {
+  if (srt == srtText(subtitles)) return true;
+  return output::isOwnFigure(vtt) &&
+         textOf(vtt).find(std::string(kDigestOfSrt) + core::toHex(core::sha256(srt))) != std::string::npos;
+}
 
 }  // namespace
 
@@ -69,10 +89,10 @@ std::string srtText(const std::vector<Subtitle>& subtitles) {
 }
 
 std::string vttText(const std::vector<Subtitle>& subtitles) {
-  std::string text = "WEBVTT\n\n";
+  std::string text = fmt::format("{}{}\n\n", kDigestOfSrt, core::toHex(core::sha256(srtText(subtitles))));
   for (const Subtitle& subtitle : subtitles)
     text += fmt::format("{}\n{}\n\n", span(subtitle, '.'), escaped(subtitle.text));
-  return text;
+  return output::marked(output::kVttMark, text);
 }
 
 std::vector<std::filesystem::path> subtitleFiles(const std::filesystem::path& film) {
@@ -80,15 +100,32 @@ std::vector<std::filesystem::path> subtitleFiles(const std::filesystem::path& fi
   return {srt.replace_extension(".srt"), vtt.replace_extension(".vtt")};
 }
 
-void checkSubtitleFiles(const std::filesystem::path& film, bool force) {
-  const bool ours = output::isOwnFilm(film);
-  for (const std::filesystem::path& file : subtitleFiles(film)) output::checkTarget(file, force || ours);
+std::vector<std::filesystem::path> filmsWithSubtitlesOf(const std::filesystem::path& film) {
+  std::vector<std::filesystem::path> films;
+  for (const output::FilmContainer container : output::filmContainers()) {
+    auto other = film;
+    other.replace_extension(output::nameOf(container));
+    if (other != film && output::isOwnFilm(other)) films.push_back(std::move(other));
+  }
+  return films;
+}
+
+bool replacesOthers(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film) {
+  const std::string srt = textOf(subtitleFiles(film)[0]);
+  return !srt.empty() && srt != srtText(subtitles);
+}
+
+void checkSubtitleFiles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film, bool force) {
+  const auto files = subtitleFiles(film);
+  output::checkTarget(files[0], force || isOwnSrt(textOf(files[0]), files[1], subtitles));
+  output::checkTarget(files[1], force);
 }
 
 void writeSubtitles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film) {
+  // In this order a run that is killed between the two finds an .srt of its own text when it is repeated.
   const auto files = subtitleFiles(film);
-  write(files[0], srtText(subtitles));
-  write(files[1], vttText(subtitles));
+  output::writeFileAtomically(files[0], srtText(subtitles));
+  output::writeFileAtomically(files[1], vttText(subtitles));
 }
 
 }  // namespace poinsot::app

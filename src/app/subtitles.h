@@ -23,17 +23,23 @@ std::vector<Subtitle> subtitlesOf(const scene::Scene& scene, const FrameRange& f
 
 /// SubRip.
 std::string srtText(const std::vector<Subtitle>& subtitles);
-/// WebVTT.
+/// WebVTT. Its comments say that this program wrote it, and have the SHA-256 of srtText(): SubRip has no comments.
 std::string vttText(const std::vector<Subtitle>& subtitles);
 
 /// NAME.srt and NAME.vtt of NAME.mp4.
 std::vector<std::filesystem::path> subtitleFiles(const std::filesystem::path& film);
 
-/// As output::checkTarget(). The files belong to the film: beside one that this program wrote they are replaced.
-/// @throws core::Error(kIo)
-void checkSubtitleFiles(const std::filesystem::path& film, bool force);
+/// Films that this program wrote beside `film` and that have the same subtitle files: NAME.gif of NAME.mp4.
+std::vector<std::filesystem::path> filmsWithSubtitlesOf(const std::filesystem::path& film);
 
-/// Both, each complete or not at all. @throws core::Error(kIo)
+/// Whether a NAME.srt with other captions, or with other times, is there.
+bool replacesOthers(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film);
+
+/// As output::checkTarget(). Files that this program wrote, for a film of any format, and that nobody changed
+/// since are replaced. @throws core::Error(kIo)
+void checkSubtitleFiles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film, bool force);
+
+/// Writes both, each complete or not at all. @throws core::Error(kIo)
 void writeSubtitles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film);
 
 }  // namespace poinsot::app

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/assembly.h"
+#include "app/subtitles.h"
 #include "app/work_folder.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -41,7 +42,10 @@ int assemble(const AssembleOptions& options) {
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: there are no segments of it here", core::printable(options.output)));
-  if (film.kind == app::OutputKind::kFilm) output::checkTarget(film.path, options.force);
+  if (film.kind == app::OutputKind::kFilm) {
+    output::checkTarget(film.path, options.force);
+    if (!job->subtitles.empty()) app::checkSubtitleFiles(job->subtitles, film.path, options.force);
+  }
   app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
   app::assemble(work.path(), *job, output, film.path);
   if (!options.keep) work.discard();

@@ -131,6 +131,31 @@ int workersOf(const RenderOptions& options, const app::RenderRequest& request, c
                      request.scene.allowance.limits);
 }
 
+/// None beside standard output and beside pictures.
+std::vector<app::Subtitle> subtitlesBeside(const app::OutputTarget& target, const scene::Scene& scene,
+                                           const app::FrameRange& frames) {
+  if (target.kind != OutputKind::kFilm || target.stream) return {};
+  return app::subtitlesOf(scene, frames);
+}
+
+/// NAME.mp4 and NAME.gif have one NAME.srt, which fits both only where both have the same captions at the same
+/// times.
+std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Scene& scene,
+                                const app::FrameRange& frames) {
+  const auto subtitles = subtitlesBeside(target, scene, frames);
+  if (subtitles.empty() || !app::replacesOthers(subtitles, target.path)) return "";
+  const auto name = [](const std::filesystem::path& path) { return core::printable(path.string()); };
+  const auto files = app::subtitleFiles(target.path);
+  std::string notes;
+  for (const auto& other : app::filmsWithSubtitlesOf(target.path))
+    notes += fmt::format(
+        "poinsot: note: {} and {} get the captions of {}, which differ from those that they have; if these belong "
+        "to "
+        "{}, give one of the two films another name\n",
+        name(files[0]), name(files[1]), name(target.path), name(other));
+  return notes;
+}
+
 bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
@@ -172,8 +197,8 @@ void checkMakeable(const RenderOptions& options, const app::OutputTarget& target
                         scene.time.fps);
   if (target.stream) return checkStandardOutput();
   if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
-  if (target.kind == OutputKind::kFilm && !app::subtitlesOf(scene, frames).empty())
-    app::checkSubtitleFiles(target.path, options.force);
+  if (const auto subtitles = subtitlesBeside(target, scene, frames); !subtitles.empty())
+    app::checkSubtitleFiles(subtitles, target.path, options.force);
 }
 
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
@@ -201,7 +226,8 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
   checkTrace(options, target);
   if (!options.quiet && options.progress != "json")
-    writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene));
+    writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
+             sharedSubtitlesNote(target, scene, frames));
   if (options.dryRun) return describe(render, scene);
   std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;

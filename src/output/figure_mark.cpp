@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 
@@ -62,7 +64,8 @@ std::string marked(const CommentMark& mark, std::string_view rest) {
 
 bool isOwnFigure(const std::filesystem::path& path) try {
   const std::string text = core::readRegularFile(path, kMostBytes, core::ErrorKind::kIo);
-  return isOwnPdf(text) || isMarked(text, kSvgMark) || isMarked(text, kTexMark) || isMarked(text, kHtmlMark);
+  return isOwnPdf(text) || std::ranges::any_of(std::array{kSvgMark, kTexMark, kHtmlMark, kVttMark},
+                                               [&](const CommentMark& mark) { return isMarked(text, mark); });
 } catch (const core::Error&) {
   return false;
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// How a figure, or a page, says that this program wrote it, so that another run may replace it and nothing else
-/// is lost.
+/// How a figure, a page or a file of subtitles says that this program wrote it, so that another run may replace it
+/// and nothing else is lost.
 namespace poinsot::output {
 
 /// "poinsot 0.1.0".
@@ -19,13 +19,14 @@ struct CommentMark {
 inline constexpr CommentMark kSvgMark{"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- ", " -->\n"};
 inline constexpr CommentMark kHtmlMark{"<!DOCTYPE html>\n<!-- ", " -->\n"};
 inline constexpr CommentMark kTexMark{"% ", "\n"};
+inline constexpr CommentMark kVttMark{"WEBVTT\n\nNOTE ", "\n\n"};
 
 /// `rest` behind a comment that says "poinsot 0.1.0 HASH". The hash is of `rest`: people edit SVG and LaTeX, and
 /// what they edited is theirs.
 std::string marked(const CommentMark& mark, std::string_view rest);
 
-/// Whether the file is a PDF, SVG, TeX or HTML file that this program wrote and, of those that are text, nobody
-/// changed. False for whatever cannot be read; never throws for content.
+/// Whether the file is a PDF, SVG, TeX, HTML or WebVTT file that this program wrote and, of those that are text,
+/// nobody changed. False for whatever cannot be read; never throws for content.
 bool isOwnFigure(const std::filesystem::path& path);
 
 }  // namespace poinsot::output

@@ -134,6 +134,8 @@ std::optional<FilmContainer> filmContainer(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+std::span<const FilmContainer> filmContainers() { return kContainers; }
+
 std::string_view nameOf(FilmContainer container) { return factsOf(container).name; }
 
 std::span<const FilmCodec> codecsOf(FilmContainer container) { return factsOf(container).codecs; }

@@ -33,6 +33,7 @@ struct FilmFormat {
   double crf = 18;
 };
 
+std::span<const FilmContainer> filmContainers();
 /// By the extension; nothing where no film has that.
 std::optional<FilmContainer> filmContainer(const std::filesystem::path& file);
 /// "mp4": extension and name.

@@ -2,6 +2,7 @@
 // Captions as files: the text of both formats, written out by hand after their specifications.
 #include "app/subtitles.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,6 +14,9 @@
 
 namespace poinsot::app {
 namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
 
 scene::Scene scene() {
   return scene::parseScene(
@@ -49,9 +53,12 @@ TEST(Subtitles, AsSubRip) {
             "1\n00:00:01,500 --> 01:02:05,250\nA < B\n\n2\n01:02:05,250 --> 01:02:09,001\nω\n\n");
 }
 
+// Comments are blocks that begin with NOTE (WebVTT, section 4.1). The digest is of sha256sum.
 TEST(Subtitles, AsWebVtt) {
-  EXPECT_EQ(vttText({{1500, 3725250, "A < B & C > D"}}),
-            "WEBVTT\n\n00:00:01.500 --> 01:02:05.250\nA &lt; B &amp; C &gt; D\n\n");
+  EXPECT_THAT(vttText({{1500, 3725250, "A < B & C > D"}}),
+              MatchesRegex("WEBVTT\n\nNOTE poinsot [0-9.]+ [0-9a-f]{16}\n\nNOTE sha256 of the .srt: "
+                           "67766e54c4e8ffeb9c204d08cf6161539da2c7e51f3321a8d55fbf6e937ee2a9\n\n"
+                           "00:00:01.500 --> 01:02:05.250\nA &lt; B &amp; C &gt; D\n\n"));
 }
 
 std::string textOf(const std::filesystem::path& file) {
@@ -68,13 +75,43 @@ TEST(Subtitles, AreWrittenBesideTheFilm) {
   EXPECT_EQ(textOf(folder.path() / "a.film.vtt"), vttText({{0, 1000, "A"}}));
 }
 
-TEST(Subtitles, DoNotReplaceWhatIsNotOurs) {
-  const ScratchFolder folder;
-  const auto film = folder.path() / "a.mp4";
-  EXPECT_NO_THROW(checkSubtitleFiles(film, false));
-  std::ofstream(folder.path() / "a.vtt") << "mine";
-  EXPECT_THROW(checkSubtitleFiles(film, false), core::Error);
-  EXPECT_NO_THROW(checkSubtitleFiles(film, true));
+class SubtitleFiles : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_.path() / name) << text; }
+  /// The message for a film whose caption is "B"; empty where its files may be written.
+  std::string refusal(bool force = false) const try {
+    checkSubtitleFiles({{0, 1000, "B"}}, folder_.path() / "a.mp4", force);
+    return "";
+  } catch (const core::Error& error) {
+    return error.what();
+  }
+
+  const ScratchFolder folder_;
+};
+
+TEST_F(SubtitleFiles, AreReplacedWhereThisProgramWroteThem) {
+  EXPECT_EQ(refusal(), "");
+  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.gif");
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(SubtitleFiles, AreKeptWhereOthersWroteOrChangedThem) {
+  write("a.vtt", "WEBVTT\n\nmine");
+  EXPECT_THAT(refusal(), HasSubstr("a.vtt: exists and was not written by poinsot"));
+  EXPECT_EQ(refusal(true), "");
+  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.mp4");
+  write("a.srt", "1\n00:00:00,000 --> 00:00:01,000\nein A\n\n");
+  EXPECT_THAT(refusal(), HasSubstr("a.srt: exists and was not written by poinsot"));
+  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.mp4");
+  write("a.vtt", textOf(folder_.path() / "a.vtt") + "00:00:01.000 --> 00:00:02.000\nmine\n\n");
+  EXPECT_NE(refusal(), "");
+}
+
+// A run that is killed after it wrote the first file is repeated.
+TEST_F(SubtitleFiles, AreReplacedWhereOneIsOfARunThatWasKilled) {
+  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.mp4");
+  write("a.srt", srtText({{0, 1000, "B"}}));
+  EXPECT_EQ(refusal(), "");
 }
 
 }  // namespace

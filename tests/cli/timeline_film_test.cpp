@@ -9,7 +9,10 @@ namespace poinsot {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 const std::string kTimeline =
     "[[timeline]]\nat = 0.5\nover = 1\nshow = [\"ellipsoid\", \"polhode\"]\ncaption = 'The ellipsoid $2T$ rolls'\n"
@@ -43,9 +46,9 @@ TEST_F(TimelineFilm, HasItsCaptionsBesideIt) {
   EXPECT_EQ(bytesOf(folder_ / "a.srt"),
             "1\n00:00:00,500 --> 00:00:03,000\nThe ellipsoid 2T rolls\n\n"
             "2\n00:00:03,000 --> 00:00:03,500\nIt stands\n\n");
-  EXPECT_EQ(bytesOf(folder_ / "a.vtt"),
-            "WEBVTT\n\n00:00:00.500 --> 00:00:03.000\nThe ellipsoid 2T rolls\n\n"
-            "00:00:03.000 --> 00:00:03.500\nIt stands\n\n");
+  EXPECT_THAT(bytesOf(folder_ / "a.vtt"), StartsWith("WEBVTT\n\nNOTE poinsot "));
+  EXPECT_THAT(bytesOf(folder_ / "a.vtt"), EndsWith("\n\n00:00:00.500 --> 00:00:03.000\nThe ellipsoid 2T rolls\n\n"
+                                                   "00:00:03.000 --> 00:00:03.500\nIt stands\n\n"));
 }
 
 TEST_F(TimelineFilm, LeavesOthersCaptionsAlone) {
@@ -55,6 +58,88 @@ TEST_F(TimelineFilm, LeavesOthersCaptionsAlone) {
   EXPECT_THAT(refused.err, HasSubstr("a.srt: exists and was not written by poinsot; --force replaces it"));
   EXPECT_EQ(bytesOf(folder_ / "a.srt"), "mine");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.srt", "a.toml"));
+}
+
+const std::vector<std::string> kFilms{"a.mp4", "a.mov", "a.webm", "a.gif", "a.apng"};
+const std::string kSequence = "a_{frame}.png";  // has no subtitles, and leaves those of a film alone
+const std::string kCaptioned =
+    "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 3, 0]\n"
+    "[time]\nduration = 0.2\nfps = 10\n[output]\nsize = [16, 16]\n"
+    "[[timeline]]\nat = 0\ncaption = 'A $2T$'\n";
+const std::string kCaptionedSrt = "1\n00:00:00,000 --> 00:00:00,200\nA 2T\n\n";
+
+RunResult renderTo(const ScratchFolder& folder, const std::string& output, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"render", "a.toml", "-o", output, "-j", "1"});
+  return run(folder, more);
+}
+
+class FilmsOfOneName : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.put("a.toml", kCaptioned); }
+  RunResult render(const std::string& output, const std::vector<std::string>& more = {}) const {
+    return renderTo(folder_, output, more);
+  }
+  ScratchFolder folder_;
+};
+
+/// Each second output beside the first, which is made once.
+void expectSharedSubtitles(const std::string& first, const std::vector<std::string>& seconds) {
+  const ScratchFolder before;
+  before.put("a.toml", kCaptioned);
+  EXPECT_EQ(renderTo(before, first).exitCode, 0) << first;
+  for (const std::string& second : seconds) {
+    if (second == first) continue;
+    const ScratchFolder folder;
+    std::filesystem::copy(before.path(), folder.path());
+    const RunResult made = renderTo(folder, second);
+    EXPECT_EQ(made.exitCode, 0) << second << " after " << first << ": " << made.err;
+    EXPECT_THAT(made.err, Not(HasSubstr("a.srt"))) << "the captions are the same";
+    EXPECT_EQ(bytesOf(folder / "a.srt"), kCaptionedSrt);
+    EXPECT_THAT(bytesOf(folder / "a.vtt"), EndsWith("\n\n00:00:00.000 --> 00:00:00.200\nA 2T\n\n"));
+  }
+}
+
+TEST(FilmsOfOneNameInPairs, ShareTheirSubtitles) {
+  std::vector<std::string> outputs = kFilms;
+  outputs.push_back(kSequence);
+  for (const std::string& first : outputs) expectSharedSubtitles(first, outputs);
+}
+
+TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUser) {
+  for (const std::string& film : kFilms) EXPECT_EQ(render(film).exitCode, 0) << film;
+  for (const std::string name : {"a.srt", "a.vtt"}) {
+    folder_.put(name, "mine");
+    for (const std::string& film : kFilms) {
+      const RunResult refused = render(film);
+      EXPECT_EQ(refused.exitCode, 4) << film;
+      EXPECT_THAT(refused.err, HasSubstr(name + ": exists and was not written by poinsot; --force replaces it"));
+      EXPECT_EQ(bytesOf(folder_ / name), "mine") << film;
+    }
+    EXPECT_EQ(render("a.gif", {"--force"}).exitCode, 0);
+    EXPECT_THAT(bytesOf(folder_ / name), HasSubstr("A 2T"));
+  }
+}
+
+// The last film's captions are what a player finds.
+TEST_F(FilmsOfOneName, SayWhereTheirCaptionsDiffer) {
+  EXPECT_EQ(render("a.mp4").exitCode, 0);
+  const RunResult shorter = render("a.gif", {"--frames", "0-0"});
+  EXPECT_EQ(shorter.exitCode, 0);
+  EXPECT_THAT(shorter.err,
+              HasSubstr("note: a.srt and a.vtt get the captions of a.gif, which differ from those that they have; "
+                        "if these belong to a.mp4, give one of the two films another name"));
+  EXPECT_EQ(bytesOf(folder_ / "a.srt"), "1\n00:00:00,000 --> 00:00:00,100\nA 2T\n\n");
+}
+
+TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUserWhenTheyAreAssembled) {
+  EXPECT_EQ(render("a.mp4", {"--shard", "1/1"}).exitCode, 0);
+  folder_.put("a.srt", "mine");
+  const RunResult refused = run(folder_, {"assemble", "a.mp4"});
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_THAT(refused.err, HasSubstr("a.srt: exists and was not written by poinsot"));
+  EXPECT_EQ(bytesOf(folder_ / "a.srt"), "mine");
+  EXPECT_EQ(run(folder_, {"assemble", "a.mp4", "--force"}).exitCode, 0);
+  EXPECT_EQ(bytesOf(folder_ / "a.srt"), kCaptionedSrt);
 }
 
 }  // namespace
