@@ -41,6 +41,7 @@ core::Digest sceneDigest(const SceneRequest& request, const scene::Scene& scene)
     addDigest(sum, input.digest);
   }
   if (request.sweep) addSweep(sum, *request.sweep);
+  if (request.view) addText(sum, fmt::format("view {}", *request.view));
   return sum.finish();
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/scene_request.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "app/sweep_cells.h"
 #include "core/error.h"
@@ -18,6 +21,20 @@ std::string texProblem(std::string_view tex) {
   } catch (const core::Error& error) {
     return error.message();
   }
+}
+
+void showOnly(std::size_t which, scene::Scene& scene) {
+  const std::size_t count = scene.views.size();
+  if (which >= count)
+    throw core::Error(core::ErrorKind::kUsage,
+                      count == 0
+                          ? "--view: the scene has no view; leave it out"
+                          : fmt::format("--view {}: the scene has {} view{}; give {}", which + 1, count,
+                                        count == 1 ? "" : "s", count == 1 ? "1" : fmt::format("1 to {}", count)));
+  scene::View view = std::move(scene.views[which]);
+  view.place = {};
+  scene.views = {std::move(view)};
+  scene.plots.clear();
 }
 
 /// A range of a key that there is not is none: the scene says what is wrong before the grid does.
@@ -44,6 +61,7 @@ scene::Scene loadRequested(const SceneRequest& request) {
   if (request.sweep) return loadRequested(firstCell(request));
   scene::Scene scene =
       scene::parseScene(request.text, request.fileName, request.overrides, texProblem, request.allowance);
+  if (request.view) showOnly(*request.view, scene);
   if (request.size) {
     scene.output.width = request.size->width;
     scene.output.height = request.size->height;

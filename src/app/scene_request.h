@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct SceneRequest {
   std::optional<image::PixelSize> size;  ///< in place of the scene's; may be odd, which the key may not
   scene::Allowance allowance{};          ///< how much, and files of which folders besides its own
   std::optional<SweepRequest> sweep{};   ///< ranges among the overrides stand for cells (sweep_cells.h)
+  std::optional<std::size_t> view{};     ///< that view as the whole picture, without the others and without plots
 };
 
 /// Reads the file.
@@ -37,7 +39,7 @@ SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::stri
                               const scene::Allowance& allowance = {});
 
 /// The validated scene; of a sweep that of its first cell.
-/// @throws scene::SceneErrors with all problems.
+/// @throws scene::SceneErrors with all problems; core::Error(kUsage) if the scene does not have that view.
 scene::Scene loadRequested(const SceneRequest& request);
 
 }  // namespace poinsot::app

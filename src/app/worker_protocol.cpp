@@ -53,6 +53,7 @@ Json toJson(const SceneRequest& scene) {
   if (scene.size) json["size"] = {scene.size->width, scene.size->height};
   json["allowance"] = toJson(scene.allowance);
   if (scene.sweep) json["sweep"] = toJson(*scene.sweep);
+  if (scene.view) json["view"] = *scene.view;
   return json;
 }
 
@@ -62,6 +63,7 @@ SceneRequest sceneOf(const Json& json) {
   if (json.contains("size"))
     scene.size = image::PixelSize{json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
   if (json.contains("sweep")) scene.sweep = sweepOf(json.at("sweep"));
+  if (json.contains("view")) scene.view = json.at("view").get<std::size_t>();
   return scene;
 }
 

@@ -43,6 +43,7 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   };
   add("-q", options.quality);
   for (const std::string& text : options.overrides) add("-D", text);
+  if (options.view > 0) add("--view", std::to_string(options.view));
   add("--size", options.size);
   add("--fps", options.fps);
   add("--frames", options.frames);
@@ -164,6 +165,7 @@ void addSubmit(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand(
       "submit", "print a script that makes a film on a cluster: for Slurm, GNU parallel or make");
   addSceneOptions(*command, *options);
+  addViewOption(*command, *options);
   addLookOptions(*command, *options);
   addFilmOptions(*command, *options);
   addGridOptions(*command, options->grid);

@@ -87,8 +87,15 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
   command.add_flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
 }
 
+void addViewOption(CLI::App& command, RenderOptions& options) {
+  command.add_option("--view", options.view, "only the N-th view, as the whole picture; counted from 1")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+}
+
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addSceneOptions(command, options);
+  addViewOption(command, options);
   addPictureOptions(command, options);
   command.add_option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
       ->type_name("STYLE")
@@ -126,6 +133,7 @@ RequestedScene requestedScene(const RenderOptions& options, const scene::Allowan
   for (const Override& override : overrides) texts.push_back(override.text);
   auto request = app::readSceneRequest(options.scene, std::move(texts), allowance);
   request.sweep = options.sweep;
+  if (options.view > 0) request.view = static_cast<std::size_t>(options.view - 1);
   if (!options.size.empty()) request.size = parseSize(options.size, allowance.limits);
   try {
     RequestedScene requested{request, app::loadRequested(request)};

@@ -17,6 +17,7 @@ namespace poinsot::cli {
 struct RenderOptions : SceneOptions {
   std::string output, size, quality, fps, trace;
   int jobs = 0;
+  int view = 0;  ///< counted from 1; 0: all of them
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
   std::optional<app::SweepRequest> sweep;  ///< by the command
@@ -27,6 +28,9 @@ void addLookOptions(CLI::App& command, RenderOptions& options);
 
 /// Declares those of how pictures are made: size, quality, workers, what may be replaced, back end, dry run.
 void addPictureOptions(CLI::App& command, RenderOptions& options);
+
+/// Declares --view.
+void addViewOption(CLI::App& command, RenderOptions& options);
 
 /// Declares them all, except for the output and --fps.
 void addRenderOptions(CLI::App& command, RenderOptions& options);

@@ -64,7 +64,7 @@ FilmErrand::~FilmErrand() {
   if (follower_.joinable()) follower_.join();
 }
 
-bool FilmErrand::start(const std::vector<std::string>& words) {
+bool FilmErrand::start(const std::vector<std::string>& words, std::vector<std::string> changes) {
   const std::scoped_lock lock(mutex_);
   if (state_.stage == FilmState::Stage::kMaking) return false;
   if (follower_.joinable()) follower_.join();  // it is over
@@ -73,7 +73,7 @@ bool FilmErrand::start(const std::vector<std::string>& words) {
   const core::FileHandle errors(ends[1]);
   core::FileHandle ours(ends[0]);
   process_ = startProgram(words, errors.get());
-  state_ = {.stage = FilmState::Stage::kMaking, .done = 0, .total = 0, .text = {}};
+  state_ = {.stage = FilmState::Stage::kMaking, .done = 0, .total = 0, .text = {}, .changes = std::move(changes)};
   follower_ = std::thread([this, from = std::move(ours)] { follow(from); });
   return true;
 }

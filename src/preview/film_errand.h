@@ -19,6 +19,7 @@ struct FilmState {
   Stage stage = Stage::kNone;
   std::int64_t done = 0, total = 0;  ///< frames
   std::string text;                  ///< once it ended: the program's last words
+  std::vector<std::string> changes;  ///< what the page changed of the scene, in the user's words
 };
 
 /// Makes a film by `poinsot` in a process of its own, so that the preview goes on whatever becomes of it.
@@ -30,9 +31,11 @@ class FilmErrand {
   FilmErrand(const FilmErrand&) = delete;
   FilmErrand& operator=(const FilmErrand&) = delete;
 
-  /// @param words  after "poinsot". False where one is being made.
+  /// @param words  after "poinsot"
+  /// @param changes  for FilmState
+  /// @returns false where a film is being made.
   /// @throws core::Error(kGraphics) if no process can be started.
-  bool start(const std::vector<std::string>& words);
+  bool start(const std::vector<std::string>& words, std::vector<std::string> changes);
   /// Like Ctrl-C in its terminal.
   void stop();
   FilmState state() const;

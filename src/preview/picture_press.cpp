@@ -15,41 +15,24 @@
 namespace poinsot::preview {
 namespace {
 
-/// One view of the scene as the whole picture.
-void showOnly(std::size_t which, const std::optional<Turn>& turn, scene::Scene& scene) {
-  if (which >= scene.views.size())
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("view {}: the scene has {}", which + 1, scene.views.size()));
-  scene::View view = scene.views[which];
-  view.place = {};
-  if (turn) {
-    view.camera.azimuth_rad = turn->azimuth_rad;
-    view.camera.elevation_rad = turn->elevation_rad;
-    view.camera.zoom = turn->zoom;
-  }
-  scene.views = {std::move(view)};
-  scene.plots.clear();
-}
-
 app::Drawable drawableFor(const SceneVersion& version, const PictureAsk& ask) {
   app::SceneRequest request = version.request;
-  request.overrides.insert(request.overrides.end(), ask.overrides.begin(), ask.overrides.end());
+  request.overrides.insert(request.overrides.end(), ask.changes.overrides.begin(), ask.changes.overrides.end());
   request.size = ask.size;
+  request.view = ask.changes.view;
   scene::Scene scene = app::loadRequested(request);
   if (request.sweep) {
     auto composer = app::composerOf(request, scene);
     return {std::move(scene), std::move(composer)};
   }
-  if (ask.view) showOnly(*ask.view, ask.turn, scene);
   return app::drawableOf(std::move(scene));
 }
 
 /// Of all that decides the scene of an ask but its version.
 std::string keyOf(const PictureAsk& ask) {
   std::string key = fmt::format("{}x{}", ask.size.width, ask.size.height);
-  if (ask.view) key += fmt::format(" view {}", *ask.view);
-  if (ask.turn) key += fmt::format(" {} {} {}", ask.turn->azimuth_rad, ask.turn->elevation_rad, ask.turn->zoom);
-  for (const std::string& word : ask.overrides) key += fmt::format(" {}:{}", word.size(), word);
+  if (ask.changes.view) key += fmt::format(" view {}", *ask.changes.view);
+  for (const std::string& word : ask.changes.overrides) key += fmt::format(" {}:{}", word.size(), word);
   return key;
 }
 

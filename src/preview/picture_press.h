@@ -13,18 +13,17 @@
 
 namespace poinsot::preview {
 
-/// Where a camera is turned to.
-struct Turn {
-  double azimuth_rad = 0, elevation_rad = 0, zoom = 1;
+/// What a page changes of the scene, for its pictures and for its film.
+struct PageChanges {
+  std::vector<std::string> overrides;  ///< after those of the command line
+  std::optional<std::size_t> view;     ///< that view alone; none: the whole picture
 };
 
 /// A picture that a page asks for.
 struct PictureAsk {
-  std::int64_t frame = 0;              ///< the last one where the film has fewer
-  image::PixelSize size;               ///< in place of the scene's
-  std::vector<std::string> overrides;  ///< after those of the command line
-  std::optional<std::size_t> view;     ///< that view alone; none: the whole picture
-  std::optional<Turn> turn;            ///< of that view's camera, in place of its own
+  std::int64_t frame = 0;  ///< the last one where the film has fewer
+  image::PixelSize size;   ///< in place of the scene's
+  PageChanges changes;
 };
 
 /// Draws frames as a film's worker does, one after the other, on a thread that has the one OpenGL context.

@@ -82,6 +82,7 @@ json filmOf(const scene::Scene& scene, bool sweep, const app::UnitChoice& units)
           {"sweep", sweep},
           {"panels", sweep ? 1 : scene.views.size() + scene.plots.size()},
           {"views", sweep ? json::array() : viewsOf(scene)},
+          {"ownViews", scene.ownViews},
           {"notes", notesOf(scene)},
           {"physics", physicsOf(scene, units)},
           {"quantities", std::move(quantities)}};
@@ -104,8 +105,6 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units) {
   json all{{"version", version.number}, {"error", version.error}, {"file", version.request.fileName}};
   if (version.scene) all["film"] = filmOf(*version.scene, version.request.sweep.has_value(), units);
-  // Views have tables of their own, where they do not come from camera.frames.
-  all["viewTables"] = version.request.text.find("[[view]]") != std::string::npos;
   return text(all);
 }
 
@@ -131,6 +130,7 @@ std::string filmJson(const FilmState& state) {
   return text({{"stage", kStages[static_cast<std::size_t>(state.stage)]},
                {"done", state.done},
                {"total", state.total},
+               {"changes", state.changes},
                {"text", state.text}});
 }
 

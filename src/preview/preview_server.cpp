@@ -6,19 +6,18 @@
 #include <sys/random.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
 
 #include "app/sweep_cells.h"
-#include "app/trajectory_number.h"
 #include "core/base64.h"
 #include "core/error.h"
 #include "preview/film_errand.h"
@@ -78,18 +77,21 @@ void refuse(Response& response, int status, const std::string& why) {
   response.set_content(why + "\n", "text/plain; charset=utf-8");
 }
 
-/// Azimuth and elevation in degrees, and zoom; nothing where they are not given, or no camera's.
-std::optional<Turn> turnAsked(const Request& request) {
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto value = app::parseNumber(request.get_param_value("turn", i));
-    if (!value || !std::isfinite(*value)) return std::nullopt;
-    values.at(i) = *value;
+/// What a page changes of the scene; nothing, after it was refused.
+std::optional<PageChanges> changesAsked(const Request& request, Response& response) {
+  PageChanges changes;
+  const std::size_t count = request.get_param_value_count("D");
+  for (std::size_t i = 0; i < count && i < kMostOverrides; ++i)
+    changes.overrides.push_back(request.get_param_value("D", i));
+  const auto isLong = [](const std::string& word) { return word.size() > kLongestOverride; };
+  if (count > kMostOverrides || std::ranges::any_of(changes.overrides, isLong)) {
+    refuse(response, 400,
+           fmt::format("at most {} keys are changed, in {} bytes each", kMostOverrides, kLongestOverride));
+    return std::nullopt;
   }
-  constexpr double kDegree = std::numbers::pi / 180;
-  const auto [azimuth, elevation, zoom] = values;
-  if (std::abs(azimuth) > 360 || std::abs(elevation) > 90 || !(zoom > 0.01 && zoom < 100)) return std::nullopt;
-  return Turn{azimuth * kDegree, elevation * kDegree, zoom};
+  if (const auto view = number(request, "view"); view && *view >= 0)
+    changes.view = static_cast<std::size_t>(*view);
+  return changes;
 }
 
 /// Nothing, after it was refused.
@@ -99,22 +101,28 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
   const auto isSide = [](const std::optional<std::int64_t>& side) {
     return side && *side >= kLeastSide && *side <= kMostSide;
   };
-  PictureAsk ask;
-  const std::size_t overrides = request.get_param_value_count("D");
-  for (std::size_t i = 0; i < overrides && i < kMostOverrides; ++i)
-    ask.overrides.push_back(request.get_param_value("D", i));
-  const bool tooMuch =
-      overrides > kMostOverrides ||
-      std::ranges::any_of(ask.overrides, [](const std::string& word) { return word.size() > kLongestOverride; });
-  if (!frame || !isSide(width) || !isSide(height) || tooMuch) {
+  if (!frame || !isSide(width) || !isSide(height)) {
     refuse(response, 400, fmt::format("a picture has a frame, and sides from {} to {}", kLeastSide, kMostSide));
     return std::nullopt;
   }
-  if (const auto view = number(request, "view"); view && *view >= 0) ask.view = static_cast<std::size_t>(*view);
-  ask.turn = turnAsked(request);
-  ask.frame = *frame;
-  ask.size = {static_cast<int>(*width), static_cast<int>(*height)};
-  return ask;
+  auto changes = changesAsked(request, response);
+  if (!changes) return std::nullopt;
+  return PictureAsk{*frame, {static_cast<int>(*width), static_cast<int>(*height)}, std::move(*changes)};
+}
+
+/// As words of `render`. In one word with its value, an option takes a value that looks like an option.
+std::vector<std::string> wordsOf(const PageChanges& changes) {
+  std::vector<std::string> words;
+  for (const std::string& override : changes.overrides) words.push_back("-D" + override);
+  if (changes.view) words.push_back(fmt::format("--view={}", *changes.view + 1));
+  return words;
+}
+
+/// For the page: "style.theme="dark"", "view 2 alone".
+std::vector<std::string> toldChanges(const PageChanges& changes) {
+  std::vector<std::string> told = changes.overrides;
+  if (changes.view) told.push_back(fmt::format("view {} alone", *changes.view + 1));
+  return told;
 }
 
 /// Lets many knock at once: the library's queue of five drops the others, who knock again after seconds.
@@ -198,7 +206,7 @@ class PreviewServer::Site {
                 [this](const Request& request, Response& response) { series(request, response); });
     server_.Get(root + "/film",
                 [this](const Request&, Response& response) { json(response, filmJson(film_.state())); });
-    server_.Post(root + "/film", [this](const Request&, Response& response) { film(response); });
+    server_.Post(root + "/film", [this](const Request& request, Response& response) { film(request, response); });
     server_.Post(root + "/film/stop", [this](const Request&, Response& response) {
       film_.stop();
       json(response, filmJson(film_.state()));
@@ -237,15 +245,19 @@ class PreviewServer::Site {
     return "out/" + std::filesystem::path(request_.fileName).stem().string() + "_sweep.mp4";
   }
 
-  void film(Response& response) {
+  void film(const Request& request, Response& response) {
+    const auto changes = changesAsked(request, response);
+    if (!changes) return;
     const bool sweep = app::hasRanges(request_.overrides);
     std::vector<std::string> words{sweep ? "sweep" : "render", "--progress=json"};
     if (sweep) words.insert(words.end(), {"-o", sweepFilm()});
     for (const std::string& override : request_.overrides) words.insert(words.end(), {"-D", override});
+    const auto page = wordsOf(*changes);
+    words.insert(words.end(), page.begin(), page.end());
     words.insert(words.end(), request_.filmWords.begin(), request_.filmWords.end());
     words.insert(words.end(), {"--", request_.fileName});
     try {
-      film_.start(words);
+      film_.start(words, toldChanges(*changes));
       json(response, filmJson(film_.state()));
     } catch (const core::Error& error) {
       refuse(response, 500, error.what());

@@ -187,6 +187,7 @@ struct Scene {
   Camera camera;            ///< from which the views' cameras start
   Show show;                ///< of the whole picture, and from which the views' start
   std::vector<View> views;  ///< with the plots at least one panel, no two in one cell
+  bool ownViews = false;    ///< from [[view]] tables, each with a camera of its own
   std::vector<Plot> plots;
   std::vector<Readout> readouts;
   LabelTexts labels;                 ///< of every view

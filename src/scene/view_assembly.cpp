@@ -152,6 +152,7 @@ void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings
   // What the scene shows itself is only where the views start, where there are any, and nothing without views.
   const bool start = count > 0 || draft.noViews;
   assembleVisible(scene, start ? std::nullopt : rest, "", findings, scene.show);
+  scene.ownViews = count > 0;
   if (count > 0) scene.views = givenViews(draft, count, rest, findings, grid, scene);
   if (start) return;
   scene.views = viewsOf(draft.frames.value_or(std::vector{scene.camera.frame}), grid, scene);

@@ -61,6 +61,22 @@ TEST(SceneRequest, SizeReplacesTheScenesAndMayBeOdd) {
   EXPECT_EQ(loadRequested(request).output.height, 91);
 }
 
+TEST(SceneRequest, ViewIsShownAlone) {
+  const ScratchFolder folder;
+  const std::string text =
+      std::string(kScene) +
+      "[[view]]\n[[view]]\ntitle = \"Body\"\nat = [0, 1]\n[[plot]]\nquantities = [\"omega_2\"]\n";
+  auto request = readSceneRequest(folder.put("a.toml", text).string(), {});
+  request.view = 1;
+  const auto scene = loadRequested(request);
+  ASSERT_EQ(scene.views.size(), 1u);
+  EXPECT_EQ(scene.views[0].title, "Body");
+  EXPECT_EQ(scene.views[0].place.row, 0);
+  EXPECT_TRUE(scene.plots.empty());
+  request.view = 2;
+  EXPECT_THROW(loadRequested(request), core::Error);
+}
+
 TEST(SceneRequest, OnlyRegularFiles) {
   const ScratchFolder folder;
   EXPECT_EQ(kindOf((folder / "missing.toml").string()), core::ErrorKind::kScene);

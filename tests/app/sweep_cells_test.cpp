@@ -139,7 +139,9 @@ TEST(SweepRequest, IsPartOfAJobsIdentity) {
   auto plain = requested({kOne});
   plain.sweep.reset();
   add(plain);
-  EXPECT_EQ(digests.size(), 6u);
+  plain.view = 1;
+  add(plain);
+  EXPECT_EQ(digests.size(), 7u);
 }
 
 TEST(PictureWords, OfASweepAndAMapSayWhatIsSeen) {

@@ -165,6 +165,17 @@ TEST(SubmitHandsOn, ASweepToTheCommandThatMakesIt) {
                                   "--label '$\\omega_1$' "));
 }
 
+TEST(SubmitHandsOn, TheViewThatIsAskedFor) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kGoodScene);
+  const RunResult one = run(folder, {"submit", "a.toml", "-o", "a.mp4", "--view", "1"});
+  EXPECT_EQ(one.exitCode, 0) << one.err;
+  EXPECT_THAT(one.out, HasSubstr(" render a.toml -o a.mp4 --view 1 "));
+  const RunResult none = run(folder, {"submit", "a.toml", "-o", "a.mp4", "--view", "2"});
+  EXPECT_EQ(none.exitCode, 2);
+  EXPECT_THAT(none.err, HasSubstr("--view 2: the scene has 1 view; give 1"));
+}
+
 TEST(SubmitRefuses, WhatCannotBeMadeThere) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);

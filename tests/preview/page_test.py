@@ -29,6 +29,7 @@ duration = 4
 [output]
 size = [320, 180]
 """
+ALWAYS = ['style.file=own.toml']
 
 
 class Page:
@@ -41,6 +42,9 @@ class Page:
     def shown(self):
         """What the picture is of: frame, version, width."""
         return json.loads(self.driver.execute_script('return document.body.dataset.shown') or '{}')
+
+    def choose(self, name, value):
+        self.driver.execute_script('const list = document.getElementById(arguments[0]); list.value = arguments[1]; list.onchange();', name, value)
 
     def press(self, *keys):
         self.driver.find_element(By.TAG_NAME, 'body').send_keys(*keys)
@@ -63,7 +67,7 @@ def until(what, true, most_s=30):
     return time.monotonic() - begin
 
 
-def check(page, scene, screenshot):
+def check(program, page, scene, screenshot):
     until('the first picture', lambda: page.shown().get('frame') == 0)
     first = page.picture()
     page.press(Keys.END)
@@ -118,7 +122,25 @@ def check(page, scene, screenshot):
     page.find('film').click()
     until('the film', lambda: page.find('filmState').text in ('ready', 'failed'), 120)
     assert page.find('filmState').text == 'ready', page.find('error').text
-    assert (scene.parent / 'out' / 'a.mp4').stat().st_size > 1000
+    film = scene.parent / 'out' / 'a.mp4'
+    assert film.stat().st_size > 1000
+    assert page.find('filmWith').text == 'as the file is', page.find('filmWith').text
+
+    # What the page shows is in the film, which is the one that `render` makes with the same words.
+    page.choose('theme', 'dark')
+    page.choose('frame', 'body')
+    ActionChains(page.driver).move_to_element(page.find('picture')).click_and_hold().move_by_offset(40, 10).release().perform()
+    until('the changes', lambda: page.find('changed').text.count('camera.') == 4)
+    words = page.find('changed').text.split('\n')
+    assert words[:2] == ['camera.frame="body"', 'style.theme="dark"'], words
+    page.find('film').click()
+    until('the other film begins', lambda: page.find('filmState').text != 'ready')
+    until('the other film', lambda: page.find('filmState').text in ('ready', 'failed'), 120)
+    assert page.find('filmWith').text == 'with ' + ', '.join(words), page.find('filmWith').text
+    asked = [word for text in [*ALWAYS, *words] for word in ('-D', text)]
+    subprocess.run([program, 'render', 'a.toml', *asked, '--asset-root', 'shared', '--quiet', '-o', 'own.mp4'], cwd=scene.parent, check=True)
+    assert (scene.parent / 'own.mp4').read_bytes() == film.read_bytes()
+    assert scene.read_text() == SCENE, 'nothing is written'
     complaints = page.driver.get_log('browser')
     assert not complaints, complaints
     return edited_s
@@ -131,11 +153,11 @@ def main(program, screenshot):
         (pathlib.Path(folder) / 'shared').mkdir()
         (pathlib.Path(folder) / 'shared' / 'own.toml').write_text('[style.colors]\nomega = "#AA2200"\n')
         # The film, too, must be allowed what the preview is.
-        server = subprocess.Popen([program, 'preview', 'a.toml', '-D', 'style.file=own.toml', '--asset-root', 'shared'], cwd=folder, stdout=subprocess.PIPE, text=True)
+        server = subprocess.Popen([program, 'preview', 'a.toml', '-D', *ALWAYS, '--asset-root', 'shared'], cwd=folder, stdout=subprocess.PIPE, text=True)
         driver = browser(1500, 900)
         try:
             driver.get(server.stdout.readline().strip())
-            edited_s = check(Page(driver), scene, screenshot)
+            edited_s = check(program, Page(driver), scene, screenshot)
         finally:
             driver.quit()
             server.terminate()

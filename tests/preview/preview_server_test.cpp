@@ -6,8 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <signal.h>
 
 #include <atomic>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -113,9 +115,17 @@ TEST_F(Preview, ShowsOneViewOfSeveral) {
   EXPECT_EQ(film["panels"], 3);
   EXPECT_EQ(film["views"][1]["title"], "Body");
   EXPECT_NEAR(film["views"][1]["camera"]["elevation"].get<double>(), 8, 1e-12);
-  const std::string alone = picture(30, "&view=1"), turned = picture(30, "&view=1&turn=-20&turn=30&turn=1.5");
+  EXPECT_EQ(film["ownViews"], true);
+  const auto camera = [](const std::string& line) {
+    return "&D=" + httplib::detail::encode_query_param("view[1].camera." + line);
+  };
+  const std::string alone = picture(30, "&view=1"),
+                    turned = picture(30, "&view=1" + camera("azimuth=\"-20 deg\"") +
+                                             camera("elevation=\"30 deg\"") + camera("zoom=1.5"));
   const auto refused = get("picture?frame=0&width=320&height=180&view=2");
   EXPECT_EQ(refused->status, 422);
+  EXPECT_THAT(refused->body, HasSubstr("--view 3: the scene has 2 views; give 1 to 2"));
+  expectSamePicture(alone, "--time 1 --view 2");
   save("a.toml", kScene + other);  // as if there were no others
   expectSamePicture(alone, "--time 1");
   expectSamePicture(turned,
@@ -259,6 +269,93 @@ TEST(PreviewCommand, TellsHowItIsReachedAndWhatIsWrong) {
   const std::string wrong = said({});
   EXPECT_THAT(wrong, HasSubstr("a.toml:1:2: error: boddy: unknown "));
   EXPECT_THAT(wrong, HasSubstr("poinsot: the page tells this too, and shows the scene when it is mended\n"));
+}
+
+/// `poinsot preview` as a process, which makes films as its user does.
+class PreviewProcess {
+ public:
+  PreviewProcess(const std::filesystem::path& folder, const std::string& words) {
+    const std::string command =
+        "cd '" + folder.string() + "' && { echo $$; exec " POINSOT_PROGRAM " preview " + words + " 2>/dev/null; }";
+    pipe_ = popen(command.c_str(), "r");
+    process_ = std::stoi(line());
+    const std::string address = line();  // http://127.0.0.1:PORT/TOKEN/
+    const auto slash = address.find('/', 8), colon = address.rfind(':', slash);
+    root_ = address.substr(slash);
+    client_ = std::make_unique<httplib::Client>("127.0.0.1", std::stoi(address.substr(colon + 1)));
+  }
+  ~PreviewProcess() {
+    kill(process_, SIGTERM);
+    pclose(pipe_);
+  }
+  PreviewProcess(const PreviewProcess&) = delete;
+
+  /// Its state at the end. @param words  for -D
+  json film(const std::vector<std::string>& words, const std::string& view = "") {
+    std::string asked = view.empty() ? "" : "view=" + view;
+    for (const std::string& word : words) asked += "&D=" + httplib::detail::encode_query_param(word);
+    json state = json::parse(client_->Post(root_ + "film?" + asked)->body);
+    while (state["stage"] == "making") {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      state = json::parse(client_->Get(root_ + "film")->body);
+    }
+    return state;
+  }
+
+ private:
+  std::string line() {
+    std::string text;
+    for (int c = 0; (c = std::fgetc(pipe_)) != EOF && c != '\n';) text += static_cast<char>(c);
+    return text;
+  }
+
+  FILE* pipe_ = nullptr;
+  pid_t process_ = -1;
+  std::string root_;
+  std::unique_ptr<httplib::Client> client_;
+};
+
+class PreviewedFilm : public testing::Test {
+ protected:
+  void expectFilm(PreviewProcess& preview, const std::vector<std::string>& overrides, const std::string& view,
+                  const std::vector<std::string>& told, const std::string& command,
+                  const std::string& made) const {
+    const json state = preview.film(overrides, view);
+    EXPECT_EQ(state["stage"], "ready") << state["text"];
+    EXPECT_EQ(state["changes"], json(told));
+    std::string words = view.empty() ? "" : " --view " + std::to_string(std::stoi(view) + 1);
+    for (const std::string& word : overrides) words += " -D '" + word + "'";
+    const auto same = runShell(
+        folder_.path(), POINSOT_PROGRAM " " + command + words + " --quiet -o own.mp4 && cmp own.mp4 " + made);
+    EXPECT_EQ(same.exitCode, 0) << same.out;
+  }
+
+  const std::string scene_ =
+      "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 3, 0.1]\n[time]\nduration = 0.2\n"
+      "[output]\nsize = [64, 36]\n[[view]]\n[[view]]\ncamera.frame = \"body\"\n";
+  ScratchFolder folder_;
+};
+
+// Every control of the page that changes a picture. The expected film is that of `render` with the same words.
+TEST_F(PreviewedFilm, IsOfWhatThePageShows) {
+  folder_.put("a.toml", scene_);
+  PreviewProcess preview(folder_.path(), "a.toml -D style.text_size=1.1");
+  const std::string render = "render a.toml -D style.text_size=1.1", film = "out/a.mp4";
+  const std::string dark = "style.theme=\"dark\"", body = "camera.frame=\"body\"", size = "output.size=[48, 26]";
+  expectFilm(preview, {}, "", {}, render, film);
+  expectFilm(preview, {body, dark, "camera.azimuth=\"40 deg\"", size}, "",
+             {body, dark, "camera.azimuth=\"40 deg\"", size}, render, film);
+  const std::string turned = "view[1].camera.azimuth=\"40 deg\"";
+  expectFilm(preview, {turned}, "1", {turned, "view 2 alone"}, render, film);
+  EXPECT_EQ(runShell(folder_.path(), "cat a.toml").out, scene_) << "the file is not written";
+  EXPECT_EQ(preview.film({"--force"})["stage"], "failed") << "no option of the program";
+}
+
+TEST_F(PreviewedFilm, OfASweepHasTheChangesToo) {
+  folder_.put("a.toml", scene_);
+  const std::string range = "a.toml -D 'motion.omega_body=[0.1..0.2:2, 3, 0]'", dark = "style.theme=\"dark\"";
+  PreviewProcess preview(folder_.path(), range);
+  expectFilm(preview, {dark}, "", {dark}, "sweep " + range, "out/a_sweep.mp4");
 }
 
 TEST_F(Preview, TwoCannotHaveOnePort) {
