@@ -73,15 +73,15 @@ std::vector<Key> spinKeys() {
        .dimension = kAngle,
        .range = kTilts,
        .example = "\"2 deg\"",
-       .help =
-           "Angle between L and spin_axis; without it, none: a steady spin. It does not lean a body that gravity "
-           "pulls: motion.orientation does.",
+       .help = "Angle between L and spin_axis; without it, none: a steady spin. Refused under gravity, where "
+               "motion.orientation leans a body: the message has its value.",
        .put = into([](Draft& d) { return &d.start.tilt; })},
       {.path = "motion.tilt_towards",
        .dimension = kAngle,
        .range = kTurns,
        .example = "\"90 deg\"",
-       .help = "The side that L leans to: 0 is the principal axis after spin_axis in the order 1, 2, 3, 1, and 90 "
+       .help = "With tilt, the side that L leans to: 0 is the principal axis after spin_axis in the order 1, 2, "
+               "3, 1, and 90 "
                "deg the one after that. Without it, 0.",
        .put = into([](Draft& d) { return &d.start.tiltTowards; })},
   };

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "core/error.h"
 #include "physics/start.h"
 #include "scene/limits.h"
@@ -40,10 +43,19 @@ bool setsGoing(const physics::Forcing& forcing) {
   return !torques.none();
 }
 
+/// "[0.5, 0, -1]", without rounding below 1e-12 of one.
+template <class Vector>
+std::string pasted(const Vector& values) {
+  std::string text;
+  for (const double value : values)
+    text += fmt::format("{}{:.12g}", text.empty() ? "[" : ", ", std::abs(value) < 1e-12 ? 0 : value);
+  return text + "]";
+}
+
 class StartAssembly {
  public:
   StartAssembly(const Draft& draft, const Body* body, Findings& findings, Motion& motion)
-      : start_(draft.start), body_(body), findings_(findings), motion_(motion) {}
+      : start_(draft.start), mgr_B_(draft.forcing.mgr_B), body_(body), findings_(findings), motion_(motion) {}
 
   std::optional<Rest> run() {
     std::vector<const Way*> given;
@@ -95,6 +107,7 @@ class StartAssembly {
 
   void start(const std::string& path) {
     chooseOrientation();
+    checkTilt();
     if (const auto value = restText()) return atRest({path, *value});
     motion_.omega_B = Vector3d::Ones();  // one that was refused is not zero besides
     if (!body_) return;
@@ -110,6 +123,62 @@ class StartAssembly {
     const bool turned = setsGoing(motion_.forcing) || !motion_.forcing.dragRate_P.isZero(0);
     if ((inSpace || turned) && !findings_.has("motion.orientation"))
       motion_.orientation_WB = Quaterniond::Identity();
+  }
+
+  // ---- a tilt that would not do what its writer means
+
+  void checkTilt() {
+    if (findings_.has("motion.tilt_towards") && !findings_.has("motion.tilt"))
+      findings_.refuseMissing("motion.tilt", "motion.tilt_towards",
+                              "motion.tilt is missing, without which L leans to no side; give both or none");
+    if (start_.tilt.value_or(0) == 0) return;
+    if (gravityPulls())
+      findings_.refuse("motion.tilt", underGravity());
+    else if (start_.spin == 0.0 && (setsGoing(motion_.forcing) || findings_.has("motion.orientation")))
+      findings_.refuse("motion.tilt",
+                       "has no effect where motion.spin is 0, as L is 0; leave it out, or give a spin");
+  }
+
+  /// Also where the table of gravity has a mistake, so that both are reported.
+  bool gravityPulls() const {
+    return !motion_.forcing.gravity_B.isZero(0) || (findings_.hasBelow("motion.gravity") && !mgr_B_);
+  }
+
+  std::string underGravity() const {
+    std::vector<std::string_view> names{"tilt"};
+    if (findings_.has("motion.tilt_towards")) names.emplace_back("tilt_towards");
+    const bool computable =
+        body_ && start_.spin && findings_.has("motion.spin_axis") && passed({"spin_axis", "tilt_towards"});
+    if (findings_.has("motion.orientation"))
+      return "does not lean a body that gravity pulls, motion.orientation does; leave out " + listed(names) +
+             (computable ? sameNutation(names) : "");
+    return fmt::format(
+        "does not lean a body that gravity pulls: its axes are the world's at the start; give "
+        "motion.orientation{} in place of {}",
+        computable ? orientationLeaning() : "", listed(names));
+  }
+
+  std::string sameNutation(std::vector<std::string_view> names) const {
+    names.insert(names.begin(), {"spin", "spin_axis"});
+    return fmt::format("; for the same nutation give motion.omega_body = {} in place of {}",
+                       pasted(omegaTilted(*start_.spin)), listed(names));
+  }
+
+  std::string orientationLeaning() const {
+    return fmt::format(" = {}, which leans spin_axis by {:g} deg from the vertical,", pasted(leaning()),
+                       *start_.tilt * 180 / std::numbers::pi);
+  }
+
+  Vector3d omegaTilted(double spin) const {
+    return physics::omegaFromSpin(body_->axes,
+                                  {spinAxis(), spin, start_.tilt.value_or(0), start_.tiltTowards.value_or(0)});
+  }
+
+  /// w, x, y, z of the attitude that a free body has, whose L is upright and leans from spin_axis by tilt.
+  Eigen::Vector4d leaning() const {
+    const Vector3d up_B = body_->axes.angularMomentum(omegaTilted(1));
+    const Quaterniond q_WB = Quaterniond::FromTwoVectors(up_B, Vector3d::UnitZ());
+    return {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()};
   }
 
   /// The value that says that the body does not turn.
@@ -140,9 +209,7 @@ class StartAssembly {
     if (start_.omega_W) return physics::omegaFromSpace(q_WB, *start_.omega_W);
     if (start_.L_B) return axes.angularVelocity(*start_.L_B);
     if (start_.L_W) return physics::omegaFromMomentum(axes, q_WB, *start_.L_W);
-    if (start_.spin && passed({"spin_axis", "tilt", "tilt_towards"}))
-      return physics::omegaFromSpin(
-          axes, {spinAxis(), *start_.spin, start_.tilt.value_or(0), start_.tiltTowards.value_or(0)});
+    if (start_.spin && passed({"spin_axis", "tilt", "tilt_towards"})) return omegaTilted(*start_.spin);
     if (start_.energy && start_.L && passed({"phase", "branch"}))
       return physics::omegaFromEnergy(axes,
                                       {*start_.energy, *start_.L, start_.phase.value_or(0), start_.branch == 1});
@@ -172,6 +239,7 @@ class StartAssembly {
   }
 
   const StartDraft& start_;
+  const std::optional<Vector3d>& mgr_B_;
   const Body* body_;
   Findings& findings_;
   Motion& motion_;

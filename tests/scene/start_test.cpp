@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ways to give a start. Expected values by hand from L = I omega and the definition of the tilt.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "scene/make_motion.h"
 #include "scene_testing.h"
@@ -12,6 +14,7 @@ namespace poinsot::scene {
 namespace {
 
 using Eigen::Vector3d;
+using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string kBody = "body.principal_moments=[2, 4, 5]\n[motion]\n";
@@ -86,6 +89,74 @@ TEST(Start, ThatCannotBeIsRefusedWithItsPlace) {
   EXPECT_THAT(problems("spin=3\nspin_axis='1'\ntilt='90 deg'"), HasSubstr("motion.tilt: must be from 0 to"));
   EXPECT_THAT(messagesOf("body.principal_moments=[1e-60, 1e-60, 1e-60]\nmotion.L_body=[1, 0, 0]"),
               HasSubstr("motion.L_body: with these moments the angular velocity is"));
+}
+
+const std::string kSpinUnderGravity = "gravity.mgr_body=[0, 0, 1]\nspin=3\nspin_axis='3'\n";
+
+/// The numbers of the first "[...]" after `name`.
+std::vector<double> pastedAfter(const std::string& message, const std::string& name) {
+  std::istringstream text(message.substr(message.find(name + " = [") + name.size() + 4));
+  std::vector<double> values;
+  double value = 0;
+  for (char comma = ','; comma == ',' && text >> value; text >> comma) values.push_back(value);
+  return values;
+}
+
+// The spin axis must lean from the vertical by the tilt, and up must lie on the side that tilt_towards says: for
+// axis 3, at phi from x. Measured: 1.2e-12, the rounding of the printed digits.
+TEST(TiltUnderGravity, IsRefusedWithTheOrientationThatLeansTheTop) {
+  for (const double phi : {0.0, 1.2, 4.0}) {
+    const std::string message = problems(kSpinUnderGravity + fmt::format("tilt='60 deg'\ntilt_towards={}\n", phi));
+    EXPECT_THAT(message, HasSubstr("motion.tilt: does not lean a body that gravity pulls"));
+    EXPECT_THAT(message,
+                HasSubstr("which leans spin_axis by 60 deg from the vertical, in place of tilt and tilt_towards"));
+    const auto q = pastedAfter(message, "motion.orientation");
+    ASSERT_EQ(q.size(), 4u) << message;
+    const Vector3d up_B = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * Vector3d::UnitZ();
+    const double sine = std::sin(std::numbers::pi / 3);
+    EXPECT_LE((up_B - Vector3d(sine * std::cos(phi), sine * std::sin(phi), 0.5)).norm(), 5e-12) << message;
+  }
+  EXPECT_EQ(problems(kSpinUnderGravity + "tilt=0\n"), "");
+  EXPECT_EQ(problems(kSpinUnderGravity + "orientation=[0.866, 0.5, 0, 0]\n"), "");
+}
+
+// L of axis 3 is 15; L_1 = 15 tan(tilt), and I_1 = 2.
+TEST(TiltUnderGravity, IsRefusedBesideAnOrientationWithTheOmegaItMeans) {
+  const std::string message = problems(kSpinUnderGravity + "orientation=[0.866, 0.5, 0, 0]\ntilt=0.2\n");
+  EXPECT_THAT(message, HasSubstr("leave out tilt; for the same nutation"));
+  EXPECT_THAT(message, HasSubstr("in place of spin, spin_axis and tilt"));
+  const auto omega = pastedAfter(message, "motion.omega_body");
+  ASSERT_EQ(omega.size(), 3u) << message;
+  EXPECT_LE((Vector3d(omega[0], omega[1], omega[2]) - Vector3d(15 * std::tan(0.2) / 2, 0, 3)).norm(), 1e-11);
+}
+
+TEST(TiltUnderGravity, IsRefusedBesideOtherMistakes) {
+  EXPECT_THAT(problems("gravity.g=9.81\nspin=3\nspin_axis='3'\ntilt=0.2\n"),
+              AllOf(HasSubstr("motion.gravity.g: "), HasSubstr("motion.tilt: does not lean")));
+  EXPECT_THAT(
+      messagesOf("[motion]\n" + kSpinUnderGravity + "tilt=0.2\n"),
+      HasSubstr("motion.tilt: does not lean a body that gravity pulls: its axes are the world's at the start; "
+                "give motion.orientation in place of tilt"));
+}
+
+// Under torques, drag and dissipation L leans from the axis as it does in free motion.
+TEST(Tilt, IsAllowedWhereItLeansL) {
+  const Vector3d leaning(15 * std::tan(0.2) / 2, 0, 3);
+  const std::string tilted = "spin=3\nspin_axis='3'\ntilt=0.2\n";
+  for (const char* acts :
+       {"torque.body=[0, 0, 1]\n", "torque.space=[0, 0, 1]\n", "drag.rate=0.1\n", "dissipation.alpha=0.01\n",
+        "gravity.mgr_body=[0, 0, 0]\n", "orientation=[1, 1, 0, 0]\n"})
+    EXPECT_LE((omegaOf(acts + tilted) - leaning).norm(), 1e-14) << acts;
+}
+
+TEST(Tilt, IsRefusedWhereItWouldChangeNothing) {
+  const std::string rest = "spin=0\nspin_axis='3'\ntilt=0.2\n";
+  for (const char* acts : {"torque.body=[0, 0, 1]\n", "orientation=[1, 1, 0, 0]\n"})
+    EXPECT_THAT(problems(acts + rest), HasSubstr("motion.tilt: has no effect where motion.spin is 0, as L is 0; "
+                                                 "leave it out, or give a spin\n"));
+  EXPECT_EQ(problems("spin=3\nspin_axis='3'\ntilt_towards=0.2\n"),
+            "motion.tilt_towards: motion.tilt is missing, without which L leans to no side; give both or none\n");
+  EXPECT_EQ(problems("spin=3\nspin_axis='3'\ntilt=0\ntilt_towards=0.2\n"), "") << "a cell of a sweep";
 }
 
 }  // namespace
