@@ -55,6 +55,7 @@ class AlphaFit {
   }
 
   Pixel fitted(const Pixel& pixel) const {
+    if (pixel[3] == 0) return {};
     const auto channels = channelsOf(pixel);
     double along = 0, square = 0, least = 0;
     for (const Channel& c : channels) {
@@ -73,7 +74,7 @@ class AlphaFit {
   }
 
   draw::Color paper_;
-  Pixel last_{};  // flat areas ask for the same again and again; without alpha nothing is asked
+  Pixel last_{};  // flat areas ask for the same again and again
   Pixel fit_{};
 };
 
@@ -86,7 +87,7 @@ void fitAlpha(image::BasicImage<Sample>& picture, const draw::Color& paper) {
   for (auto at = picture.pixels.begin(); at != picture.pixels.end(); at += 4) {
     typename AlphaFit<Sample>::Pixel pixel;
     std::copy_n(at, 4, pixel.begin());
-    if (pixel[3] > 0 && pixel[3] < picture.kMost) std::copy_n(fit(pixel).begin(), 4, at);
+    if (pixel[3] < picture.kMost) std::copy_n(fit(pixel).begin(), 4, at);
   }
 }
 
