@@ -66,9 +66,9 @@ void addAssemble(CLI::App& program, Action& chosen) {
   command->add_flag("--keep", options->keep, "keep the segments");
   command->add_flag("--quiet", options->quiet, "say nothing but errors");
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  poinsot render scenes/football.toml -o out/football.mp4 --shard 1/2\n"
-      "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    (on another machine, say)\n"
+      "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    # on another machine, say\n"
       "  poinsot assemble out/football.mp4");
   command->callback([options, &chosen] { chosen = [options] { return assemble(*options); }; });
 }

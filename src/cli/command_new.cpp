@@ -21,6 +21,7 @@
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
+#include "output/target_check.h"
 #include "scene/limits.h"
 #include "scene/reference.h"
 
@@ -62,6 +63,7 @@ int makeNew(const NewOptions& options) {
   if (!options.force && fs::exists(fs::symlink_status(file, ignored)))
     throw Error(ErrorKind::kIo,
                 fmt::format("{}: is there already; --force replaces it", core::printable(file.string())));
+  output::checkFolderOf(file);
   const app::UserDefaults defaults = app::defaultsOf(app::userDefaultsFile());
   const std::string scene = options.from.empty() ? blankScene(file.stem().string(), defaults)
                                                  : galleryScene(galleryText(options.from), defaults);
@@ -92,7 +94,7 @@ void addNew(CLI::App& program, Action& chosen) {
   command->footer(
       "Examples:\n"
       "  poinsot new book\n"
-      "  poinsot new lectures/throw --from football\n"
+      "  poinsot new throw --from football\n"
       "~/.config/poinsot/defaults.toml says what every new scene has (docs/defaults.md).");
   command->callback([options, &chosen] { chosen = [options] { return makeNew(*options); }; });
 }

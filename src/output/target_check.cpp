@@ -71,9 +71,11 @@ void checkName(const std::filesystem::path& target) {
 
 }  // namespace
 
+void checkFolderOf(const std::filesystem::path& target) { checkFolder(folderOf(target)); }
+
 void checkTarget(const std::filesystem::path& target, bool force) {
   checkName(target);
-  checkFolder(folderOf(target));
+  checkFolderOf(target);
   checkExisting(target, force);
 }
 

@@ -101,7 +101,9 @@ TEST_F(New, MistakesAreNamed) {
               HasSubstr("has no scene 'footbal'; did you mean 'football'?"));
   EXPECT_EQ(run({"new", "a", "--from", "footbal"}).exitCode, 2);
   EXPECT_EQ(run({"new", ""}).exitCode, 2);
-  EXPECT_EQ(run({"new", "nowhere/a"}).exitCode, 4);
+  const auto nowhere = run({"new", "no where/a"});
+  EXPECT_EQ(nowhere.exitCode, 4);
+  EXPECT_EQ(nowhere.err, "poinsot: error: no where: no such folder; make it with: mkdir -p 'no where'\n");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre());
 }
 
