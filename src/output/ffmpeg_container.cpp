@@ -67,6 +67,15 @@ const FormatFacts& factsOf(FileFormat format) {
   return kFacts[static_cast<std::size_t>(format)];
 }
 
+/// libavformat's name of a text. In a .mov it writes its "comment" as the description, too, and has no other name
+/// for that one: the words of the film are in both, and where it comes from stands beside our mark, as "model" of
+/// "make".
+std::string tagOf(FileFormat format, const std::string& key) {
+  if (format != FileFormat::kMov) return key;
+  if (key == "description") return "comment";
+  return key == "comment" ? "model" : key;
+}
+
 bool isOfQuickTime(FileFormat format) { return format == FileFormat::kMp4 || format == FileFormat::kMov; }
 
 FormatOutputPtr allocateFormat(const char* muxer) {
@@ -82,10 +91,10 @@ void setText(AVDictionary** texts, const char* key, const std::string& value) {
 }
 
 /// Texts of ours only: with "bitexact" libav adds neither its name nor the time.
-void describe(AVFormatContext& format, const char* markKey, const std::vector<FilmText>& texts) {
-  format.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
-  setText(&format.metadata, markKey, ownMark());
-  for (const FilmText& text : texts) setText(&format.metadata, text.key.c_str(), text.value);
+void describe(AVFormatContext& context, FileFormat format, const std::vector<FilmText>& texts) {
+  context.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
+  setText(&context.metadata, factsOf(format).markKey, ownMark());
+  for (const FilmText& text : texts) setText(&context.metadata, tagOf(format, text.key).c_str(), text.value);
 }
 
 void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, const core::Rational& fps) {
@@ -173,7 +182,7 @@ TrackMuxer::TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParame
   setOptions(options, format, fps, index);
   format_->pb = io_.get();
   format_->url = checkAlloc(ffmpeg().av_strdup(fileUrl(target_.file).c_str()));
-  describe(*format_, factsOf(format).markKey, texts);
+  describe(*format_, format, texts);
   addTrack(*format_, parameters, fps);
   check(ffmpeg().avformat_write_header(format_.get(), options.address()), "starting the film");
   options.expectAllTaken();
@@ -228,8 +237,7 @@ void TrackWriter::finish() {
 
 // ---- reading
 
-TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format)
-    : path_(path), markKey_(factsOf(format).readMarkKey) {
+TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) : path_(path), kind_(format) {
   expectRegularFile(path);
   captureAvLog();
   AvOptions options;
@@ -249,8 +257,12 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format)
     stream.codecpar->format = AV_PIX_FMT_YUVA420P;
 }
 
-std::string TrackReader::text(const char* key) const {
-  const AVDictionaryEntry* entry = ffmpeg().av_dict_get(format_->metadata, key, nullptr, 0);
+std::string TrackReader::mark() const { return tag(factsOf(kind_).readMarkKey); }
+
+std::string TrackReader::text(const char* key) const { return tag(tagOf(kind_, key)); }
+
+std::string TrackReader::tag(const std::string& name) const {
+  const AVDictionaryEntry* entry = ffmpeg().av_dict_get(format_->metadata, name.c_str(), nullptr, 0);
   return entry == nullptr ? "" : entry->value;
 }
 

@@ -105,15 +105,17 @@ class TrackReader {
   const AVCodecParameters& parameters() const { return *format_->streams[0]->codecpar; }
   AVRational timeBase() const { return format_->streams[0]->time_base; }
   /// What the file names as its encoder; empty if nothing.
-  std::string mark() const { return text(markKey_); }
-  /// A text of the file's own; empty if there is none of that name.
+  std::string mark() const;
+  /// A text of the file's own, by its key in FilmText; empty if there is none of that name.
   std::string text(const char* key) const;
   /// False after the last packet. Times as stored, edit lists not applied.
   bool next(AVPacket& packet);
 
  private:
+  std::string tag(const std::string& name) const;
+
   std::filesystem::path path_;
-  const char* markKey_;
+  FileFormat kind_;
   FormatInputPtr format_;
 };
 

@@ -96,6 +96,8 @@ std::vector<Format> formats() {
   };
 }
 
+const std::vector<FilmText> kTexts{{"comment", "of here"}, {"title", "Primaries"}, {"description", "In words."}};
+
 class FilmFormats : public ScratchFolder, public testing::WithParamInterface<Format> {
  protected:
   void SetUp() override {
@@ -114,7 +116,7 @@ class FilmFormats : public ScratchFolder, public testing::WithParamInterface<For
       segment.finish();
     }
     const auto file = in(name + "." + std::string(nameOf(format.container)));
-    joinSegments(segments, file, {format.container, {25, 1}}, {{"comment", "of here"}, {"title", "Primaries"}});
+    joinSegments(segments, file, {format.container, {25, 1}}, kTexts);
     return file;
   }
 };
@@ -184,6 +186,30 @@ TEST_P(FilmFormats, IsReadByTheReader) {
 }
 
 TEST_P(FilmFormats, HasTheSameBytesEachTime) { EXPECT_EQ(content(film("a")), content(film("b"))); }
+
+/// The text of a user data atom: its name, 16 bits of length, 16 of language (QuickTime File Format, "User Data").
+std::string atomText(const std::string& bytes, const std::string& name) {
+  const auto at = bytes.find(name);
+  if (at == bytes.npos) return "(none)";
+  const auto byte = [&](std::size_t i) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + i]));
+  };
+  return bytes.substr(at + 8, 256 * byte(4) + byte(5));
+}
+
+// Players show this text of a QuickTime film; those of other kinds have it by the name that libav knows.
+TEST_P(FilmFormats, HasTheWordsOfTheFilmInTheDescription) {
+  const auto box = GetParam().format.container;
+  const auto bytes = content(film());
+  const std::string text(bytes.begin(), bytes.end());
+  EXPECT_NE(text.find("In words."), text.npos);
+  if (box != FilmContainer::kMov) return;
+  EXPECT_EQ(atomText(text,
+                     "\xa9"
+                     "des"),
+            "In words.");
+  EXPECT_EQ(probed(film()).at("TAG:model"), "of here");
+}
 
 TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {
   const auto file = film();
