@@ -192,7 +192,8 @@ std::string curveSvg(const FilmDiff& diff, const image::NearRule& rule) { return
 void checkCurveTarget(const std::filesystem::path& file, bool force) {
   if (!isCsv(file) && file.extension() != ".svg")
     throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("curve '{}': works: NAME.csv, NAME.svg", core::printable(file.native())));
+                      fmt::format("curve '{}': works: NAME.csv, NAME.svg{}", core::printable(file.native()),
+                                  core::smallLettersHint(file.native(), {".csv", ".svg"})));
   output::checkTarget(file, force || (isCsv(file) && output::beginsWith(file, kCsvHeader)));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -21,6 +22,17 @@ namespace {
                                 core::printable(name), why, output::filmFormatsText()));
 }
 
+std::vector<std::string> filmAndPictureEndings() {
+  std::vector<std::string> endings{".png"};
+  for (const output::FilmContainer container : output::filmContainers())
+    endings.push_back(fmt::format(".{}", output::nameOf(container)));
+  return endings;
+}
+
+bool isStandardOutput(const std::filesystem::path& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 }  // namespace
 
 bool takesDeepPictures(const OutputTarget& target) {
@@ -34,7 +46,9 @@ OutputTarget parseTarget(const std::string& name) {
   const auto figure = path.extension();
   if (figure == ".pdf" || figure == ".svg" || figure == ".tex")
     refuse(name, "a figure is made by `poinsot still`");
-  if (path.extension() != ".png" && !film) refuse(name, "this kind of file is not written");
+  if (isStandardOutput(path)) refuse(name, "for standard output give -o - with --format png or --format mp4");
+  if (path.extension() != ".png" && !film)
+    refuse(name, "this kind of file is not written" + core::smallLettersHint(name, filmAndPictureEndings()));
   const bool pattern = output::FramePattern::isPattern(name);
   if (film) {
     if (pattern) refuse(name, "a film is one file and has no {frame}");
@@ -57,9 +71,13 @@ OutputTarget parseStillTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (output::figureMedium(path)) return {OutputKind::kFigure, path};
   if (path.extension() == ".png" && !output::FramePattern::isPattern(name)) return {OutputKind::kPicture, path};
-  throw core::Error(
-      core::ErrorKind::kUsage,
-      fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex", core::printable(name)));
+  const std::string hint =
+      isStandardOutput(path)
+          ? "; for standard output use poinsot render --format png -o - --frames K, where K is the frame's number"
+          : core::smallLettersHint(name, {".png", ".pdf", ".svg", ".tex"});
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex{}",
+                                core::printable(name), hint));
 }
 
 }  // namespace poinsot::app

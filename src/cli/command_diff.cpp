@@ -128,7 +128,8 @@ void checkTargets(const DiffOptions& options, Kind kind) {
   if (!options.report.empty()) {
     if (!fs::path(options.report).extension().native().starts_with(".htm"))
       throw Error(ErrorKind::kUsage,
-                  fmt::format("report '{}': works: NAME.html", core::printable(options.report)));
+                  fmt::format("report '{}': works: NAME.html{}", core::printable(options.report),
+                              core::smallLettersHint(options.report, {".html", ".htm"})));
     output::checkTarget(options.report, options.force);
   }
   if (!options.junit.empty())

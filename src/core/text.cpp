@@ -106,6 +106,13 @@ std::string lowered(std::string_view text) {
   return small;
 }
 
+std::string smallLettersHint(std::string_view name, const std::vector<std::string>& endings) {
+  const std::size_t dot = std::min(name.rfind('.'), name.size());
+  const std::string ending = lowered(name.substr(dot));
+  if (ending == name.substr(dot) || std::ranges::find(endings, ending) == endings.end()) return "";
+  return "; endings are in small letters: " + printable(std::string(name.substr(0, dot)) + ending);
+}
+
 std::string printable(std::string_view untrusted) {
   std::string shown;
   for (int count = 0; !untrusted.empty(); ++count) {

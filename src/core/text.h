@@ -28,6 +28,11 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
 /// Returns the text with its ASCII capitals as small letters.
 std::string lowered(std::string_view text);
 
+/// "; endings are in small letters: a.mp4" for a file name whose ending would be one of `endings` but for its
+/// capitals, else empty: for messages that refuse the name.
+/// @param endings  with the dot
+std::string smallLettersHint(std::string_view name, const std::vector<std::string>& endings);
+
 /// Untrusted text made safe for a terminal, a log or a message: control characters, DEL, C1, bidi controls,
 /// characters that are not seen, line separators and invalid UTF-8 become \xNN or \u{N}; cut at 200 characters
 /// with an ellipsis.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace poinsot::app {
 namespace {
@@ -45,6 +46,43 @@ TEST(OutputTarget, AStillIsAPictureOrAFigure) {
       EXPECT_NE(std::string(error.what()).find("NAME.png, NAME.pdf, NAME.svg or NAME.tex"), std::string::npos);
     }
   }
+}
+
+std::string refusal(OutputTarget (*parse)(const std::string&), const std::string& name) try {
+  parse(name);
+  return "accepted";
+} catch (const core::Error& error) {
+  return error.what();
+}
+
+TEST(OutputTarget, SaysThatSmallLettersWork) {
+  for (const char* name : {"a.MP4", "a.Mov", "a.WEBM", "a.GIF", "a.APNG", "a.PNG", "a_{frame}.PNG"}) {
+    const std::string small = core::lowered(name);
+    EXPECT_NE(refusal(parseTarget, name)
+                  .find("this kind of file is not written; endings are in small letters: " + small),
+              std::string::npos)
+        << name;
+    EXPECT_NO_THROW(parseTarget(small));
+  }
+  for (const char* name : {"a.PNG", "a.PDF", "a.Svg", "a.TEX"}) {
+    const std::string small = core::lowered(name);
+    EXPECT_NE(refusal(parseStillTarget, name).find("NAME.tex; endings are in small letters: " + small),
+              std::string::npos)
+        << name;
+    EXPECT_NO_THROW(parseStillTarget(small));
+  }
+  EXPECT_EQ(refusal(parseTarget, "a.AVI").find("small letters"), std::string::npos);
+}
+
+TEST(OutputTarget, SaysHowToReachStandardOutput) {
+  for (const char* name : {"-", "/dev/stdout"})
+    EXPECT_NE(refusal(parseStillTarget, name)
+                  .find("for standard output use poinsot render --format png -o - --frames K"),
+              std::string::npos)
+        << name;
+  EXPECT_NE(
+      refusal(parseTarget, "/dev/stdout").find("for standard output give -o - with --format png or --format mp4"),
+      std::string::npos);
 }
 
 TEST(OutputTarget, SaysWhatWorks) {

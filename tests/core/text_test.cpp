@@ -45,6 +45,14 @@ TEST(Printable, NeutralisesWhatATerminalObeys) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate half
 }
 
+TEST(SmallLettersHint, NamesTheFileWithTheEndingThatWorks) {
+  const std::vector<std::string> endings{".png", ".mp4"};
+  EXPECT_EQ(smallLettersHint("out/A.MP4", endings), "; endings are in small letters: out/A.mp4");
+  EXPECT_EQ(smallLettersHint("a.b.Png", endings), "; endings are in small letters: a.b.png");
+  for (const char* name : {"a.mp4", "a.AVI", "aMP4", "", ".", "a.MP4.x"})
+    EXPECT_EQ(smallLettersHint(name, endings), "") << name;
+}
+
 TEST(Lowered, ChangesAsciiCapitalsOnly) {
   EXPECT_EQ(lowered("@AZ[`az{ .STL"), "@az[`az{ .stl");
   EXPECT_EQ(lowered("Ångström ΩΩ"), "Ångström ΩΩ");
