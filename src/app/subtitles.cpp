@@ -50,7 +50,7 @@ std::string escaped(std::string_view text) {
 
 constexpr std::string_view kDigestOfSrt = "NOTE sha256 of the .srt: ";
 
-/// The content; empty where the file is missing or cannot be read. Subtitles of ours are smaller than the limit.
+/// Returns the content; empty if the file is missing, cannot be read or is larger than any subtitles.
 std::string textOf(const std::filesystem::path& file) try {
   constexpr std::size_t kMostBytes = std::size_t{16} << 20;
   return core::readRegularFile(file, kMostBytes, core::ErrorKind::kIo);
@@ -58,7 +58,8 @@ std::string textOf(const std::filesystem::path& file) try {
   return "";
 }
 
-/// The .vtt vouches for the .srt. Without it, the same text is: replacing that loses nothing.
+/// Whether nothing of a user's is lost when the .srt is replaced: its digest stands in a .vtt of this program, or
+/// its text stays the same.
 bool isOwnSrt(const std::string& srt, const std::filesystem::path& vtt, const std::vector<Subtitle>& subtitles) {
   if (srt == srtText(subtitles)) return true;
   return output::isOwnFigure(vtt) &&
@@ -122,7 +123,7 @@ void checkSubtitleFiles(const std::vector<Subtitle>& subtitles, const std::files
 }
 
 void writeSubtitles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film) {
-  // In this order a run that is killed between the two finds an .srt of its own text when it is repeated.
+  // The .srt is written first: if the run is killed between the two, the next one finds its own text there.
   const auto files = subtitleFiles(film);
   output::writeFileAtomically(files[0], srtText(subtitles));
   output::writeFileAtomically(files[1], vttText(subtitles));

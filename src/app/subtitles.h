@@ -23,20 +23,23 @@ std::vector<Subtitle> subtitlesOf(const scene::Scene& scene, const FrameRange& f
 
 /// SubRip.
 std::string srtText(const std::vector<Subtitle>& subtitles);
-/// WebVTT. Its comments say that this program wrote it, and have the SHA-256 of srtText(): SubRip has no comments.
+/// Returns WebVTT. Its comments are the mark of this program and the SHA-256 of srtText(), as SubRip has no
+/// comments.
 std::string vttText(const std::vector<Subtitle>& subtitles);
 
 /// NAME.srt and NAME.vtt of NAME.mp4.
 std::vector<std::filesystem::path> subtitleFiles(const std::filesystem::path& film);
 
-/// Films that this program wrote beside `film` and that have the same subtitle files: NAME.gif of NAME.mp4.
+/// Returns the films that this program wrote beside `film` and that share its subtitle files: NAME.gif for
+/// NAME.mp4.
 std::vector<std::filesystem::path> filmsWithSubtitlesOf(const std::filesystem::path& film);
 
-/// Whether a NAME.srt with other captions, or with other times, is there.
+/// Whether a NAME.srt exists whose captions or times differ from `subtitles`.
 bool replacesOthers(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film);
 
-/// As output::checkTarget(). Files that this program wrote, for a film of any format, and that nobody changed
-/// since are replaced. @throws core::Error(kIo)
+/// Checks both files like output::checkTarget(). Files that this program wrote for a film of any format may be
+/// replaced, unless somebody changed them since.
+/// @throws core::Error(kIo)
 void checkSubtitleFiles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film, bool force);
 
 /// Writes both, each complete or not at all. @throws core::Error(kIo)

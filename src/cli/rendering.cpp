@@ -131,15 +131,15 @@ int workersOf(const RenderOptions& options, const app::RenderRequest& request, c
                      request.scene.allowance.limits);
 }
 
-/// None beside standard output and beside pictures.
+/// Returns the subtitles that are written as files; standard output and pictures have none.
 std::vector<app::Subtitle> subtitlesBeside(const app::OutputTarget& target, const scene::Scene& scene,
                                            const app::FrameRange& frames) {
   if (target.kind != OutputKind::kFilm || target.stream) return {};
   return app::subtitlesOf(scene, frames);
 }
 
-/// NAME.mp4 and NAME.gif have one NAME.srt, which fits both only where both have the same captions at the same
-/// times.
+/// Returns a note if another film of this name exists and NAME.srt changes, which then may no longer fit that
+/// film.
 std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Scene& scene,
                                 const app::FrameRange& frames) {
   const auto subtitles = subtitlesBeside(target, scene, frames);

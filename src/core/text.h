@@ -28,8 +28,8 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
 /// Returns the text with its ASCII capitals as small letters.
 std::string lowered(std::string_view text);
 
-/// "; endings are in small letters: a.mp4" for a file name whose ending would be one of `endings` but for its
-/// capitals, else empty: for messages that refuse the name.
+/// Returns "; endings are in small letters: a.mp4" if only capitals keep the ending of the file name from being
+/// one of `endings`; else an empty string. Append it to the message that refuses the name.
 /// @param endings  with the dot
 std::string smallLettersHint(std::string_view name, const std::vector<std::string>& endings);
 

@@ -67,9 +67,9 @@ const FormatFacts& factsOf(FileFormat format) {
   return kFacts[static_cast<std::size_t>(format)];
 }
 
-/// libavformat's name of a text. In a .mov it writes its "comment" as the description, too, and has no other name
-/// for that one: the words of the film are in both, and where it comes from stands beside our mark, as "model" of
-/// "make".
+/// Returns libavformat's name of a text. In a .mov, libavformat writes "comment" both as comment and as
+/// description and ignores "description". There the words of the film take "comment", and the origin of the film
+/// takes "model", beside our mark in "make".
 std::string tagOf(FileFormat format, const std::string& key) {
   if (format != FileFormat::kMov) return key;
   if (key == "description") return "comment";

@@ -106,7 +106,7 @@ class TrackReader {
   AVRational timeBase() const { return format_->streams[0]->time_base; }
   /// What the file names as its encoder; empty if nothing.
   std::string mark() const;
-  /// A text of the file's own, by its key in FilmText; empty if there is none of that name.
+  /// Returns the text of the file that has this key in FilmText; empty if there is none.
   std::string text(const char* key) const;
   /// False after the last packet. Times as stored, edit lists not applied.
   bool next(AVPacket& packet);

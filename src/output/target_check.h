@@ -15,8 +15,8 @@ namespace poinsot::output {
 /// @throws core::Error(kIo) naming the path, the reason and the way out.
 void checkTarget(const std::filesystem::path& target, bool force);
 
-/// The part of checkTarget() about the folder of `target`: that it is there and can be written to.
-/// @throws core::Error(kIo) as checkTarget().
+/// Checks that the folder of `target` exists and can be written to.
+/// @throws core::Error(kIo) with the message of checkTarget().
 void checkFolderOf(const std::filesystem::path& target);
 
 /// Whether a regular file is empty, so that nothing is lost, or begins like that: how data are known again.

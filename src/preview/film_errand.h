@@ -19,7 +19,7 @@ struct FilmState {
   Stage stage = Stage::kNone;
   std::int64_t done = 0, total = 0;  ///< frames
   std::string text;                  ///< once it ended: the program's last words
-  std::vector<std::string> changes;  ///< what the page changed of the scene, in the user's words
+  std::vector<std::string> changes;  ///< that the page made to the scene, in the user's words
 };
 
 /// Makes a film by `poinsot` in a process of its own, so that the preview goes on whatever becomes of it.

@@ -13,7 +13,7 @@
 
 namespace poinsot::preview {
 
-/// What a page changes of the scene, for its pictures and for its film.
+/// Changes that a page makes to the scene, for its pictures and for its film.
 struct PageChanges {
   std::vector<std::string> overrides;  ///< after those of the command line
   std::optional<std::size_t> view;     ///< that view alone; none: the whole picture

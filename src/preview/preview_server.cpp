@@ -77,7 +77,7 @@ void refuse(Response& response, int status, const std::string& why) {
   response.set_content(why + "\n", "text/plain; charset=utf-8");
 }
 
-/// What a page changes of the scene; nothing, after it was refused.
+/// Reads the changes of a request; empty if the request was refused, with the reason in `response`.
 std::optional<PageChanges> changesAsked(const Request& request, Response& response) {
   PageChanges changes;
   const std::size_t count = request.get_param_value_count("D");
@@ -110,7 +110,8 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
   return PictureAsk{*frame, {static_cast<int>(*width), static_cast<int>(*height)}, std::move(*changes)};
 }
 
-/// As words of `render`. In one word with its value, an option takes a value that looks like an option.
+/// Returns the changes as words of `render`. Option and value are one word, so that no value is taken for an
+/// option.
 std::vector<std::string> wordsOf(const PageChanges& changes) {
   std::vector<std::string> words;
   for (const std::string& override : changes.overrides) words.push_back("-D" + override);
@@ -118,7 +119,7 @@ std::vector<std::string> wordsOf(const PageChanges& changes) {
   return words;
 }
 
-/// For the page: "style.theme="dark"", "view 2 alone".
+/// Returns the changes as the page lists them: "style.theme="dark"", "view 2 alone".
 std::vector<std::string> toldChanges(const PageChanges& changes) {
   std::vector<std::string> told = changes.overrides;
   if (changes.view) told.push_back(fmt::format("view {} alone", *changes.view + 1));

@@ -43,7 +43,7 @@ bool setsGoing(const physics::Forcing& forcing) {
   return !torques.none();
 }
 
-/// "[0.5, 0, -1]", without rounding below 1e-12 of one.
+/// Returns "[0.5, 0, -1]", to paste into a scene. Components below 1e-12 are rounding and become 0.
 template <class Vector>
 std::string pasted(const Vector& values) {
   std::string text;
@@ -125,7 +125,7 @@ class StartAssembly {
       motion_.orientation_WB = Quaterniond::Identity();
   }
 
-  // ---- a tilt that would not do what its writer means
+  // ---- a tilt that does not lean the body
 
   void checkTilt() {
     if (findings_.has("motion.tilt_towards") && !findings_.has("motion.tilt"))
@@ -139,7 +139,7 @@ class StartAssembly {
                        "has no effect where motion.spin is 0, as L is 0; leave it out, or give a spin");
   }
 
-  /// Also where the table of gravity has a mistake, so that both are reported.
+  /// True also if the table of gravity has a mistake, so that both mistakes are reported at once.
   bool gravityPulls() const {
     return !motion_.forcing.gravity_B.isZero(0) || (findings_.hasBelow("motion.gravity") && !mgr_B_);
   }
@@ -174,7 +174,7 @@ class StartAssembly {
                                   {spinAxis(), spin, start_.tilt.value_or(0), start_.tiltTowards.value_or(0)});
   }
 
-  /// w, x, y, z of the attitude that a free body has, whose L is upright and leans from spin_axis by tilt.
+  /// Returns w, x, y, z of the attitude in which L of a free body is upright and spin_axis leans from it by tilt.
   Eigen::Vector4d leaning() const {
     const Vector3d up_B = body_->axes.angularMomentum(omegaTilted(1));
     const Quaterniond q_WB = Quaterniond::FromTwoVectors(up_B, Vector3d::UnitZ());

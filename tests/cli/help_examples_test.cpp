@@ -16,7 +16,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What is run in place of an example, and why. Without `instead`, nothing is.
+/// A command that replaces an example, and the reason. If `instead` is empty, nothing is run.
 struct Exception {
   std::string example, instead, why;
 };
@@ -30,7 +30,7 @@ const std::vector<Exception> kExceptions{
      "poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash -n football.sh",
      "the script needs a cluster with Slurm; submission_test runs it with stand-ins"}};
 
-/// The words as the shell sees them: `poinsot` is the program under test.
+/// Runs a line in bash, where `poinsot` is the program under test.
 ShellResult runIn(const ScratchFolder& folder, const std::string& line) {
   return runShell(folder.path(), "set -o pipefail; poinsot() { " POINSOT_PROGRAM " \"$@\"; }\n" + line,
                   {"POINSOT_SCENES=" + (folder / "scenes").string()});
@@ -53,7 +53,7 @@ Lines examplesIn(const std::string& help) {
   return examples;
 }
 
-/// The names that begin the lines after "Subcommands:", and "" for the program itself.
+/// Returns the names of the subcommands that the help lists, and "" for the program itself.
 Lines commands() {
   const ScratchFolder folder;
   Lines names{""};
@@ -73,7 +73,8 @@ std::string scene(int frames) {
          std::to_string(frames / 48.0) + "\n[output]\nsize = [320, 180]\n";
 }
 
-/// What the examples of a command read. --frames 0-59 and --time 1.25 need 72 frames; at 4k, two take long enough.
+/// Writes the files that the examples of a command read. --frames 0-59 and --time 1.25 need 72 frames; at 4k, two
+/// take long enough.
 void prepare(const std::string& command, const ScratchFolder& folder) {
   for (const char* name : {"scenes", "lectures", "out", "tests", "approved", "new"})
     std::filesystem::create_directory(folder / name);
@@ -96,7 +97,7 @@ void prepare(const std::string& command, const ScratchFolder& folder) {
   EXPECT_EQ(made.exitCode, 0) << found->second << made.out;
 }
 
-/// They run one after the other: assemble joins what the two before it made.
+/// Runs the examples of a command in their order: assemble joins the segments of the two before it.
 void runExamples(const std::string& command) {
   const ScratchFolder folder;
   prepare(command, folder);

@@ -82,7 +82,7 @@ class FilmsOfOneName : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// Each second output beside the first, which is made once.
+/// Renders the first output, and beside a copy of it each of the others.
 void expectSharedSubtitles(const std::string& first, const std::vector<std::string>& seconds) {
   const ScratchFolder before;
   before.put("a.toml", kCaptioned);
@@ -120,7 +120,7 @@ TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUser) {
   }
 }
 
-// The last film's captions are what a player finds.
+// A player finds the captions of the last film.
 TEST_F(FilmsOfOneName, SayWhereTheirCaptionsDiffer) {
   EXPECT_EQ(render("a.mp4").exitCode, 0);
   const RunResult shorter = render("a.gif", {"--frames", "0-0"});

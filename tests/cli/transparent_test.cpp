@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures without paper through the whole program: what hides behind alpha 0. The frames of a PNG sequence are
-// the reference for films, whose packets libav decodes.
+// Pictures without paper, made by the whole program: pixels of alpha 0 have no colour. Films, decoded by libav,
+// are compared with a PNG sequence of the same frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,10 +94,10 @@ TEST_F(Transparent, FramesOfAnApngAreThoseOfASequence) {
     EXPECT_TRUE(std::get<image::Image>(frames[k]) == expected[k]) << "frame " << k;
 }
 
-/// How far, of 255, a pixel of alpha `alpha` and colour `color` is from its paper.
+/// Returns by how much of 255 a pixel changes the paper under it.
 double seen(double color, double alpha, double paper) { return std::abs(alpha * (255 * color - paper)); }
 
-/// The largest of all pixels that are empty in the sequence, over white and over black.
+/// Returns the largest change of white or black paper by pixels that have alpha 0 in the sequence.
 double mostSeen(const std::vector<image::AnyImage>& frames, const std::vector<image::Image>& expected) {
   double most = 0;
   for (std::size_t k = 0; k < frames.size(); ++k)

@@ -271,7 +271,7 @@ TEST(PreviewCommand, TellsHowItIsReachedAndWhatIsWrong) {
   EXPECT_THAT(wrong, HasSubstr("poinsot: the page tells this too, and shows the scene when it is mended\n"));
 }
 
-/// `poinsot preview` as a process, which makes films as its user does.
+/// Runs `poinsot preview` as a process, since only the program can render films.
 class PreviewProcess {
  public:
   PreviewProcess(const std::filesystem::path& folder, const std::string& words) {
@@ -290,7 +290,7 @@ class PreviewProcess {
   }
   PreviewProcess(const PreviewProcess&) = delete;
 
-  /// Its state at the end. @param words  for -D
+  /// Renders the film of the page and returns the last state. @param words  for -D
   json film(const std::vector<std::string>& words, const std::string& view = "") {
     std::string asked = view.empty() ? "" : "view=" + view;
     for (const std::string& word : words) asked += "&D=" + httplib::detail::encode_query_param(word);
