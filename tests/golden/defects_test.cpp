@@ -289,8 +289,9 @@ bool refuses(const image::NearRule& rule, const Change& change) {
 /// test above holds; of "other_driver" what it gave up must be known.
 TEST(Defects, AreCaughtByNamedRulesAsTheDocsSay) {
   std::vector<Change> all = changes();
+  std::erase_if(all, &Change::isOfThisCpu);
   const Image a = box().drawn();
-  all.insert(all.begin() + 3, {"another driver, simulated", false, a, byAnotherDriver(a)});
+  all.insert(all.begin() + 2, {"another driver, simulated", false, a, byAnotherDriver(a)});
   std::string first = "| change |", second = "| --- |", counts = "| **defects caught** |", rows;
   std::vector<int> caught(image::namedRules().size());
   for (const image::NamedRule& named : image::namedRules()) {
