@@ -66,7 +66,7 @@ class Transparent : public testing::Test {
     make(words);
     output::FilmReader reader(folder_ / name);
     std::vector<image::AnyImage> pictures;
-    while (auto picture = reader.next()) pictures.push_back(std::move(*picture));
+    while (auto shown = reader.next()) pictures.push_back(std::move(shown->picture));
     return pictures;
   }
 
