@@ -37,8 +37,6 @@ ComparedPictures unlikeKinds(const fs::path& picture, bool testIsFilm) {
 
 }  // namespace
 
-bool isComparableName(const fs::path& file) { return image::isPngName(file) || output::isFilmName(file); }
-
 ComparedPictures compareFiles(const fs::path& reference, const fs::path& test, const DiffRequest& request,
                               int jobs) {
   const bool film = output::isFilm(reference), testIsFilm = output::isFilm(test);

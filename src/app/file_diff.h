@@ -7,9 +7,6 @@
 
 namespace poinsot::app {
 
-/// Whether the name of a file is that of a PNG or of a film.
-bool isComparableName(const std::filesystem::path& file);
-
 /// Compares two PNG files, or two films by all their frames; an animated PNG is a film, whatever its name. Of
 /// films the pictures are those of the worst frame, and none where all frames are identical.
 /// @param jobs  frames at a time

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
+#include "output/film_reader.h"
 
 namespace poinsot::app {
 namespace {
@@ -30,7 +31,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
        entry.increment(failure)) {
     const bool hidden = entry->path().filename().native().starts_with('.');
     if (hidden) entry.disable_recursion_pending();
-    if (!hidden && isComparableName(entry->path()) && entry->is_regular_file(failure))
+    if (!hidden && output::isPictureOrFilmName(entry->path()) && entry->is_regular_file(failure))
       names.push_back(entry->path().lexically_relative(folder).native());
   }
   if (failure)

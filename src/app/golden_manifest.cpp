@@ -9,7 +9,6 @@
 #include <set>
 #include <system_error>
 
-#include "app/file_diff.h"
 #include "app/golden_files.h"
 #include "app/golden_keys.h"
 #include "app/golden_values.h"
@@ -17,6 +16,7 @@
 #include "core/expect.h"
 #include "core/regular_file.h"
 #include "core/text.h"
+#include "output/film_reader.h"
 #include "scene/document.h"
 #include "scene/limits.h"
 
@@ -212,7 +212,8 @@ class Reader {
     const bool isImage = place == &GoldenTest::image;
     const char* key = isImage ? "test.image" : "test.scene";
     std::vector<MatchedFile> files = filesMatching(folder_, path);
-    if (isImage && isPattern(path)) std::erase_if(files, [](const auto& f) { return !isComparableName(f.file); });
+    if (isImage && isPattern(path))
+      std::erase_if(files, [](const auto& f) { return !output::isPictureOrFilmName(f.file); });
     if (files.empty())
       return problems_.add(node.place, fmt::format("{}: no {} is there of the name {}", key,
                                                    isImage ? "PNG and no film" : "file", core::printable(path)));

@@ -8,12 +8,12 @@
 #include <set>
 #include <system_error>
 
-#include "app/file_diff.h"
 #include "app/json_file.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
+#include "output/film_reader.h"
 
 namespace poinsot::app {
 namespace {
@@ -179,9 +179,9 @@ class StrayFinder {
     const std::vector<fs::path> files = filesIn(folder);
     std::set<std::string> stems;
     for (const fs::path& file : files)
-      if (isComparableName(file)) stems.insert(file.stem());
+      if (output::isPictureOrFilmName(file)) stems.insert(file.stem());
     for (const fs::path& file : files)
-      if (isComparableName(file))
+      if (output::isPictureOrFilmName(file))
         examine(file);
       else if (all_ && file.extension() == ".json" && !stems.contains(file.stem()) && isDescription(file))
         strays_.push_back(

@@ -297,7 +297,7 @@ class Run {
       outcome.name = stray.file.lexically_relative(manifest_.references).replace_extension();
       outcome.status = GoldenStatus::kUnused;
       outcome.message = allMade ? stray.why : "approved, and no test makes it: first mend what is in error";
-      if (isComparableName(stray.file)) outcome.reference = stray.file;
+      if (output::isPictureOrFilmName(stray.file)) outcome.reference = stray.file;
       outcomes_.push_back(std::move(outcome));
     }
   }

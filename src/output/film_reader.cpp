@@ -220,6 +220,8 @@ bool isFilmName(const std::filesystem::path& file) {
   return filmContainer(file) || extension == ".mkv" || extension == ".avi" || extension == ".m4v";
 }
 
+bool isPictureOrFilmName(const std::filesystem::path& file) { return image::isPngName(file) || isFilmName(file); }
+
 bool isFilm(const std::filesystem::path& file) { return isFilmName(file) || image::isAnimatedPng(file); }
 
 FilmReader::FilmReader(const std::filesystem::path& film) : parts_(std::make_unique<Parts>(film)) {}

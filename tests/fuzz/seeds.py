@@ -157,11 +157,11 @@ def vocabulary(target):
         "scene": lambda: strings("scene/*.cpp") + strings("scene/unit*.h") + TOML,
         "tex": lambda: ["\\\\" + name for name in strings("text/commands.cpp", "[A-Za-z]{2,20}")] + ["$", "{", "}", "_", "^", "'", "``", "--", "~"],
         "mesh": lambda: strings("geometry/*.cpp") + NUMBERS + ["property list uchar int vertex_indices", "end_header", "\\\\\\x0a", "f ", "v "],
-        "png": lambda: ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "tEXt", "zTXt", "iTXt", "iCCP", "sPLT", "hIST", "pCAL", "sCAL", "bKGD", "eXIf"],
+        "png": lambda: ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "tEXt", "zTXt", "iTXt", "iCCP", "sPLT", "hIST", "pCAL", "sCAL", "bKGD", "eXIf", "acTL", "cICP", "gAMA", "cHRM"],
         "torque_table": lambda: ["t,Nx,Ny,Nz", *NUMBERS],
         "trajectory_table": lambda: strings("app/trajectory_row.h") + NUMBERS + ["\\x22", ",", "#"],
         "work_folder": lambda: strings("app/job_file.cpp") + strings("app/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
-        "golden_manifest": lambda: strings("app/golden_manifest.cpp") + TOML,
+        "golden_manifest": lambda: strings("app/golden_manifest.cpp") + strings("app/golden_keys.cpp", "[a-z_]{3,12}") + TOML,
         "command_line": lambda: strings("cli/*.cpp", r"-{0,2}[a-z][a-z-]{1,20}") + NUMBERS + ["-D", "-o", "=", "--"],
     }[target]()
 
