@@ -84,9 +84,10 @@ image::Verdict FolderDiff::verdict() const {
 
 FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const DiffRequest& request, int jobs) {
   const auto ours = namesIn(reference), theirs = namesIn(test);
-  if (ours.empty())
+  if (ours.empty() && theirs.empty())
     throw Error(ErrorKind::kUsage,
-                fmt::format("{}: no PNG file and no film is there", core::printable(reference.native())));
+                fmt::format("{} and {}: no PNG file and no film is there", core::printable(reference.native()),
+                            core::printable(test.native())));
   FolderDiff diff;
   std::vector<std::string> both;
   std::ranges::set_intersection(ours, theirs, std::back_inserter(both));

@@ -23,7 +23,7 @@ struct FolderDiff {
 /// Pairs the PNG files of two folders and the folders in them by their names and compares each pair; `jobs` at a
 /// time. Where the request names places for pictures these are folders, and get one of each pair that is not
 /// identical, by its name.
-/// @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if the reference has no PNG.
+/// @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if neither has a PNG or a film.
 FolderDiff diffFolders(const std::filesystem::path& reference, const std::filesystem::path& test,
                        const DiffRequest& request, int jobs);
 

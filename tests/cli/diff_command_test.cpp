@@ -181,9 +181,11 @@ TEST_F(DiffCommand, PairsFoldersByName) {
   EXPECT_EQ(figures({"old", "old"}, 0)["verdict"], "identical");
   EXPECT_EQ(diff({"old", "maps/none"}).exitCode, 4);  // a folder and none
   std::filesystem::create_directory(folder_ / "empty");
-  const RunResult none = diff({"empty", "new"});
+  EXPECT_THAT(diff({"empty", "new"}).out, StartsWith("different: 3 new\n"));  // the first run of all
+  EXPECT_EQ(diff({"new", "empty"}).exitCode, 1);
+  const RunResult none = diff({"empty", "empty"});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_EQ(none.err, "poinsot: error: empty: no PNG file and no film is there\n");
+  EXPECT_EQ(none.err, "poinsot: error: empty and empty: no PNG file and no film is there\n");
 }
 
 TEST_F(DiffCommand, ComparesFilmsFrameByFrame) {

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/program_run.h"
 #include "support/raw_png.h"
+#include "support/shell_run.h"
 
 namespace poinsot {
 namespace {
@@ -219,6 +222,21 @@ TEST_F(GoldenImages, DescriptionsWithoutAPictureAreNamed) {
   EXPECT_EQ(result.out.substr(0, result.out.find('\n')),
             "unused     gone: describes a picture that is not there: remove ref/gone.json");
   EXPECT_THAT(result.out, Not(HasSubstr("theirs")));
+}
+
+TEST_F(GoldenImages, AFolderThatCannotBeWrittenIsOneError) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  save("new.png", flat(90));
+  manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
+  fs::create_directories(folder_ / "out/golden");
+  fs::permissions(folder_ / "out/golden", fs::perms(0555));
+  fs::permissions(folder_.path(), fs::perms(0777));
+  const ShellResult refused = runShell(
+      folder_.path(), "setpriv --reuid=65534 --regid=65534 --clear-groups " POINSOT_PROGRAM " golden 2>&1");
+  if (refused.exitCode == 126) GTEST_SKIP() << "nobody may run the program where it was built: " << refused.out;
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_THAT(refused.out, HasSubstr("out/golden: cannot be written to: Permission denied"));
+  fs::permissions(folder_ / "out/golden", fs::perms(0755));
 }
 
 }  // namespace
