@@ -30,7 +30,7 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene,
                           int cells = 1);
 
 /// Bytes that comparing two pictures of a size takes at its peak, maps included.
-double compareMemory_bytes(image::PixelSize size);
+double compareMemory_bytes(image::PixelSize size, bool transparent = false);
 
 /// "a worker that makes pictures of 640x360", for what follows.
 std::string pictureText(image::PixelSize size);

@@ -19,6 +19,10 @@ image::PixelSize sizeOf(const image::AnyImage& picture) {
   return std::visit([](const auto& p) { return p.size; }, picture);
 }
 
+bool hasAlpha(const image::AnyImage& picture) {
+  return std::visit([](const auto& p) { return p.channels == 4; }, picture);
+}
+
 std::string sizeMismatch(const DiffPicture& reference, const DiffPicture& test) {
   const image::PixelSize a = sizeOf(reference.pixels), b = sizeOf(test.pixels);
   return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
@@ -59,7 +63,7 @@ void compareForms(ComparedPictures& compared, const DiffRequest& request) {
   const auto ignored = ignoreMaskOf(request.rule, diff.size);
   const image::ComparisonOptions options{request.pixelsPerDegree, request.rule.limits.level,
                                          ignored ? &*ignored : nullptr};
-  image::Comparison made = image::compare(compared.reference.pixels, compared.test.pixels, options);
+  image::Comparison made = image::compareCommon(compared.reference.pixels, compared.test.pixels, options);
   compared.flip = std::move(made.flip);
   diff.hasFigures = true;
   diff.figures = std::move(made.difference);
@@ -94,10 +98,10 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
   diff.storedAlike = compared.reference.stored == compared.test.stored;
   diff.mismatch = sizeMismatch(compared.reference, compared.test);
   if (!diff.mismatch.empty()) return compared;
-  expectWithinMemory(compareMemory_bytes(diff.size),
+  image::toCommonForm(compared.reference.pixels, compared.test.pixels);
+  expectWithinMemory(compareMemory_bytes(diff.size, hasAlpha(compared.reference.pixels)),
                      fmt::format("comparing pictures of {}x{}", diff.size.width, diff.size.height),
                      request.limits);
-  image::toCommonForm(compared.reference.pixels, compared.test.pixels);
   compareForms(compared, request);
   diff.notes = notesOf(compared);
   return compared;

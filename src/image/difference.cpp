@@ -177,10 +177,9 @@ Image amplified(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const 
   return out;
 }
 
-/// Calls `use` with two pictures of one sample type in a common form.
+/// Calls `use` with two pictures of one sample type.
 template <typename Use>
-auto inCommonForm(AnyImage&& a, AnyImage&& b, Use use) {
-  toCommonForm(a, b);
+auto ofOneType(const AnyImage& a, const AnyImage& b, Use use) {
   return std::visit([&](const auto& first) { return use(first, std::get<std::decay_t<decltype(first)>>(b)); }, a);
 }
 
@@ -194,9 +193,13 @@ Comparison compare(const DeepImage& a, const DeepImage& b, const ComparisonOptio
   return compared(a, b, options);
 }
 
+Comparison compareCommon(const AnyImage& a, const AnyImage& b, const ComparisonOptions& options) {
+  return ofOneType(a, b, [&](const auto& p, const auto& q) { return compared(p, q, options); });
+}
+
 Comparison compare(AnyImage a, AnyImage b, const ComparisonOptions& options) {
-  return inCommonForm(std::move(a), std::move(b),
-                      [&](const auto& p, const auto& q) { return compared(p, q, options); });
+  toCommonForm(a, b);
+  return compareCommon(a, b, options);
 }
 
 Image amplifiedDifference(const Image& a, const Image& b, const IgnoreMask* ignored, int factor) {
@@ -204,8 +207,8 @@ Image amplifiedDifference(const Image& a, const Image& b, const IgnoreMask* igno
 }
 
 Image amplifiedDifference(AnyImage a, AnyImage b, const IgnoreMask* ignored, int factor) {
-  return inCommonForm(std::move(a), std::move(b),
-                      [&](const auto& p, const auto& q) { return amplified(p, q, ignored, factor); });
+  toCommonForm(a, b);
+  return ofOneType(a, b, [&](const auto& p, const auto& q) { return amplified(p, q, ignored, factor); });
 }
 
 }  // namespace poinsot::image

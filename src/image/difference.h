@@ -60,7 +60,9 @@ struct ComparisonOptions {
 /// @throws core::Error(kIo) if sizes or channel counts differ: nothing is resized.
 Comparison compare(const Image& a, const Image& b, const ComparisonOptions& options = {});
 Comparison compare(const DeepImage& a, const DeepImage& b, const ComparisonOptions& options = {});
-/// Compares by value, in a common form (common_form.h). @throws core::Error(kIo) if the sizes differ.
+/// Compares pictures that are in a common form (common_form.h). @pre toCommonForm(a, b) was called.
+Comparison compareCommon(const AnyImage& a, const AnyImage& b, const ComparisonOptions& options = {});
+/// Compares by value, whatever the form. @throws core::Error(kIo) if the sizes differ.
 Comparison compare(AnyImage a, AnyImage b, const ComparisonOptions& options = {});
 
 /// RGB picture of |a - b| times `factor`, cut at 255: black where equal or ignored. A difference of alpha counts
