@@ -39,17 +39,30 @@ std::string line(const char* term, const std::string& text) {
   return text.empty() ? "" : fmt::format("{:<10} {}\n", term, text);
 }
 
-/// Where the pictures are, and what to do.
-std::string bodyOf(const Outcome& outcome, const OutcomeReport& report) {
-  return line("approved", outcome.reference.native()) + line("new", outcome.actual.native()) +
-         line("map", outcome.map.native()) + line("page", report.page.native()) +
-         line("approve by", approveCommand({outcome}, report));
+std::string messageOf(const Outcome& outcome) {
+  return outcome.message.empty() ? "not identical" : outcome.message;
 }
 
-std::string attachmentsOf(const Outcome& outcome) {
+/// The reason, where the pictures are, and what to do. GitLab shows this text only and leaves the message out.
+std::string bodyOf(const Outcome& outcome, const OutcomeReport& report) {
+  return messageOf(outcome) + "\n" + line("approved", outcome.reference.native()) +
+         line("new", outcome.actual.native()) + line("map", outcome.map.native()) +
+         line("page", report.page.native()) + line("approve by", approveCommand({outcome}, report));
+}
+
+/// Path of an attachment: relative to the root if the file is below it, else absolute.
+std::filesystem::path attachmentPath(const std::filesystem::path& file, const std::filesystem::path& root) {
+  const auto path = std::filesystem::absolute(file).lexically_normal();
+  if (root.empty()) return path;
+  const auto below = path.lexically_relative(std::filesystem::absolute(root).lexically_normal());
+  return below.empty() || *below.begin() == ".." ? path : below;
+}
+
+/// The new picture comes first, because GitLab shows the first attachment only.
+std::string attachmentsOf(const Outcome& outcome, const std::filesystem::path& root) {
   std::string text;
-  for (const auto* file : {&outcome.reference, &outcome.actual, &outcome.map})
-    if (!file->empty()) text += fmt::format("[[ATTACHMENT|{}]]\n", file->native());
+  for (const auto* file : {&outcome.actual, &outcome.map, &outcome.reference})
+    if (!file->empty()) text += fmt::format("[[ATTACHMENT|{}]]\n", attachmentPath(*file, root).native());
   return text;
 }
 
@@ -58,10 +71,10 @@ std::string caseXml(const Outcome& outcome, const OutcomeReport& report) {
                                        attribute(report.suite), attribute(outcome.name), outcome.seconds);
   if (outcome.passes(report.exact)) return head + "/>\n";
   const char* kind = outcome.status == OutcomeStatus::kError ? "error" : "failure";
-  const std::string attachments = attachmentsOf(outcome);
+  const std::string attachments = attachmentsOf(outcome, report.attachmentRoot);
   return fmt::format(
       "{}>\n    <{} type=\"{}\" message=\"{}\">{}</{}>\n{}  </testcase>\n", head, kind, toString(outcome.status),
-      attribute(outcome.message.empty() ? "not identical" : outcome.message), xml(bodyOf(outcome, report)), kind,
+      attribute(messageOf(outcome)), xml(bodyOf(outcome, report)), kind,
       attachments.empty() ? "" : fmt::format("    <system-out>{}</system-out>\n", xml(attachments)));
 }
 

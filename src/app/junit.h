@@ -14,7 +14,7 @@ inline constexpr std::string_view kJunitMark = "<?xml version=\"1.0\" encoding=\
 
 /// The outcomes as JUnit XML, as continuous integration reads it: a failure for what does not pass, an error for
 /// what has no picture. Each has the reason, the paths of its pictures and the command that approves it; pictures
-/// are attachments in the form that GitLab and Jenkins read, [[ATTACHMENT|path]].
+/// are attachments in the form that GitLab and Jenkins read, [[ATTACHMENT|path]]: the new one first.
 std::string junitXml(const std::vector<Outcome>& outcomes, const OutcomeReport& report);
 
 }  // namespace poinsot::app

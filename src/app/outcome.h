@@ -69,6 +69,7 @@ struct OutcomeReport {
   std::filesystem::path page;  ///< report with pictures; empty if there is none
   std::string approve;         ///< command that approves the tests whose names follow; empty if there is none
   std::string approveBy;       ///< in place of that, command that approves all failures; empty if there is none
+  std::filesystem::path attachmentRoot;  ///< folder from which paths of attachments are; empty: absolute paths
 };
 
 /// The command that approves all failures that can be approved; empty if there are none.

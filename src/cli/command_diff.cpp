@@ -20,6 +20,7 @@
 #include "app/picture_rule.h"
 #include "app/render_job.h"
 #include "cli/approval.h"
+#include "cli/ci_environment.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -231,8 +232,12 @@ class Diff {
   }
 
   void writeReports(const std::vector<app::Outcome>& outcomes) const {
-    const app::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test), options_.exact,
-                                  options_.report, approveCommand(), ""};
+    const app::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test),
+                                  options_.exact,
+                                  options_.report,
+                                  approveCommand(),
+                                  "",
+                                  attachmentRoot()};
     if (!options_.junit.empty()) output::writeFileAtomically(options_.junit, app::junitXml(outcomes, head));
     if (!options_.markdown.empty()) output::appendToFile(options_.markdown, app::markdownOf(outcomes, head));
   }

@@ -16,6 +16,7 @@
 #include "app/outcome_page.h"
 #include "app/render_job.h"
 #include "cli/approval.h"
+#include "cli/ci_environment.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -158,7 +159,8 @@ class Golden {
   std::string suite() const { return fs::absolute(manifest_.file).parent_path().filename(); }
 
   app::OutcomeReport reportHead() const {
-    return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy};
+    return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy,
+            attachmentRoot()};
   }
 
   /// The command that approves tests, drawn and compared in the same way; their names follow.
