@@ -14,6 +14,8 @@ struct GoldenKey {
   const char* name;
   const char* value;  ///< what it takes: "text", "[width, height]"
   const char* help;
+  const char* fallback;  ///< what holds without it; empty: nothing
+  const char* example;   ///< value that a manifest may have
 };
 
 /// All keys, by table. A rule may stand in the file itself and in a test.

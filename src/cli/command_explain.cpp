@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/golden_explanation.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -31,10 +32,19 @@ std::string textOf(const scene::Explanation& explanation) {
   return text;
 }
 
+/// Explains a name of a scene, of a golden.toml, or of both. @throws core::Error(kUsage) for any other word.
+std::vector<scene::Explanation> explanationsOf(const std::string& word) {
+  std::vector<scene::Explanation> golden = app::explainGolden(word);
+  if (golden.empty()) return scene::explain(word, app::goldenWords());
+  std::vector<scene::Explanation> all = scene::explanationsOf(word);
+  std::ranges::move(golden, std::back_inserter(all));
+  return all;
+}
+
 int explain(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words)
-    for (const scene::Explanation& explanation : scene::explain(word))
+    for (const scene::Explanation& explanation : explanationsOf(word))
       text += (text.empty() ? "" : "\n") + textOf(explanation);
   writeOut(text);
   return kDone;
@@ -49,12 +59,14 @@ void addExplain(CLI::App& program, Action& chosen) {
   command->add_option(
       "NAME", *words,
       "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue, a quantity or a unit; "
-      "units for the list of all units; all tables where none is named");
+      "units for the list of all units; golden for a golden.toml, and its keys (golden.rule.max, or max); all "
+      "tables where none is named");
   command->footer(
       "Examples:\n"
       "  poinsot explain camera\n"
       "  poinsot explain time.speed racket\n"
-      "  poinsot explain units");
+      "  poinsot explain units\n"
+      "  poinsot explain golden golden.test.image");
   command->callback([words, &chosen] {
     chosen = [words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); };
   });

@@ -107,6 +107,13 @@ std::string optionList(const char* heading, const std::vector<OptionText>& optio
   return text.empty() ? "" : fmt::format(".SH {}\n{}", heading, text);
 }
 
+std::string fileKeyList(const CommandText& command) {
+  std::string text;
+  for (const FileKeyText& key : command.fileKeys)
+    text += entry(bold(key.path) + " " + italic(key.value), escaped(key.help));
+  return text.empty() ? "" : ".SH KEYS OF MANIFEST\n" + text;
+}
+
 std::string commandList(const ProgramText& text) {
   std::string list = ".SH COMMANDS\n";
   for (const CommandText& command : text.commands)
@@ -156,8 +163,9 @@ std::string manPage(const ProgramText& text, const CommandText& command) {
   if (summary.ends_with('.')) summary.pop_back();
   return title(text, command) + fmt::format(".SH NAME\n{} \\- {}\n", escaped(nameOf(command)), escaped(summary)) +
          synopsis(command) + (command.name.empty() ? commandList(text) : "") +
-         optionList("OPERANDS", command.operands) + optionList("OPTIONS", command.options) + notes(command) +
-         examples(command) + exitStatus() + (command.name.empty() ? variableList() : "") + seeAlso(text, command);
+         optionList("OPERANDS", command.operands) + optionList("OPTIONS", command.options) + fileKeyList(command) +
+         notes(command) + examples(command) + exitStatus() + (command.name.empty() ? variableList() : "") +
+         seeAlso(text, command);
 }
 
 }  // namespace poinsot::cli

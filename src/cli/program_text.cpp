@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/golden_explanation.h"
 #include "core/version.h"
 #include "scene/keys.h"
 
@@ -86,11 +87,21 @@ void readFooter(const std::string& footer, CommandText& command) {
   }
 }
 
+std::vector<FileKeyText> goldenKeyTexts() {
+  std::vector<FileKeyText> texts;
+  for (const app::GoldenKey& key : app::goldenKeys()) {
+    const std::string fallback = *key.fallback ? std::string(" (default: ") + key.fallback + ")" : "";
+    texts.push_back({app::pathOf(key), key.value, key.help + fallback});
+  }
+  return texts;
+}
+
 CommandText commandText(const CLI::App& declared) {
   CommandText command;
   command.name = declared.get_parent() ? declared.get_name() : "";
   command.summary = declared.get_description();
   readFooter(declared.get_footer(), command);
+  if (command.name == "golden") command.fileKeys = goldenKeyTexts();
   for (const CLI::Option* option : declared.get_options())
     (option->get_positional() ? command.operands : command.options).push_back(optionText(*option));
   return command;

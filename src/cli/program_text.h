@@ -25,11 +25,17 @@ struct OptionText {
   bool required = false, repeats = false;
 };
 
+/// A key of the file that a command reads.
+struct FileKeyText {
+  std::string path, value, help;
+};
+
 struct CommandText {
   std::string name;  ///< empty for the program itself
   std::string summary;
   std::vector<std::string> notes, examples;
   std::vector<OptionText> options, operands;
+  std::vector<FileKeyText> fileKeys;  ///< of golden's manifest; keys of scenes have a page of their own
 };
 
 /// A key of scenes, for -D.

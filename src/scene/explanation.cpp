@@ -195,7 +195,7 @@ std::vector<std::string> known() {
 
 }  // namespace
 
-std::vector<Explanation> explain(std::string_view word) {
+std::vector<Explanation> explanationsOf(std::string_view word) {
   if (word.empty()) return {ofAllTables()};
   Explanations found = ofPath(word);
   if (word.find('.') == word.npos) {
@@ -206,10 +206,16 @@ std::vector<Explanation> explain(std::string_view word) {
   } else if (found.empty() && nameOf(word) == "color") {
     found = {ofTable("style.colors")};  // which has them all: body.color, body.part.color
   }
-  if (found.empty()) found = ofUnit(word);
+  return found.empty() ? ofUnit(word) : found;
+}
+
+std::vector<Explanation> explain(std::string_view word, const std::vector<std::string>& otherWords) {
+  Explanations found = explanationsOf(word);
   if (!found.empty()) return found;
   constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time
-  const auto near = word.size() > kLongest ? std::nullopt : core::closest(word, known());
+  std::vector<std::string> words = known();
+  words.insert(words.end(), otherWords.begin(), otherWords.end());
+  const auto near = word.size() > kLongest ? std::nullopt : core::closest(word, words);
   throw core::Error(core::ErrorKind::kUsage,
                     fmt::format("{}: no key, table, shape or quantity of a scene has this name{}",
                                 core::printable(word), near ? fmt::format("; did you mean {}?", *near) : ""));
