@@ -156,6 +156,13 @@ std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& nam
   return dumped(json);
 }
 
+std::string listJson(const std::vector<GoldenCase>& cases) {
+  ordered_json tests = ordered_json::array();
+  for (const GoldenCase& one : cases)
+    tests.push_back({{"name", one.name}, {one.test.scene.empty() ? "image" : "scene", one.test.file}});
+  return dumped({{"tests", std::move(tests)}});
+}
+
 std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request) {
   ordered_json json = headJson(diff.verdict, names);
   json.update(figuresJson(diff, true));

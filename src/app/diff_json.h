@@ -5,6 +5,7 @@
 
 #include "app/film_diff.h"
 #include "app/folder_diff.h"
+#include "app/golden_suite.h"
 #include "app/outcome.h"
 #include "app/picture_diff.h"
 
@@ -22,5 +23,7 @@ std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffR
 std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffRequest& request);
 /// A suite: as of two folders, and of each picture also its files, its limits and what made it.
 std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& names);
+/// The cases of a suite, each with its scene or image as the manifest has it.
+std::string listJson(const std::vector<GoldenCase>& cases);
 
 }  // namespace poinsot::app

@@ -42,8 +42,11 @@ bool isName(const std::string& name) {
 /// Reads one manifest; all that is wrong is gathered.
 class Reader {
  public:
-  Reader(const fs::path& file, std::string text, const scene::Allowance& allowance)
-      : source_(file.native(), std::move(text)), folder_(file.parent_path()), allowance_(allowance) {
+  Reader(const fs::path& file, std::string text, const scene::Allowance& allowance, const fs::path& images)
+      : source_(file.native(), std::move(text)),
+        folder_(file.parent_path()),
+        images_(images.empty() ? folder_ : images),
+        allowance_(allowance) {
     manifest_.file = file;
     manifest_.references = folder_ / "golden";
   }
@@ -72,7 +75,9 @@ class Reader {
     return holds(folder_) || std::ranges::any_of(allowance_.assetRoots, holds);
   }
 
-  bool mayBeRead(const fs::path& path) const { return isAllowed(path) || isBeneath(path, "."); }
+  bool mayBeRead(const fs::path& path) const {
+    return isAllowed(path) || isBeneath(path, images_) || isBeneath(path, ".");
+  }
 
   /// The folder of references, into which --update writes.
   fs::path written(const Node& node) const {
@@ -83,10 +88,10 @@ class Reader {
     return path;
   }
 
-  /// A path, perhaps with stars, in folders that may be read.
-  std::string readable(const Node& node) const {
+  /// A path from a folder, perhaps with stars, in folders that may be read.
+  std::string readable(const Node& node, const fs::path& folder) const {
     const std::string& path = textOf(node);
-    if (!mayBeRead(fixedFolder(folder_, path))) refuseOutside(describe(node));
+    if (!mayBeRead(fixedFolder(folder, path))) refuseOutside(describe(node));
     return path;
   }
 
@@ -181,8 +186,8 @@ class Reader {
     const std::size_t problems = problems_.size();
     take(node, "test.",
          {{"name", [&](const Node& n) { test.name = textOf(n); }},
-          {"scene", [&](const Node& n) { scene = readable(n); }},
-          {"image", [&](const Node& n) { image = readable(n); }},
+          {"scene", [&](const Node& n) { scene = readable(n, folder_); }},
+          {"image", [&](const Node& n) { image = readable(n, images_); }},
           {"times",
            [&](const Node& n) {
              test.times_s = listOf(n, timeOf);
@@ -211,12 +216,17 @@ class Reader {
   void addFiles(const std::string& path, fs::path GoldenTest::*place, GoldenTest test, const Node& node) {
     const bool isImage = place == &GoldenTest::image;
     const char* key = isImage ? "test.image" : "test.scene";
-    std::vector<MatchedFile> files = filesMatching(folder_, path);
+    const fs::path& folder = isImage ? images_ : folder_;
+    test.file = path;
+    if (test.name.empty()) test.name = "*";
+    test.namePattern = test.name;
+    std::vector<MatchedFile> files = filesMatching(folder, path);
     if (isImage && isPattern(path))
       std::erase_if(files, [](const auto& f) { return !output::isPictureOrFilmName(f.file); });
+    if (files.empty() && isImage) return addUnmatched(std::move(test), folder / path);
     if (files.empty())
-      return problems_.add(node.place, fmt::format("{}: no {} is there of the name {}", key,
-                                                   isImage ? "PNG and no film" : "file", core::printable(path)));
+      return problems_.add(node.place,
+                           fmt::format("{}: no file is there of the name {}", key, core::printable(path)));
     for (const auto& [file, name] : files) {
       test.*place = file;
       if (mayBeRead(file))
@@ -227,9 +237,16 @@ class Reader {
     }
   }
 
+  /// Images that are not there yet are an error of the run, which writes reports, and not of the manifest.
+  void addUnmatched(GoldenTest test, const fs::path& pattern) {
+    test.name = core::printable(test.file);
+    test.image = pattern;
+    test.isUnmatched = true;
+    manifest_.tests.push_back(std::move(test));
+  }
+
   /// `file` stands for the * of a test's name, or is the name.
   void add(GoldenTest test, const std::string& file, const Node& node) {
-    if (test.name.empty()) test.name = "*";
     if (const auto star = test.name.find('*'); star != std::string::npos) test.name.replace(star, 1, file);
     if (!isName(test.name))
       return problems_.add(
@@ -243,7 +260,7 @@ class Reader {
   }
 
   scene::Source source_;
-  fs::path folder_;
+  fs::path folder_, images_;
   const scene::Allowance& allowance_;
   scene::Problems problems_;
   GoldenManifest manifest_;
@@ -252,13 +269,15 @@ class Reader {
 
 }  // namespace
 
-GoldenManifest parseGoldenManifest(std::string text, const fs::path& file, const scene::Allowance& allowance) {
-  return Reader(file, std::move(text), allowance).read();
+GoldenManifest parseGoldenManifest(std::string text, const fs::path& file, const scene::Allowance& allowance,
+                                   const fs::path& images) {
+  return Reader(file, std::move(text), allowance, images).read();
 }
 
-GoldenManifest readGoldenManifest(const fs::path& file, const scene::Allowance& allowance) {
+GoldenManifest readGoldenManifest(const fs::path& file, const scene::Allowance& allowance,
+                                  const fs::path& images) {
   const std::size_t most = allowance.limits.bytes(scene::Limit::kSceneBytes);
-  return parseGoldenManifest(core::readRegularFile(file, most, core::ErrorKind::kIo), file, allowance);
+  return parseGoldenManifest(core::readRegularFile(file, most, core::ErrorKind::kIo), file, allowance, images);
 }
 
 }  // namespace poinsot::app

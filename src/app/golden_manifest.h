@@ -17,6 +17,9 @@ struct GoldenTest {
   std::string name;
   std::filesystem::path scene;  ///< drawn; empty if there is an image
   std::filesystem::path image;  ///< PNG or film that another program makes; empty if there is a scene
+  std::string file;             ///< the one that is not empty, as the manifest has it: perhaps a pattern
+  std::string namePattern;   ///< name as the manifest has it, "*" without one; beneath it all names of the files
+  bool isUnmatched = false;  ///< whether `image` is a pattern that matches no file
   std::vector<double> times_s;  ///< film times; empty: the scene's time.still
   std::optional<image::PixelSize> size;
   std::optional<int> height;           ///< in place of the size: the width keeps the scene's proportion
@@ -36,12 +39,15 @@ struct GoldenManifest {
 
 /// Reads it; paths in it are from its folder. The path of a scene or an image may be a pattern (golden_files.h): a
 /// test for each file. A manifest may be a stranger's, so scenes and images must lie below its folder, the current
-/// one or an asset root, and references, which are written, below its folder or an asset root; links lead no
-/// further.
+/// one, that of images or an asset root, and references, which are written, below its folder or an asset root;
+/// links lead no further.
+/// @param images  folder from which paths of images are; empty: that of the manifest
 /// @throws scene::SceneErrors with all that is wrong and where; core::Error(kIo) if it cannot be read.
-GoldenManifest readGoldenManifest(const std::filesystem::path& file, const scene::Allowance& allowance = {});
+GoldenManifest readGoldenManifest(const std::filesystem::path& file, const scene::Allowance& allowance = {},
+                                  const std::filesystem::path& images = {});
 /// The same of its text, as if it stood in that file. @throws scene::SceneErrors.
 GoldenManifest parseGoldenManifest(std::string text, const std::filesystem::path& file,
-                                   const scene::Allowance& allowance = {});
+                                   const scene::Allowance& allowance = {},
+                                   const std::filesystem::path& images = {});
 
 }  // namespace poinsot::app

@@ -221,15 +221,33 @@ class StrayFinder {
 
 }  // namespace
 
-std::vector<StrayFile> strayFiles(const fs::path& folder, const std::vector<GoldenName>& names, bool all) {
+namespace {
+
+/// A folder and all below it; links are not followed.
+void addTree(const fs::path& root, std::set<fs::path>& folders) {
+  folders.insert(root);
+  std::error_code ignored;  // no folder has no files
+  for (const auto& entry : fs::directory_iterator(root, ignored))
+    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) addTree(entry.path(), folders);
+}
+
+/// The path of a folder without a slash at its end.
+fs::path plain(const fs::path& folder) { return (folder / ".").parent_path(); }
+
+}  // namespace
+
+std::vector<StrayFile> strayFiles(const fs::path& folder, const std::vector<GoldenName>& names,
+                                  const StrayPlaces& places) {
   std::vector<fs::path> usual;
   std::set<fs::path> folders;
-  if (all) folders.insert((folder / ".").parent_path());  // without a slash at its end
+  if (places.all) folders.insert(plain(folder));
+  for (const fs::path& other : places.folders) folders.insert(plain(other));
+  for (const fs::path& tree : places.trees) addTree(plain(tree), folders);
   for (const GoldenName& name : names) {
     usual.push_back(usualFile(folder, name));
     folders.insert(usual.back().parent_path());
   }
-  StrayFinder finder(std::move(usual), all);
+  StrayFinder finder(std::move(usual), places.all);
   for (const fs::path& each : folders) finder.search(each);
   return finder.strays();
 }

@@ -58,9 +58,15 @@ struct StrayFile {
   std::string why;  ///< and what to do
 };
 
-/// Pictures and descriptions that belong to no test, in the folders that the names use.
-/// @param all  whether `names` are all that there are; else only files beside a reference of these are looked at
+/// Where files that belong to no test may lie, apart from the folders of references that are used.
+struct StrayPlaces {
+  bool all = false;                            ///< whether the names are all; else only files beside them count
+  std::vector<std::filesystem::path> folders;  ///< further folders
+  std::vector<std::filesystem::path> trees;    ///< further folders, with all below
+};
+
+/// Pictures and descriptions that belong to no test, in the folders that the names use and in other places.
 std::vector<StrayFile> strayFiles(const std::filesystem::path& folder, const std::vector<GoldenName>& names,
-                                  bool all);
+                                  const StrayPlaces& places);
 
 }  // namespace poinsot::app

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "app/file_diff.h"
+#include "app/golden_strays.h"
 #include "app/job_identity.h"
 #include "app/memory.h"
 #include "app/parallel.h"
@@ -51,7 +52,8 @@ std::string listText(const std::vector<std::string>& names) {
 }
 
 bool isAskedFor(const GoldenCase& one, const std::string& only) {
-  return core::matchesWildcard(only, one.name) || core::matchesWildcard(only, one.test.name);
+  return only == one.test.file || core::matchesWildcard(only, one.name) ||
+         core::matchesWildcard(only, one.test.name);
 }
 
 /// The cases that any of the names means. @throws core::Error(kUsage) for a name that means none.
@@ -156,7 +158,7 @@ class Comparing {
     const auto all = referencesOf(references_, one_.reference());
     if (all.empty()) {
       outcome.status = GoldenStatus::kNew;
-      outcome.message = "nothing was approved yet: look at it, then --update";
+      outcome.message = "nothing was approved yet";
       return;
     }
     const ComparedPictures nearest = nearestOf(relevant(all, outcome.origin.renderer), outcome.reference);
@@ -212,7 +214,10 @@ class Run {
     for (std::size_t i = 0; i < cases_.size(); ++i) prepare(i);
     draw();
     forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
-    addStrays();
+    // A scene with a mistake may be what made a reference.
+    const bool allMade = std::ranges::count(outcomes_, GoldenStatus::kError, &GoldenOutcome::status) == 0;
+    for (GoldenOutcome& stray : strayOutcomes(manifest_, cases_, request_.only.empty(), allMade))
+      outcomes_.push_back(std::move(stray));
     return std::move(outcomes_);
   }
 
@@ -225,6 +230,11 @@ class Run {
 
   void prepare(std::size_t place) {
     const GoldenCase& one = cases_[place];
+    if (one.test.isUnmatched) {
+      outcomes_[place] = unmatchedOutcome(one);
+      failed_.insert(place);
+      return;
+    }
     outcomes_[place].name = one.name;
     outcomes_[place].rule = one.test.rule;
     if (one.test.scene.empty()) return;
@@ -283,23 +293,6 @@ class Run {
     const auto all = referencesOf(manifest_.references, cases_[place].reference());
     if (!all.empty()) outcomes_[place].reference = all.front().picture;
   } catch (const core::Error&) {  // the outcome already says what is wrong
-  }
-
-  /// What lies among the references and is compared with nothing. Of a part of the tests only what lies beside
-  /// their own references is looked at.
-  void addStrays() {
-    std::vector<GoldenName> names;
-    for (const GoldenCase& one : cases_) names.push_back(one.reference());
-    // A scene with a mistake may be what made it.
-    const bool allMade = std::ranges::count(outcomes_, GoldenStatus::kError, &GoldenOutcome::status) == 0;
-    for (const StrayFile& stray : strayFiles(manifest_.references, names, request_.only.empty())) {
-      GoldenOutcome outcome;
-      outcome.name = stray.file.lexically_relative(manifest_.references).replace_extension();
-      outcome.status = GoldenStatus::kUnused;
-      outcome.message = allMade ? stray.why : "approved, and no test makes it: first mend what is in error";
-      if (output::isPictureOrFilmName(stray.file)) outcome.reference = stray.file;
-      outcomes_.push_back(std::move(outcome));
-    }
   }
 
   const GoldenManifest& manifest_;

@@ -28,8 +28,9 @@ using GoldenStatus = OutcomeStatus;
 using GoldenOutcome = Outcome;
 
 struct GoldenRequest {
-  std::vector<std::string> only;  ///< names of tests or of cases, * for any characters; empty: all
-  std::filesystem::path output;   ///< folder of new pictures and maps; exists
+  /// Names of tests or of cases, * for any characters, or files as the manifest has them; empty: all.
+  std::vector<std::string> only;
+  std::filesystem::path output;  ///< folder of new pictures and maps; exists
   int jobs = 1;
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = true;

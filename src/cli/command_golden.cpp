@@ -9,11 +9,13 @@
 #include <system_error>
 
 #include "app/diff_json.h"
+#include "app/golden_strays.h"
 #include "app/golden_suite.h"
 #include "app/interrupt.h"
 #include "app/junit.h"
 #include "app/markdown.h"
 #include "app/outcome_page.h"
+#include "app/outcome_script.h"
 #include "app/render_job.h"
 #include "cli/approval.h"
 #include "cli/ci_environment.h"
@@ -38,12 +40,12 @@ using core::Error;
 using core::ErrorKind;
 
 struct GoldenOptions : AllowanceOptions {
-  std::string manifest = "golden.toml", output = "out/golden", junit, report, markdown, variant, approveBy,
-              backend = "auto";
+  std::string manifest = "golden.toml", output = "out/golden", images, junit, report, markdown, outcome, variant,
+              approveBy, backend = "auto";
   std::vector<std::string> only;
   int jobs = 0;
-  bool force = false, update = false, beside = false, exact = false, native = false, list = false, quiet = false,
-       json = false;
+  bool force = false, update = false, beside = false, exact = false, native = false, list = false, unused = false,
+       quiet = false, json = false;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
@@ -86,16 +88,14 @@ class Golden {
   explicit Golden(const GoldenOptions& options)
       : options_(options),
         request_(requestOf(options, granted(options))),
-        manifest_(app::readGoldenManifest(options.manifest, request_.allowance)) {}
+        manifest_(app::readGoldenManifest(options.manifest, request_.allowance, options.images)) {}
 
   int run() {
     if (options_.list) return list();
     checkOptions();
-    output::makeFolders(request_.output);
-    output::expectWritableFolder(request_.output);
     checkPlaces();
     app::watchInterrupts();
-    outcomes_ = app::runGoldens(manifest_, request_);
+    outcomes_ = options_.unused ? app::unusedReferences(manifest_) : app::runGoldens(manifest_, request_);
     if (options_.update) return update();
     writeReports();
     tell();
@@ -104,13 +104,18 @@ class Golden {
 
  private:
   int list() const {
-    for (const app::GoldenCase& one : app::casesOf(manifest_, request_)) writeOut(one.name + "\n");
+    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
+    if (options_.json) writeOut(app::listJson(cases));
+    if (!options_.json)
+      for (const app::GoldenCase& one : cases) writeOut(one.name + "\n");
     return kDone;
   }
 
   void checkOptions() const {
     if (options_.update) expectMayApprove(options_);
     if (options_.beside && !options_.update) refuse("--beside: goes with --update");
+    if (options_.unused && (options_.update || !options_.only.empty()))
+      refuse("--unused: looks at all tests and approves nothing; leave out --only and --update");
     const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
     if (!options_.update) app::expectKnownVariants(manifest_, cases);
     if (!options_.beside) return;
@@ -125,6 +130,10 @@ class Golden {
   /// New pictures may not come to lie on approved ones, nor reports on what somebody else wrote.
   void checkPlaces() const {
     std::error_code ignored;
+    if (!options_.unused) {
+      output::makeFolders(request_.output);
+      output::expectWritableFolder(request_.output);
+    }
     if (fs::equivalent(request_.output, manifest_.references, ignored))
       refuse(fmt::format("-o {}: there are the approved pictures", core::printable(options_.output)));
     if (!options_.report.empty()) output::checkTarget(options_.report, options_.force);
@@ -147,20 +156,22 @@ class Golden {
   void tell() const {
     if (options_.json) return say(app::suiteJson(outcomes_, {manifest_.references, options_.output}));
     say(linesOf(outcomes_, [](const GoldenOutcome& o) { return o.status != GoldenStatus::kIdentical; }));
-    say(fmt::format("{}{}\n", app::countsText(outcomes_),
+    say(fmt::format("{}{}\n", outcomes_.empty() ? "nothing approved is unused" : app::countsText(outcomes_),
                     onlyNear() ? ": not all identical, as --exact asks" : ""));
     if (failures() == 0) return;
-    say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
+    if (!options_.unused) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
     if (!options_.report.empty()) say(fmt::format("page: {}\n", core::printable(options_.report)));
     const std::string approve = app::approveCommand(outcomes_, reportHead());
-    if (!approve.empty()) say(fmt::format("after a look at them, approve by: {}\n", approve));
+    if (!approve.empty())
+      say(fmt::format("if the new {}: {}\n",
+                      failures() == 1 ? "picture is right, approve it" : "pictures are right, approve them",
+                      approve));
   }
 
   std::string suite() const { return fs::absolute(manifest_.file).parent_path().filename(); }
 
   app::OutcomeReport reportHead() const {
-    return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy,
-            attachmentRoot()};
+    return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy, attachmentRoot()};
   }
 
   /// The command that approves tests, drawn and compared in the same way; their names follow.
@@ -169,6 +180,7 @@ class Golden {
     for (const std::string& root : options_.assetRoots) words.insert(words.end(), {"--asset-root", root});
     if (options_.backend != "auto") words.insert(words.end(), {"--backend", options_.backend});
     if (options_.native) words.emplace_back("--native");
+    if (!options_.images.empty()) words.insert(words.end(), {"--images", options_.images});
     if (!options_.variant.empty()) words.insert(words.end(), {"--beside", "--variant", options_.variant});
     words.insert(words.end(), {"--update", "--only"});
     return core::shellWords(words);
@@ -181,6 +193,8 @@ class Golden {
       output::appendToFile(options_.markdown, app::markdownOf(outcomes_, reportHead()));
     if (!options_.report.empty())
       output::writeFileAtomically(options_.report, app::outcomePage(outcomes_, pageHead(), request_.jobs));
+    if (!options_.outcome.empty())
+      output::writeFileAtomically(options_.outcome, app::outcomeScript(outcomes_, reportHead(), options_.outcome));
   }
 
   app::OutcomePageHead pageHead() const {
@@ -224,12 +238,32 @@ class Golden {
   std::vector<GoldenOutcome> outcomes_;
 };
 
+/// Runs the suite. An index page shows the last outcome that it finds, so that of an earlier run goes first: this
+/// one may end before it has one.
+int runGolden(const GoldenOptions& options) {
+  if (options.outcome.empty() || options.list) return Golden(options).run();
+  const auto write = [&](const std::string& message) {
+    output::writeFileAtomically(options.outcome, app::brokenOutcomeScript(message));
+  };
+  output::checkTarget(options.outcome,
+                      options.force || output::beginsWith(options.outcome, app::kOutcomeScriptMark));
+  write("did not finish");
+  try {
+    return Golden(options).run();
+  } catch (const Error& error) {
+    write(error.what());
+    throw;
+  }
+}
+
 Reach reachOf(const GoldenOptions& options) {
-  return {{options.manifest},
-          options.assetRoots,
-          {options.junit, options.report, options.markdown},
-          {options.output},
-          !options.native};
+  Reach reach{{options.manifest},
+              options.assetRoots,
+              {options.junit, options.report, options.markdown, options.outcome},
+              {options.output},
+              !options.native};
+  if (!options.images.empty()) reach.inputs.push_back(options.images);
+  return reach;
 }
 
 }  // namespace
@@ -239,7 +273,9 @@ void addGolden(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand("golden", "make the pictures of a golden.toml and compare them");
   command->add_option("MANIFEST", options->manifest, "what to make and compare (default: golden.toml)")
       ->check(notEmpty());
-  command->add_option("--only", options->only, "only the tests of these names, * for any characters")
+  command
+      ->add_option("--only", options->only,
+                   "only the tests of these names, * for any characters, or of a file as the manifest has it")
       ->type_name("NAME")
       ->check(notEmpty());
   command->add_flag("--update", options->update,
@@ -250,6 +286,11 @@ void addGolden(CLI::App& program, Action& chosen) {
       ->add_option("--variant", options->variant,
                    "what made the images of other programs, where references differ by it")
       ->type_name("NAME")
+      ->check(notEmpty());
+  command
+      ->add_option("--images", options->images,
+                   "folder from which paths of images are, such as a build folder (default: the manifest's)")
+      ->type_name("FOLDER")
       ->check(notEmpty());
   command->add_flag("--exact", options->exact, "only identical pictures pass");
   command->add_option("--junit", options->junit, "write the outcome as JUnit XML")
@@ -267,6 +308,11 @@ void addGolden(CLI::App& program, Action& chosen) {
   command->add_option("--report", options->report, "write a page of HTML that shows what changed")
       ->type_name("FILE")
       ->check(notEmpty());
+  command
+      ->add_option("--outcome", options->outcome,
+                   "write verdict and reason as a script that an index page of several runs loads")
+      ->type_name("FILE")
+      ->check(notEmpty());
   command->add_option("-o,--output", options->output, "folder of new pictures and maps (default: out/golden)")
       ->type_name("FOLDER")
       ->check(notEmpty());
@@ -277,7 +323,9 @@ void addGolden(CLI::App& program, Action& chosen) {
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
   command->add_flag("--native", options->native, "draw as fast as this CPU can, not the same on each");
   command->add_flag("--force", options->force, "replace reports that poinsot did not write");
-  command->add_flag("--list", options->list, "only list the tests");
+  command->add_flag("--list", options->list, "only list the tests; with --json, with their files");
+  command->add_flag("--unused", options->unused,
+                    "make nothing, only look for what is approved and made by no test");
   command->add_flag("--quiet", options->quiet, "only the exit code");
   addAllowance(*command, *options);
   command->footer(
@@ -289,7 +337,7 @@ void addGolden(CLI::App& program, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       return confined(
-          *options, [&] { return reachOf(*options); }, [&] { return Golden(*options).run(); });
+          *options, [&] { return reachOf(*options); }, [&] { return runGolden(*options); });
     };
   });
 }

@@ -70,11 +70,98 @@ TEST_F(GoldenImages, ArePairedByName) {
   EXPECT_EQ(run(folder_, {"diff", "ref", "ref"}).out, "identical: 6 identical\n");
 }
 
-TEST_F(GoldenImages, PatternsThatMeanNothingAreRefused) {
+// The program that makes the images may have failed: continuous integration needs its report.
+TEST_F(GoldenImages, PatternsWithoutAFileAreErrorsOfTheRun) {
+  save("new/a.png", flat(90));
+  save("one.png", flat(90));
+  manifest("[[test]]\nname = 'axes/*'\nimage = 'new/*.png'\n[[test]]\nimage = 'one.png'\n");
+  approve();
+  fs::remove_all(folder_ / "new");
+  const RunResult none = golden({"--junit", "j.xml"});
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_THAT(none.out,
+              StartsWith("error      new/*.png: no PNG and no film is there of the name new/*.png: run "));
+  EXPECT_THAT(none.out,
+              HasSubstr("unused     axes/a: approved, and no test makes it: first mend what is in error"));
+  EXPECT_THAT(bytesOf(folder_ / "j.xml"), HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));
+  EXPECT_EQ(golden({"--only", "one"}).out, "1 identical\n");
+  EXPECT_EQ(golden({"--update"}).exitCode, 1);
+  EXPECT_TRUE(fs::exists(folder_ / "ref/axes/a.png"));
+}
+
+TEST_F(GoldenImages, AreChosenByTheFileThatTheManifestNames) {
+  for (const char* name : {"new/a.png", "new/b.png", "other/c.png"}) save(name, flat(90));
+  manifest("[[test]]\nimage = 'new/*.png'\n[[test]]\nimage = 'other/*.png'\n");
+  EXPECT_EQ(golden({"--list", "--only", "new/*.png"}).out, "a\nb\n");
+  const auto list = nlohmann::json::parse(golden({"--list", "--json"}).out);
+  EXPECT_EQ(list, nlohmann::json::parse(R"({"tests": [{"name": "a", "image": "new/*.png"},
+    {"name": "b", "image": "new/*.png"}, {"name": "c", "image": "other/*.png"}]})"));
+}
+
+// A manifest among the sources cannot know the build folder.
+TEST_F(GoldenImages, LieInAFolderThatTheCommandNames) {
+  const ScratchFolder build;
+  saveBytes(build / "plots/a.png", flat(90));
+  manifest("[[test]]\nimage = 'plots/*.png'\n");
+  const std::vector<std::string> images{"--images", build.path().string()};
+  approve(images);
+  EXPECT_EQ(golden(images).out, "1 identical\n");
+  saveBytes(build / "plots/a.png", flat(190));
+  EXPECT_THAT(golden(images).out, HasSubstr("approve it: poinsot golden golden.toml --images " +
+                                            build.path().string() + " --update --only a\n"));
+  // The folder is allowed for what is read, not for what is written.
+  folder_.put("golden.toml", "references = '" + build.path().string() + "'\n[[test]]\nimage = 'plots/*.png'\n");
+  EXPECT_THAT(golden(images).err, HasSubstr("is not below the folder of this file"));
+}
+
+TEST_F(GoldenImages, UnusedReferencesAreFoundWithoutComparing) {
+  for (const char* name : {"new/a.png", "new/deep/b.png", "one.png"}) save(name, flat(90));
+  manifest("[[test]]\nimage = 'new/**/*.png'\n[[test]]\nimage = 'one.png'\n");
+  approve();
+  EXPECT_EQ(golden({"--unused"}).out, "nothing approved is unused\n");
+  save("new/a.png", flat(190));  // is not compared
+  fs::remove_all(folder_ / "out/golden");
+  EXPECT_EQ(golden({"--unused"}).exitCode, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/golden"));
+  fs::remove_all(folder_ / "new/deep");  // a whole folder of images is not made any more
+  for (const RunResult& result : {golden({"--unused"}), golden()}) {
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_THAT(result.out, HasSubstr("unused     deep/b: approved, and no test makes it: remove ref/deep/b.png"));
+  }
+  EXPECT_THAT(golden({"--unused", "--only", "a"}).err, HasSubstr("leave out --only and --update"));
+}
+
+// A page that is opened as a file may load scripts and no data, so the outcome is a call.
+TEST_F(GoldenImages, OutcomesAreScriptsForAnIndexPage) {
+  const auto outcome = [&] {
+    const std::string text = bytesOf(folder_ / "o.js");
+    EXPECT_THAT(text, StartsWith("poinsotOutcome({"));
+    EXPECT_EQ(text.substr(text.size() - 3), ");\n");
+    return nlohmann::json::parse(text.substr(15, text.size() - 18));
+  };
+  for (const char* name : {"new/a.png", "new/b.png"}) save(name, flat(90));
   manifest("[[test]]\nimage = 'new/*.png'\n");
-  const RunResult none = golden();
-  EXPECT_EQ(none.exitCode, 2);
-  EXPECT_THAT(none.err, HasSubstr("test.image: no PNG and no film is there of the name new/*.png"));
+  approve();
+  fs::create_directory(folder_ / "page");
+  EXPECT_EQ(golden({"--outcome", "o.js", "--report", "page/r.html"}).exitCode, 0);
+  EXPECT_EQ(outcome()["verdict"], "identical");
+  EXPECT_EQ(outcome()["passed"], true);
+  EXPECT_EQ(outcome()["counts"], "2 identical");
+  EXPECT_EQ(outcome()["page"], "page/r.html");
+  save("new/b.png", flat(190));
+  EXPECT_EQ(golden({"--outcome", "o.js"}).exitCode, 1);
+  EXPECT_EQ(outcome()["verdict"], "different");
+  EXPECT_EQ(outcome()["passed"], false);
+  EXPECT_THAT(outcome()["message"].get<std::string>(), StartsWith("b: largest difference 100"));
+  EXPECT_TRUE(outcome()["page"].is_null());
+  // A run that ends before it compares leaves no outcome of an earlier one.
+  manifest("[[test]]\nimag = 'new/*.png'\n");
+  EXPECT_EQ(golden({"--outcome", "o.js"}).exitCode, 2);
+  EXPECT_EQ(outcome()["verdict"], "error");
+  EXPECT_THAT(outcome()["message"].get<std::string>(), HasSubstr("golden.toml:3:1"));
+  folder_.put("theirs.js", "let a;");
+  EXPECT_EQ(golden({"--outcome", "theirs.js"}).exitCode, 4);
+  EXPECT_EQ(bytesOf(folder_ / "theirs.js"), "let a;");
 }
 
 // The path outside is what is wrong, and all that is said.
