@@ -61,7 +61,7 @@ configure_package_config_file(packaging/poinsotConfig.cmake.in ${CMAKE_BINARY_DI
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 # With the program, for golden images; the libraries are another component.
 install(FILES ${CMAKE_BINARY_DIR}/poinsotConfig.cmake ${CMAKE_BINARY_DIR}/poinsotConfigVersion.cmake
-  cmake/PoinsotGolden.cmake DESTINATION ${package_dir} COMPONENT program)
+  cmake/PoinsotGolden.cmake cmake/PoinsotGoldenIndex.html.in DESTINATION ${package_dir} COMPONENT program)
 
 # ---- pkg-config -------------------------------------------------------------------------------------------------
 # poinsot_pc(LAYER): writes and installs poinsot-LAYER.pc. Third parties are required in the open, not privately: our

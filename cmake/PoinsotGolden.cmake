@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Golden images as tests of a project: by find_package(poinsot COMPONENTS golden).
+# Golden images as tests of a project: by find_package(poinsot COMPONENTS golden). docs/packages.md explains both functions.
 #
 #   poinsot_add_golden_test(NAME racket SCENE scenes/racket.toml BASELINE approved/racket.png
 #                           [TIME "1.5 s"] [SIZE 256 144] [SET style.theme=dark ...])
@@ -7,81 +7,144 @@
 #                           [WORKING_DIRECTORY folder])
 #       [MAX 0-2] [PIXELS 0-0.5%] [FLIP_MEAN 0-1e-3] [FLIP_MAX 0-0.05] [REASON "why"] [LABELS ...]
 #
-# A test NAME that compares the picture of a scene, or the one that a command writes, with what was approved. A limit
-# that is not the default needs a REASON. Paths are from the current source folder; of COMMAND and IMAGE, from
-# WORKING_DIRECTORY (default: the current binary folder). The new picture, maps, report.html and junit.xml are in
-# golden/NAME of the binary folder. The target poinsot_golden_update approves the pictures of all tests, and
-# poinsot_golden_update_NAME that of one.
+# Adds a test NAME that compares one picture, of a scene or of a command, with the approved one. A limit that is not the
+# default needs a REASON. Paths are from the current source folder; of COMMAND and IMAGE, from WORKING_DIRECTORY
+# (default: the current binary folder). With COMMAND two tests go before: NAME.clear removes IMAGE, NAME.run runs COMMAND.
+#
+#   poinsot_add_golden_suite(golden.toml [NAME name] [WORKING_DIRECTORY folder] [VARIANT name] [LABELS ...]
+#                            [FIXTURES_REQUIRED ...])
+#
+# Adds a test NAME.CASE for each case of a golden.toml, one for each pattern of images (NAME.new/*.png), and NAME.unused,
+# which fails if something is approved that no test makes. NAME is the file's name by default. Images are looked for from
+# WORKING_DIRECTORY (default: the current binary folder).
+#
+# New pictures, maps, report.html and junit.xml of a test are in golden/TEST of the build folder, and golden/index.html
+# there lists all tests of the build. The target poinsot_golden_update approves all new pictures,
+# poinsot_golden_update_NAME those of one test or suite, poinsot_golden_update_NAME.CASE one.
 include_guard(GLOBAL)
 
 find_program(POINSOT_PROGRAM poinsot HINTS ${CMAKE_CURRENT_LIST_DIR}/../../../bin ${CMAKE_CURRENT_LIST_DIR}/../../../../bin
   DOC "The program poinsot, which compares golden images")
+set(_POINSOT_GOLDEN_INDEX ${CMAKE_CURRENT_LIST_DIR}/PoinsotGoldenIndex.html.in CACHE INTERNAL "")
 
-# A text as TOML has it.
+# Writes a text as TOML has it.
 function(_poinsot_toml result value)
   string(REPLACE "\\" "\\\\" value "${value}")
   string(REPLACE "\"" "\\\"" value "${value}")
   set(${result} "\"${value}\"" PARENT_SCOPE)
 endfunction()
 
-function(poinsot_add_golden_test)
-  set(limits MAX PIXELS FLIP_MEAN FLIP_MAX REASON)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "NAME;SCENE;TIME;IMAGE;BASELINE;WORKING_DIRECTORY;${limits}"
-    "COMMAND;SIZE;SET;LABELS")
+# Writes a text as HTML has it between tags.
+function(_poinsot_html result value)
+  string(REPLACE "&" "&amp;" value "${value}")
+  string(REPLACE "<" "&lt;" value "${value}")
+  string(REPLACE ">" "&gt;" value "${value}")
+  set(${result} "${value}" PARENT_SCOPE)
+endfunction()
+
+# Makes a test's name the name of a folder and of a target: a name with other characters is told from others by a hash.
+function(_poinsot_golden_id result test)
+  string(REGEX REPLACE "[^A-Za-z0-9_.+-]" "_" id "${test}")
+  if(NOT id STREQUAL test)
+    string(SHA1 hash "${test}")
+    string(SUBSTRING ${hash} 0 8 hash)
+    string(APPEND id .${hash})
+  endif()
+  set(${result} ${id} PARENT_SCOPE)
+endfunction()
+
+# Writes the page that lists all tests of the build, when all of them are known.
+function(_poinsot_golden_write_index)
+  get_property(POINSOT_ROWS GLOBAL PROPERTY POINSOT_GOLDEN_ROWS)
+  _poinsot_html(POINSOT_TITLE "${CMAKE_PROJECT_NAME}")
+  configure_file(${_POINSOT_GOLDEN_INDEX} ${CMAKE_BINARY_DIR}/golden/index.html @ONLY)
+endfunction()
+
+function(_poinsot_golden_add_to_index test id)
+  get_property(rows GLOBAL PROPERTY POINSOT_GOLDEN_ROWS)
+  if("${rows}" STREQUAL "")
+    cmake_language(DEFER DIRECTORY ${CMAKE_SOURCE_DIR} CALL _poinsot_golden_write_index)
+  endif()
+  _poinsot_html(name "${test}")
+  set_property(GLOBAL APPEND_STRING PROPERTY POINSOT_GOLDEN_ROWS
+    "<tr data-id=\"${id}\"><td class=\"status\">not run</td><td>${name}</td><td></td><td></td></tr>\n")
+endfunction()
+
+# Adds a test that runs COMMAND, `poinsot golden FILE ...`, with reports in a folder of its own. CHOICE says
+# which tests of FILE; it is one word and no list, which brackets in the name of a picture would break.
+function(_poinsot_golden_add_test)
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "TEST;CHOICE;WORKING_DIRECTORY" "COMMAND;LABELS;FIXTURES_REQUIRED")
+  _poinsot_golden_id(id "${ARG_TEST}")
+  set(folder ${CMAKE_BINARY_DIR}/golden/${id})
+  file(MAKE_DIRECTORY ${folder})
+  set(build "${CMAKE_BINARY_DIR}")
+  if(NOT build MATCHES "^[A-Za-z0-9_./+-]*$")
+    set(build "'${build}'")
+  endif()
+  add_test(NAME "${ARG_TEST}" WORKING_DIRECTORY ${ARG_WORKING_DIRECTORY} COMMAND ${ARG_COMMAND} "${ARG_CHOICE}"
+    -o ${folder} --report ${folder}/report.html --junit ${folder}/junit.xml --outcome ${folder}/outcome.js
+    --approve-by "cmake --build ${build} --target poinsot_golden_update_${id}")
+  set_tests_properties("${ARG_TEST}" PROPERTIES LABELS "${ARG_LABELS}" FIXTURES_REQUIRED "${ARG_FIXTURES_REQUIRED}"
+    ATTACHED_FILES_ON_FAIL ${folder}/report.html)  # a dashboard of CDash has the page
+  _poinsot_golden_add_to_index("${ARG_TEST}" ${id})
+endfunction()
+
+# Makes poinsot_golden_update run a target of one test or suite.
+function(_poinsot_golden_update_with_all id)
+  if(NOT TARGET poinsot_golden_update)
+    add_custom_target(poinsot_golden_update)
+  endif()
+  add_dependencies(poinsot_golden_update poinsot_golden_update_${id})
+endfunction()
+
+# Sets working to the folder in which a test's command runs. @pre POINSOT_PROGRAM is what the caller needs.
+macro(_poinsot_golden_begin function)
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "poinsot_add_golden_test: what is ${ARG_UNPARSED_ARGUMENTS}?")
-  endif()
-  if(NOT ARG_NAME MATCHES "^[A-Za-z0-9_-][A-Za-z0-9_.-]*$" OR NOT ARG_BASELINE MATCHES "[.]png$")
-    message(FATAL_ERROR "poinsot_add_golden_test: expected NAME name (letters, digits, _ - .) and BASELINE file.png")
-  endif()
-  if((DEFINED ARG_SCENE AND DEFINED ARG_COMMAND) OR
-      NOT (DEFINED ARG_SCENE OR (DEFINED ARG_COMMAND AND DEFINED ARG_IMAGE)))
-    message(FATAL_ERROR "poinsot_add_golden_test(${ARG_NAME}): expected SCENE file, or COMMAND words and IMAGE file")
+    message(FATAL_ERROR "${function}: what is ${ARG_UNPARSED_ARGUMENTS}?")
   endif()
   if(NOT POINSOT_PROGRAM)
-    message(FATAL_ERROR "poinsot_add_golden_test: the program poinsot is missing; set POINSOT_PROGRAM")
+    message(FATAL_ERROR "${function}: the program poinsot is missing; set POINSOT_PROGRAM")
+  endif()
+  if(NOT ARG_NAME MATCHES "^[A-Za-z0-9_-][A-Za-z0-9_.-]*$")
+    message(FATAL_ERROR "${function}: NAME \"${ARG_NAME}\": write letters, digits, _ - and .")
   endif()
   set(working ${CMAKE_CURRENT_BINARY_DIR})
   if(ARG_WORKING_DIRECTORY)
     get_filename_component(working ${ARG_WORKING_DIRECTORY} ABSOLUTE)
   endif()
+endmacro()
 
-  # ---- what is compared: a golden.toml of one test, which is called as its reference is
-  get_filename_component(baseline ${ARG_BASELINE} ABSOLUTE)
-  get_filename_component(reference ${baseline} NAME_WE)
-  get_filename_component(references ${baseline} DIRECTORY)
-  _poinsot_toml(references ${references})
+# Writes what poinsot_add_golden_test() was asked for as a golden.toml of one test, called as its reference is.
+function(_poinsot_golden_write_manifest file reference references)
+  _poinsot_toml(references "${references}")
   set(text "references = ${references}\n[[test]]\nname = \"${reference}\"\n")
-  if(DEFINED ARG_SCENE)
-    get_filename_component(scene ${ARG_SCENE} ABSOLUTE)
-    _poinsot_toml(word ${scene})
-    string(APPEND text "scene = ${word}\n")
-    if(DEFINED ARG_TIME)
-      _poinsot_toml(time "${ARG_TIME}")
-      if(ARG_TIME MATCHES "^[0-9.]+$")
-        set(time "${ARG_TIME}")
-      endif()
-      string(APPEND text "times = [${time}]\n")
+  foreach(key scene image)
+    if(${key})
+      _poinsot_toml(word "${${key}}")
+      string(APPEND text "${key} = ${word}\n")
     endif()
-    if(DEFINED ARG_SIZE)
-      if(NOT "${ARG_SIZE}" MATCHES "^[0-9]+;[0-9]+$")
-        message(FATAL_ERROR "poinsot_add_golden_test(${ARG_NAME}): expected SIZE width height, got ${ARG_SIZE}")
-      endif()
-      list(JOIN ARG_SIZE ", " size)
-      string(APPEND text "size = [${size}]\n")
+  endforeach()
+  if(DEFINED ARG_TIME)
+    _poinsot_toml(time "${ARG_TIME}")
+    if(ARG_TIME MATCHES "^[0-9.]+$")
+      set(time "${ARG_TIME}")
     endif()
-    foreach(word ${ARG_SET})
-      _poinsot_toml(word ${word})
-      list(APPEND words ${word})
-    endforeach()
-    if(words)
-      list(JOIN words ", " words)
-      string(APPEND text "set = [${words}]\n")
+    string(APPEND text "times = [${time}]\n")
+  endif()
+  if(DEFINED ARG_SIZE)
+    if(NOT "${ARG_SIZE}" MATCHES "^[0-9]+;[0-9]+$")
+      message(FATAL_ERROR "poinsot_add_golden_test(${ARG_NAME}): expected SIZE width height, got ${ARG_SIZE}")
     endif()
-  else()
-    get_filename_component(image ${ARG_IMAGE} ABSOLUTE BASE_DIR ${working})
-    _poinsot_toml(word ${image})
-    string(APPEND text "image = ${word}\n")
+    list(JOIN ARG_SIZE ", " size)
+    string(APPEND text "size = [${size}]\n")
+  endif()
+  foreach(word ${ARG_SET})
+    _poinsot_toml(word ${word})
+    list(APPEND words ${word})
+  endforeach()
+  if(words)
+    list(JOIN words ", " words)
+    string(APPEND text "set = [${words}]\n")
   endif()
   set(rule "")
   foreach(limit ${limits})
@@ -97,36 +160,129 @@ function(poinsot_add_golden_test)
     endif()
     string(PREPEND rule "[test.rule]\n")
   endif()
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/golden/${ARG_NAME})
-  file(WRITE ${folder}/golden.toml "${text}${rule}")
+  file(WRITE ${file} "${text}${rule}")
+endfunction()
 
-  # ---- the test, and what approves
-  # Where this project says that they are, which a golden.toml may not by itself.
-  set(golden ${POINSOT_PROGRAM} golden ${folder}/golden.toml --only ${reference} -o ${folder})
+function(poinsot_add_golden_test)
+  set(limits MAX PIXELS FLIP_MEAN FLIP_MAX REASON)
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "NAME;SCENE;TIME;IMAGE;BASELINE;WORKING_DIRECTORY;${limits}"
+    "COMMAND;SIZE;SET;LABELS")
+  _poinsot_golden_begin(poinsot_add_golden_test)
+  if(NOT ARG_BASELINE MATCHES "[.]png$")
+    message(FATAL_ERROR "poinsot_add_golden_test(${ARG_NAME}): expected BASELINE file.png")
+  endif()
+  if((DEFINED ARG_SCENE AND DEFINED ARG_COMMAND) OR
+      NOT (DEFINED ARG_SCENE OR (DEFINED ARG_COMMAND AND DEFINED ARG_IMAGE)))
+    message(FATAL_ERROR "poinsot_add_golden_test(${ARG_NAME}): expected SCENE file, or COMMAND words and IMAGE file")
+  endif()
+
+  get_filename_component(baseline ${ARG_BASELINE} ABSOLUTE)
+  get_filename_component(reference ${baseline} NAME_WE)
+  get_filename_component(references ${baseline} DIRECTORY)
+  if(DEFINED ARG_SCENE)
+    get_filename_component(scene ${ARG_SCENE} ABSOLUTE)
+  else()
+    get_filename_component(image ${ARG_IMAGE} ABSOLUTE BASE_DIR ${working})
+  endif()
+  set(folder ${CMAKE_BINARY_DIR}/golden/${ARG_NAME})
+  _poinsot_golden_write_manifest(${folder}/golden.toml ${reference} ${references})
+  set(golden ${POINSOT_PROGRAM} golden ${folder}/golden.toml)
+  # The files are where this project says that they are, which a golden.toml may not by itself.
   foreach(file ${baseline} ${scene} ${image})
     get_filename_component(place ${file} DIRECTORY)
     list(APPEND golden --asset-root ${place})
   endforeach()
+
   if(DEFINED ARG_COMMAND)
-    # A picture of an earlier run must not stand for one that the command does not write any more.
-    set(forget ${CMAKE_COMMAND} -E rm -f ${image})
-    add_test(NAME ${ARG_NAME}.forgotten COMMAND ${forget})
-    add_test(NAME ${ARG_NAME}.made COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${working})
-    set_tests_properties(${ARG_NAME}.forgotten PROPERTIES
-      FIXTURES_SETUP poinsot_golden_${ARG_NAME}.forgotten LABELS "${ARG_LABELS}")
-    set_tests_properties(${ARG_NAME}.made PROPERTIES FIXTURES_REQUIRED poinsot_golden_${ARG_NAME}.forgotten
+    # A picture or an outcome of an earlier run must not stand for one that COMMAND does not write any more.
+    set(clear ${CMAKE_COMMAND} -E rm -f ${image} ${folder}/outcome.js)
+    add_test(NAME ${ARG_NAME}.clear COMMAND ${clear})
+    add_test(NAME ${ARG_NAME}.run COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${working})
+    set_tests_properties(${ARG_NAME}.clear PROPERTIES
+      FIXTURES_SETUP poinsot_golden_${ARG_NAME}.clear LABELS "${ARG_LABELS}")
+    set_tests_properties(${ARG_NAME}.run PROPERTIES FIXTURES_REQUIRED poinsot_golden_${ARG_NAME}.clear
       FIXTURES_SETUP poinsot_golden_${ARG_NAME} LABELS "${ARG_LABELS}")
+    set(fixture poinsot_golden_${ARG_NAME})
+    set(make COMMAND ${clear} COMMAND ${ARG_COMMAND})
   endif()
-  add_test(NAME ${ARG_NAME} COMMAND ${golden} --report ${folder}/report.html --junit ${folder}/junit.xml)
-  set_tests_properties(${ARG_NAME} PROPERTIES LABELS "${ARG_LABELS}")
-  if(DEFINED ARG_COMMAND)
-    set_tests_properties(${ARG_NAME} PROPERTIES FIXTURES_REQUIRED poinsot_golden_${ARG_NAME})
-    set(make COMMAND ${forget} COMMAND ${ARG_COMMAND})
-  endif()
-  add_custom_target(poinsot_golden_update_${ARG_NAME} ${make} COMMAND ${golden} --update
+  _poinsot_golden_add_test(TEST ${ARG_NAME} COMMAND ${golden} CHOICE --only=${reference} WORKING_DIRECTORY ${working}
+    LABELS ${ARG_LABELS} FIXTURES_REQUIRED ${fixture})
+  add_custom_target(poinsot_golden_update_${ARG_NAME} ${make} COMMAND ${golden} -o ${folder} --update --only=${reference}
     WORKING_DIRECTORY ${working} VERBATIM USES_TERMINAL)
-  if(NOT TARGET poinsot_golden_update)
-    add_custom_target(poinsot_golden_update)
+  _poinsot_golden_update_with_all(${ARG_NAME})
+endfunction()
+
+# Asks for the cases of a golden.toml, as JSON.
+function(_poinsot_golden_list result file)
+  execute_process(COMMAND ${ARGN} --list --json WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+    OUTPUT_VARIABLE json ERROR_VARIABLE problem RESULT_VARIABLE code)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "poinsot_add_golden_suite(${file}): ${problem}")
   endif()
-  add_dependencies(poinsot_golden_update poinsot_golden_update_${ARG_NAME})
+  set(${result} "${json}" PARENT_SCOPE)
+endfunction()
+
+# Configures again when a pattern of scenes matches other files than now.
+function(_poinsot_golden_watch folder pattern)
+  string(REGEX REPLACE "([[?])" "[\\1]" glob "${folder}/${pattern}")
+  set(kind GLOB)
+  if(glob MATCHES "/[*][*]/")
+    string(REPLACE "/**/" "/" glob "${glob}")
+    set(kind GLOB_RECURSE)
+  endif()
+  file(${kind} ignored CONFIGURE_DEPENDS "${glob}")
+endfunction()
+
+function(poinsot_add_golden_suite file)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAME;WORKING_DIRECTORY;VARIANT" "LABELS;FIXTURES_REQUIRED")
+  get_filename_component(file ${file} ABSOLUTE)
+  get_filename_component(place ${file} DIRECTORY)
+  if(NOT DEFINED ARG_NAME)
+    get_filename_component(ARG_NAME ${file} NAME_WLE)
+  endif()
+  _poinsot_golden_begin(poinsot_add_golden_suite)
+  set(golden ${POINSOT_PROGRAM} golden ${file} --images ${working} --asset-root ${PROJECT_SOURCE_DIR})
+  set(update --update)
+  if(DEFINED ARG_VARIANT)
+    list(APPEND golden --variant ${ARG_VARIANT})
+    list(APPEND update --beside)
+  endif()
+  _poinsot_golden_list(json ${file} ${golden})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+
+  set(common COMMAND ${golden} WORKING_DIRECTORY ${working} LABELS ${ARG_LABELS})
+  string(JSON count LENGTH "${json}" tests)
+  math(EXPR last "${count} - 1")
+  set(seen "\n")
+  foreach(index RANGE ${last})
+    string(JSON only GET "${json}" tests ${index} name)
+    string(JSON path ERROR_VARIABLE missing GET "${json}" tests ${index} image)
+    set(fixtures ${ARG_FIXTURES_REQUIRED})
+    if(missing)
+      set(fixtures "")  # which make images
+      string(JSON path GET "${json}" tests ${index} scene)
+      if(path MATCHES "[*]")
+        _poinsot_golden_watch("${place}" "${path}")
+      endif()
+    elseif(path MATCHES "[*]")
+      set(only "${path}")  # its images may not be there yet
+    endif()
+    string(FIND "${seen}" "\n${only}\n" at)
+    if(at EQUAL -1)
+      string(APPEND seen "${only}\n")
+      _poinsot_golden_id(id "${ARG_NAME}.${only}")
+      _poinsot_golden_add_test(TEST "${ARG_NAME}.${only}" CHOICE "--only=${only}" ${common}
+        FIXTURES_REQUIRED ${fixtures})
+      add_custom_target(poinsot_golden_update_${id}
+        COMMAND ${golden} -o ${CMAKE_BINARY_DIR}/golden/${id} ${update} "--only=${only}"
+        WORKING_DIRECTORY ${working} VERBATIM USES_TERMINAL)
+    endif()
+  endforeach()
+
+  _poinsot_golden_add_test(TEST ${ARG_NAME}.unused CHOICE --unused ${common}
+    FIXTURES_REQUIRED ${ARG_FIXTURES_REQUIRED})
+  add_custom_target(poinsot_golden_update_${ARG_NAME}
+    COMMAND ${golden} -o ${CMAKE_BINARY_DIR}/golden/${ARG_NAME} ${update}
+    WORKING_DIRECTORY ${working} VERBATIM USES_TERMINAL)
+  _poinsot_golden_update_with_all(${ARG_NAME})
 endfunction()
