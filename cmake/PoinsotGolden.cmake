@@ -58,6 +58,7 @@ function(_poinsot_golden_write_index)
   get_property(POINSOT_ROWS GLOBAL PROPERTY POINSOT_GOLDEN_ROWS)
   _poinsot_html(POINSOT_TITLE "${CMAKE_PROJECT_NAME}")
   configure_file(${_POINSOT_GOLDEN_INDEX} ${CMAKE_BINARY_DIR}/golden/index.html @ONLY)
+  message(STATUS "Golden tests: ${CMAKE_BINARY_DIR}/golden/index.html")
 endfunction()
 
 function(_poinsot_golden_add_to_index test id)

@@ -32,12 +32,13 @@ const Table& tableOf(const GoldenKey& key) {
   return kTables[0];
 }
 
-/// "rule.max" for "[test.rule.max]", "golden.test.rule.max" and "golden.toml.rule.max".
+/// Returns "rule.max" for "[test.rule.max]", "golden.test.rule.max" and "golden.toml.rule.max".
 std::string_view plainPath(std::string_view word) {
   while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
+  if (word == "golden.toml") return "golden";
   for (const std::string_view prefix : {"golden.toml.", "golden."})
     if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
-  if (word == "test.rule" || word.starts_with("test.rule.")) word.remove_prefix(5);
+  if (word.starts_with("test.rule.")) word.remove_prefix(5);
   return word;
 }
 
@@ -64,6 +65,12 @@ std::string markdownCell(std::string_view text) {
   return cell;
 }
 
+/// A form, "[width, height]", as code; words as words.
+std::string markdownForm(std::string_view value) {
+  const bool isForm = value.find_first_of("[\"=") != std::string_view::npos;
+  return isForm ? fmt::format("`{}`", value) : std::string(value);
+}
+
 }  // namespace
 
 std::string pathOf(const GoldenKey& key) { return fmt::format("{}.{}", tableOf(key).path, key.name); }
@@ -71,8 +78,10 @@ std::string pathOf(const GoldenKey& key) { return fmt::format("{}.{}", tableOf(k
 std::vector<Explanation> explainGolden(std::string_view word) {
   const std::string_view path = plainPath(word);
   std::vector<Explanation> found;
-  for (const Table& table : kTables)
-    if (path == (*table.name ? table.name : "golden") || path == "golden.toml") found.push_back(ofTable(table));
+  for (const Table& table : kTables) {
+    const std::string_view own = *table.name ? table.name : "golden";
+    if (path == own || (own == "rule" && path == "test.rule")) found.push_back(ofTable(table));
+  }
   const bool isWhole = word != path;  // a path from the file, not a name alone
   for (const GoldenKey& key : goldenKeys()) {
     const std::string own = *key.table ? fmt::format("{}.{}", key.table, key.name) : key.name;
@@ -98,7 +107,7 @@ std::string goldenKeysMarkdown() {
                         table.title, table.help);
     for (const GoldenKey& key : goldenKeys())
       if (std::string_view(table.name) == key.table)
-        text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, markdownCell(key.value),
+        text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, markdownForm(key.value),
                             markdownCell(key.fallback), markdownCell(key.help));
   }
   return text + "\n";

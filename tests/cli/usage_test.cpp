@@ -62,6 +62,9 @@ TEST(Usage, ExplainsKeysOnLinesThatFitATerminal) {
   EXPECT_THAT(fov.out, HasSubstr("\nshape = \"racket\"\n"));
   std::istringstream lines(run(folder, {"explain"}).out + run(folder, {"explain", "body"}).out);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  EXPECT_THAT(run(folder, {"explain", "golden.test.image"}).out, HasSubstr("[[test]]\n           image = "));
+  EXPECT_THAT(run(folder, {"explain", "size"}).out, AllOf(HasSubstr("body.size\n"), HasSubstr("\ngolden.size\n")));
+  EXPECT_THAT(run(folder, {"explain", "flip_mxa"}).err, HasSubstr("did you mean flip_max?"));
   const auto bad = run(folder, {"explain", "fovv"});
   EXPECT_EQ(bad.exitCode, 2);
   EXPECT_THAT(bad.err, HasSubstr("did you mean fov?"));

@@ -25,6 +25,23 @@ TEST(InstalledProgram, HasItsManualItsCompletionsAndItsLicences) {
     EXPECT_TRUE(std::filesystem::is_regular_file(tree.prefix() / file)) << file;
 }
 
+// ./poinsot builds the program alone: installing would stop half way.
+TEST(InstalledProgram, IsNotInstalledByHalf) {
+  const ScratchFolder folder;
+  const auto install = [&](const std::string& component) {
+    return runShell(folder.path(), "sed s/share.stamp/missing/ " POINSOT_BINARY_DIR
+                                   "/cmake_install.cmake >install.cmake\n"
+                                   "cmake -DCMAKE_INSTALL_PREFIX=$PWD/prefix -DCMAKE_INSTALL_COMPONENT=" +
+                                       component +
+                                       " -P install.cmake 2>&1 | tr -s ' \\n' ' '; exit ${PIPESTATUS[0]}");
+  };
+  const auto program = install("program");
+  EXPECT_NE(program.exitCode, 0);
+  EXPECT_THAT(program.out, HasSubstr("Run ./poinsot package, or cmake --build"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "prefix"));
+  EXPECT_EQ(install("development").exitCode, 0);
+}
+
 // What only films need is opened for films: over a hundred libraries would be bound in every process.
 TEST(InstalledProgram, LinksNeitherFfmpegNorImagequant) {
   const InstalledTree tree;

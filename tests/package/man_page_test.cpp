@@ -44,6 +44,19 @@ TEST_F(ManPages, HaveEveryCommandAndOptionOfTheHelp) {
   }
 }
 
+// The page of the docs is the oracle: its table lists every key.
+TEST_F(ManPages, ListEveryKeyOfAGoldenToml) {
+  const std::string page = shown("poinsot-golden.1");
+  std::istringstream keys(run(
+      "sed -n '/golden keys -->/,/end -->/s/^| `\\([a-z_]*\\)` .*/\\1/p' " POINSOT_SOURCE_DIR "/docs/golden.md"));
+  int count = 0;
+  for (std::string key; keys >> key; ++count) EXPECT_THAT(page, HasSubstr("." + key + " "));
+  EXPECT_GE(count, 24);  // when it was written
+  EXPECT_THAT(page, HasSubstr("KEYS OF MANIFEST golden.references text folder of the approved pictures"));
+  EXPECT_THAT(page,
+              HasSubstr("golden.rule.pixels \"0-N\" differing pixels, a number or a share (default: 0-0.5%)"));
+}
+
 TEST_F(ManPages, AreRoffWithoutAFault) {
   EXPECT_THAT(run("for page in share/man/man1/*; do groff -ww -b -z -man -Tutf8 $page; done 2>&1"), IsEmpty());
 }
