@@ -315,7 +315,8 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
   return request.only.empty() ? all : chosen(all, request.only);
 }
 
-void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
+void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                         const std::string& approveBy) {
   std::set<std::string> wanted, known;
   bool approved = false;
   for (const GoldenCase& one : cases) {
@@ -329,11 +330,11 @@ void expectKnownVariants(const GoldenManifest& manifest, const std::vector<Golde
   for (const std::string& variant : wanted)
     if (approved && !known.contains(variant))
       throw core::Error(core::ErrorKind::kUsage,
-                        fmt::format("variant '{}': no reference was approved for it; {}; approve the first by "
-                                    "--update --beside",
+                        fmt::format("variant '{}': no reference was approved for it; {}; approve the first by {}",
                                     core::printable(variant),
                                     known.empty() ? "there are none with a variant"
-                                                  : fmt::format("there are {}", fmt::join(known, ", "))));
+                                                  : fmt::format("there are {}", fmt::join(known, ", ")),
+                                    approveBy));
 }
 
 std::vector<GoldenOutcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {

@@ -43,7 +43,9 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
 
 /// @throws core::Error(kUsage) if a case has a variant for which no reference of any case was approved, although
 /// some were: probably a slip.
-void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases);
+/// @param approveBy  words or command that approves the first reference of a variant, for the message
+void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                         const std::string& approveBy);
 
 /// Makes the pictures of all cases and compares them with what was approved; `jobs` at a time. Where all cases are
 /// run, references that belong to none are told as well. In order of the cases, whatever the jobs.

@@ -54,8 +54,8 @@ int explain(const std::vector<std::string>& words) {
 
 void addExplain(CLI::App& program, Action& chosen) {
   auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
-      program.add_subcommand("explain", "say what a key of a scene means: unit, range, default, an example");
+  CLI::App* command = program.add_subcommand(
+      "explain", "say what a key of a scene or of a golden.toml means: unit, range, default, an example");
   command->add_option(
       "NAME", *words,
       "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue, a quantity or a unit; "

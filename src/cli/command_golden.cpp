@@ -117,7 +117,9 @@ class Golden {
     if (options_.unused && (options_.update || !options_.only.empty()))
       refuse("--unused: looks at all tests and approves nothing; leave out --only and --update");
     const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
-    if (!options_.update) app::expectKnownVariants(manifest_, cases);
+    if (!options_.update && !options_.unused)
+      app::expectKnownVariants(manifest_, cases,
+                               options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
     if (!options_.beside) return;
     for (const app::GoldenCase& one : cases)
       if (one.test.scene.empty() && one.variant().empty())

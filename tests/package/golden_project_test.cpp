@@ -160,6 +160,20 @@ TEST_F(GoldenSuiteProject, WritesJUnitWithAttachments) {
                                         HasSubstr("[[ATTACHMENT|project/approved/logo.png]]")));
 }
 
+// Another driver draws the images in its way: its references stand beside the usual ones.
+TEST_F(GoldenSuiteProject, HasReferencesOfAVariant) {
+  const std::string one = "ctest --test-dir build --output-on-failure -R '^viewer.of'";
+  const std::string target = found(run(one + " || true"), "--target (\\S*)\n");
+  run("cmake --build build --target " + target +
+      "; sed -i 's/NAME viewer/& VARIANT softpipe/' project/CMakeLists.txt");
+  run("sed -i s/200/180/ project/draw.sh; cmake --build build");
+  const std::string told = run(one + " || true");
+  EXPECT_THAT(told, HasSubstr("variant 'softpipe': no reference was approved for it"));
+  run(found(told, "approve the first by (.*)\n"));
+  EXPECT_THAT(run(one), HasSubstr("100% tests passed"));
+  EXPECT_THAT(run("ls project/golden"), HasSubstr("@softpipe.png"));
+}
+
 TEST_F(GoldenSuiteProject, MistakesInTheManifestEndConfiguring) {
   run("sed -i s/scenes/scnes/ project/golden.toml");
   EXPECT_THAT(run("cmake -S project -B build 2>&1 | tr -s ' \\n' ' ' || true"),
