@@ -73,7 +73,11 @@ std::string markdownForm(std::string_view value) {
 
 }  // namespace
 
-std::string pathOf(const GoldenKey& key) { return fmt::format("{}.{}", tableOf(key).path, key.name); }
+std::string pathInFile(const GoldenKey& key) {
+  return *key.table ? fmt::format("{}.{}", key.table, key.name) : key.name;
+}
+
+std::string pathOf(const GoldenKey& key) { return "golden." + pathInFile(key); }
 
 std::vector<Explanation> explainGolden(std::string_view word) {
   const std::string_view path = plainPath(word);
@@ -84,8 +88,7 @@ std::vector<Explanation> explainGolden(std::string_view word) {
   }
   const bool isWhole = word != path;  // a path from the file, not a name alone
   for (const GoldenKey& key : goldenKeys()) {
-    const std::string own = *key.table ? fmt::format("{}.{}", key.table, key.name) : key.name;
-    if (own == path || (key.name == path && !isWhole)) found.push_back(ofKey(key));
+    if (pathInFile(key) == path || (key.name == path && !isWhole)) found.push_back(ofKey(key));
   }
   return found;
 }

@@ -10,7 +10,10 @@
 
 namespace poinsot::app {
 
-/// "golden.references", "golden.test.image", "golden.rule.max".
+/// Returns the path of a key in its file: "references", "test.image", "rule.max".
+std::string pathInFile(const GoldenKey& key);
+
+/// Returns the path by which a key is explained: "golden.references", "golden.test.image", "golden.rule.max".
 std::string pathOf(const GoldenKey& key);
 
 /// Explains names of a golden.toml: all of it ("golden"), a table ("golden.test", "[[test]]", "rule"), a key

@@ -91,7 +91,7 @@ std::vector<FileKeyText> goldenKeyTexts() {
   std::vector<FileKeyText> texts;
   for (const app::GoldenKey& key : app::goldenKeys()) {
     const std::string fallback = *key.fallback ? std::string(" (default: ") + key.fallback + ")" : "";
-    texts.push_back({app::pathOf(key), key.value, key.help + fallback});
+    texts.push_back({app::pathInFile(key), key.value, key.help + fallback});
   }
   return texts;
 }

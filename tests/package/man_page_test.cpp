@@ -8,6 +8,7 @@
 namespace poinsot {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -50,11 +51,10 @@ TEST_F(ManPages, ListEveryKeyOfAGoldenToml) {
   std::istringstream keys(run(
       "sed -n '/golden keys -->/,/end -->/s/^| `\\([a-z_]*\\)` .*/\\1/p' " POINSOT_SOURCE_DIR "/docs/golden.md"));
   int count = 0;
-  for (std::string key; keys >> key; ++count) EXPECT_THAT(page, HasSubstr("." + key + " "));
+  for (std::string key; keys >> key; ++count) EXPECT_THAT(page, ContainsRegex("[ .]" + key + " "));
   EXPECT_GE(count, 24);  // when it was written
-  EXPECT_THAT(page, HasSubstr("KEYS OF MANIFEST golden.references text folder of the approved pictures"));
-  EXPECT_THAT(page,
-              HasSubstr("golden.rule.pixels \"0-N\" differing pixels, a number or a share (default: 0-0.5%)"));
+  EXPECT_THAT(page, HasSubstr("KEYS OF MANIFEST references text folder of the approved pictures"));
+  EXPECT_THAT(page, HasSubstr("rule.pixels \"0-N\" differing pixels, a number or a share (default: 0-0.5%)"));
 }
 
 TEST_F(ManPages, AreRoffWithoutAFault) {
