@@ -39,13 +39,9 @@ std::string line(const char* term, const std::string& text) {
   return text.empty() ? "" : fmt::format("{:<10} {}\n", term, text);
 }
 
-std::string messageOf(const Outcome& outcome) {
-  return outcome.message.empty() ? "not identical" : outcome.message;
-}
-
 /// The reason, where the pictures are, and what to do. GitLab shows this text only and leaves the message out.
 std::string bodyOf(const Outcome& outcome, const OutcomeReport& report) {
-  return messageOf(outcome) + "\n" + line("approved", outcome.reference.native()) +
+  return reasonOf(outcome) + "\n" + line("approved", outcome.reference.native()) +
          line("new", outcome.actual.native()) + line("map", outcome.map.native()) +
          line("page", report.page.native()) + line("approve by", approveCommand({outcome}, report));
 }
@@ -74,7 +70,7 @@ std::string caseXml(const Outcome& outcome, const OutcomeReport& report) {
   const std::string attachments = attachmentsOf(outcome, report.attachmentRoot);
   return fmt::format(
       "{}>\n    <{} type=\"{}\" message=\"{}\">{}</{}>\n{}  </testcase>\n", head, kind, toString(outcome.status),
-      attribute(messageOf(outcome)), xml(bodyOf(outcome, report)), kind,
+      attribute(reasonOf(outcome)), xml(bodyOf(outcome, report)), kind,
       attachments.empty() ? "" : fmt::format("    <system-out>{}</system-out>\n", xml(attachments)));
 }
 

@@ -41,7 +41,7 @@ std::string rowOf(const Outcome& outcome) {
                                                                     d.differingPixels, d.flip.mean, d.flip.max)
                                                       : std::string(" | | | ");
   return fmt::format("| {} | {} | {} | {} |\n", toString(outcome.status), plain(outcome.name),
-                     plain(outcome.message), figures);
+                     plain(reasonOf(outcome)), figures);
 }
 
 std::string tableOf(const std::vector<Outcome>& outcomes, const OutcomeReport& report) {

@@ -55,6 +55,12 @@ OutcomeStatus statusOf(image::Verdict verdict) {
   return OutcomeStatus::kDifferent;
 }
 
+std::string reasonOf(const Outcome& outcome) {
+  const std::string words = image::wordsOf(outcome.diff.changes);
+  if (words.empty()) return outcome.message.empty() ? "not identical" : outcome.message;
+  return outcome.message.empty() ? words : outcome.message + "; " + words;
+}
+
 std::string countsText(const std::vector<Outcome>& outcomes) {
   std::string text;
   for (const OutcomeStatus status : kAll) {

@@ -46,6 +46,10 @@ struct Outcome {
 
 OutcomeStatus statusOf(image::Verdict verdict);
 
+/// Why an outcome is no pass, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one place of
+/// 40x24 px at (460, 340)". Never empty.
+std::string reasonOf(const Outcome& outcome);
+
 /// How many outcomes have each status: "60 identical, 2 near, 1 different".
 std::string countsText(const std::vector<Outcome>& outcomes);
 

@@ -29,7 +29,7 @@ ordered_json pageOf(const OutcomeReport& report, const std::filesystem::path& sc
 
 /// "sphere: largest difference 230 (limit 2); 2 more"; the name is left out where there is one test only.
 std::string reasonOf(const std::vector<Outcome>& outcomes, const Outcome& first, std::ptrdiff_t failures) {
-  const std::string reason = first.message.empty() ? "not identical" : first.message;
+  const std::string reason = reasonOf(first);
   if (outcomes.size() == 1) return reason;
   return fmt::format("{}: {}{}", first.name, reason, failures > 1 ? fmt::format("; {} more", failures - 1) : "");
 }

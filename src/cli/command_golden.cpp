@@ -69,6 +69,11 @@ std::string lineOf(const GoldenOutcome& outcome, const std::string& message) {
                      message.empty() ? "" : ": ", message);
 }
 
+/// What a near picture is near by stands alone.
+std::string lineReason(const GoldenOutcome& outcome) {
+  return outcome.status == GoldenStatus::kNear ? outcome.message : app::reasonOf(outcome);
+}
+
 /// A line for each outcome that is wanted. What is wrong with a scene is said once, at the first of its pictures.
 template <typename Wanted>
 std::string linesOf(const std::vector<GoldenOutcome>& outcomes, Wanted wanted) {
@@ -76,7 +81,7 @@ std::string linesOf(const std::vector<GoldenOutcome>& outcomes, Wanted wanted) {
   for (const GoldenOutcome& outcome : outcomes) {
     if (!wanted(outcome)) continue;
     const bool again = outcome.status == GoldenStatus::kError && outcome.message == lastError;
-    lines += lineOf(outcome, again ? "the same" : outcome.message);
+    lines += lineOf(outcome, again ? "the same" : lineReason(outcome));
     if (outcome.status == GoldenStatus::kError) lastError = outcome.message;
   }
   return lines;

@@ -49,9 +49,9 @@ TEST(WorstFirst, PutsRowsWithoutFiguresBeforeThoseThatDifferMost) {
   entries[0].status = "identical";
   entries[1].diff.figures.flip.mean = 0.1;
   entries[2].diff.figures.flip.mean = 0.2;
-  for (DiffPageEntry& entry : entries) entry.hasFigures = true;
+  for (DiffPageEntry& entry : entries) entry.diff.hasFigures = true;
   entries[3].status = "missing";
-  entries[3].hasFigures = false;
+  entries[3].diff.hasFigures = false;
   const std::vector<DiffPageEntry*> expected{&entries[3], &entries[2], &entries[1]};
   EXPECT_EQ(worstFirst(entries), expected);
 }

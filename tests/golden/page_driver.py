@@ -103,7 +103,10 @@ class Page:
         self.find(f'#sort option[value="{column}"]').click()
 
     def choose(self, name):
-        next(row for row in self.all('#rows li') if row.get_attribute('data-name') == name).click()
+        row = next(row for row in self.all('#rows li') if row.get_attribute('data-name') == name)
+        self.script('arguments[0].scrollIntoView({block: "center"})', row)  # a row that still moves is missed
+        self.settle()
+        row.click()
         self.settle()
 
     def mode(self, name):
