@@ -103,7 +103,7 @@ TEST_F(Refused, WhatIsNotComparedOrJoined) {
   expectAll({
       {{"diff", "a.mp4", "a.png"}, "both must be PNG files, or both folders, or both films"},
       {{"diff", "a.png", "a.png", "--curve", "c.svg"}, "--curve is of two films"},
-      {{"diff", "a.png", "a.png", "--max", "0-300"}, "the end of the range is a number from 0 to 255"},
+      {{"diff", "a.png", "a.png", "--max", "0-300"}, "the end of the range must be a number from 0 to 255"},
       {{"diff", "a.png", "a.png", "--max", "3"}, "write 0-3: a limit is a range from 0"},
       {{"assemble", "b.mp4"}, "b.mp4: there are no segments of it here", 4},
   });
@@ -123,7 +123,7 @@ TEST_F(Refused, SuitesOfGoldenImages) {
   says(test + "times = [\"soon\"]\n", "expected a film time such as 1.5 or \"90 ms\"");
   says(test + "image = 'p.png'\n", "test: expected a scene or an image, one of the two");
   says("[[test]]\nimage = 'p.png'\ntimes = [1]\n", "test: times and set are for a scene");
-  says(test + "name = 'a/b'\n", "letters, digits, _ - and . make a name, which names a file");
+  says(test + "name = 'a/.b'\n", "'a/.b': a name must be that of a file below the references");
 }
 
 TEST_F(Refused, Quantities) {
