@@ -83,7 +83,7 @@ ordered_json ignoredJson(const PictureDiff& diff) {
   return boxes;
 }
 
-/// What differs, and where: boxes as left, top, width, height and differing pixels.
+/// Changes in words, and their places: boxes as left, top, width, height and differing pixels.
 ordered_json changeJson(const DiffPageEntry& entry) {
   const image::Changes& changes = entry.diff.changes;
   ordered_json places = ordered_json::array();

@@ -23,7 +23,7 @@ struct GoldenReference {
   GoldenOrigin origin;
 };
 
-/// What a test's references are called, beneath the folder of references.
+/// Name of a test's references, beneath the folder of references.
 struct GoldenName {
   std::string name;       ///< of the case; may have folders: "axes/ticks"
   std::string extension;  ///< of its pictures: ".png", ".mp4"

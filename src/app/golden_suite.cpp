@@ -132,7 +132,7 @@ void expectReadable(const fs::path& picture) {
     image::readPngAsStored(picture);
 }
 
-/// What a picture's file says of itself, and the user of an image.
+/// Origin of a picture: texts in its file, and the variant that the user names.
 GoldenOrigin originOf(const GoldenCase& one, const std::string& scene) {
   GoldenOrigin origin{one.variant(), "", scene};
   for (const auto& [key, value] : image::textsOfWholePng(one.actual).value_or(std::vector<image::PngText>{})) {

@@ -20,7 +20,7 @@ struct GoldenCase {
   std::filesystem::path actual;  ///< where the new picture is
 
   GoldenName reference() const { return {name, actual.extension()}; }
-  /// What made the picture of an image, as the user says; empty if nothing is said, and of a scene.
+  /// Variant that the user names for an image; empty without one, and for a scene.
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };
 

@@ -25,7 +25,7 @@ enum class OutcomeStatus {
 /// "identical", "near", "different", "new", "missing", "unused", "error".
 std::string_view toString(OutcomeStatus status);
 
-/// What came of one test: of a case of a suite, or of a pair of pictures or films.
+/// Result of one test: of a case of a suite, or of a pair of pictures or films.
 struct Outcome {
   std::string name;
   OutcomeStatus status = OutcomeStatus::kError;
