@@ -9,10 +9,10 @@
 
 namespace poinsot::app {
 
-GoldenOutcome unmatchedOutcome(const GoldenCase& pattern) {
-  GoldenOutcome outcome;
+Outcome unmatchedOutcome(const GoldenCase& pattern) {
+  Outcome outcome;
   outcome.name = pattern.name;
-  outcome.status = GoldenStatus::kError;
+  outcome.status = OutcomeStatus::kError;
   outcome.rule = pattern.test.rule;
   outcome.message =
       fmt::format("no PNG and no film is there of the name {}: run the program that makes them first",
@@ -36,29 +36,29 @@ StrayPlaces placesOf(const GoldenManifest& manifest, bool all) {
 
 }  // namespace
 
-std::vector<GoldenOutcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
-                                         bool all, bool allMade) {
+std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases, bool all,
+                                   bool allMade) {
   std::vector<GoldenName> names;
   for (const GoldenCase& one : cases)
     if (!one.test.isUnmatched) names.push_back(one.reference());
-  std::vector<GoldenOutcome> outcomes;
+  std::vector<Outcome> outcomes;
   for (const StrayFile& stray : strayFiles(manifest.references, names, placesOf(manifest, all))) {
-    GoldenOutcome& outcome = outcomes.emplace_back();
+    Outcome& outcome = outcomes.emplace_back();
     outcome.name = stray.file.lexically_relative(manifest.references).replace_extension();
-    outcome.status = GoldenStatus::kUnused;
+    outcome.status = OutcomeStatus::kUnused;
     outcome.message = allMade ? stray.why : "approved, and no test makes it: first mend what is in error";
     if (output::isPictureOrFilmName(stray.file)) outcome.reference = stray.file;
   }
   return outcomes;
 }
 
-std::vector<GoldenOutcome> unusedReferences(const GoldenManifest& manifest) {
+std::vector<Outcome> unusedReferences(const GoldenManifest& manifest) {
   const std::vector<GoldenCase> cases = casesOf(manifest, {});
-  std::vector<GoldenOutcome> outcomes;
+  std::vector<Outcome> outcomes;
   for (const GoldenCase& one : cases)
     if (one.test.isUnmatched) outcomes.push_back(unmatchedOutcome(one));
   const bool allMade = outcomes.empty();
-  for (GoldenOutcome& stray : strayOutcomes(manifest, cases, true, allMade)) outcomes.push_back(std::move(stray));
+  for (Outcome& stray : strayOutcomes(manifest, cases, true, allMade)) outcomes.push_back(std::move(stray));
   return outcomes;
 }
 

@@ -8,16 +8,16 @@
 namespace poinsot::app {
 
 /// The error of a pattern of images that matches no file.
-GoldenOutcome unmatchedOutcome(const GoldenCase& pattern);
+Outcome unmatchedOutcome(const GoldenCase& pattern);
 
 /// Files among the references that are compared with nothing.
 /// @param all      whether `cases` are all of the manifest; else only files beside their references are looked at
 /// @param allMade  whether every case had a picture; else a stray file may belong to one that had none
-std::vector<GoldenOutcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
-                                         bool all, bool allMade);
+std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases, bool all,
+                                   bool allMade);
 
 /// Files among the references that no test makes, found without making or comparing any picture; and the errors of
 /// patterns that match no image.
-std::vector<GoldenOutcome> unusedReferences(const GoldenManifest& manifest);
+std::vector<Outcome> unusedReferences(const GoldenManifest& manifest);
 
 }  // namespace poinsot::app

@@ -152,12 +152,12 @@ class Comparing {
   Comparing(const GoldenCase& one, const fs::path& references, const GoldenRequest& golden)
       : one_(one), references_(references), output_(golden.output), limits_(golden.allowance.limits) {}
 
-  void into(GoldenOutcome& outcome) const {
+  void into(Outcome& outcome) const {
     outcome.actual = one_.actual;
     forgetMaps(places());
     const auto all = referencesOf(references_, one_.reference());
     if (all.empty()) {
-      outcome.status = GoldenStatus::kNew;
+      outcome.status = OutcomeStatus::kNew;
       outcome.message = "nothing was approved yet";
       return;
     }
@@ -165,7 +165,7 @@ class Comparing {
     outcome.diff = nearest.diff;
     outcome.status = statusOf(outcome.diff.verdict);
     outcome.message = messageOf(outcome.diff, one_.test.rule);
-    if (outcome.status != GoldenStatus::kIdentical && outcome.diff.hasFigures) draw(nearest, outcome);
+    if (outcome.status != OutcomeStatus::kIdentical && outcome.diff.hasFigures) draw(nearest, outcome);
   }
 
  private:
@@ -188,7 +188,7 @@ class Comparing {
     return request;
   }
 
-  void draw(const ComparedPictures& nearest, GoldenOutcome& outcome) const {
+  void draw(const ComparedPictures& nearest, Outcome& outcome) const {
     const DiffRequest request = places();
     output::makeFolders(request.map->parent_path());
     writeMaps(nearest, request);
@@ -210,20 +210,20 @@ class Run {
         cases_(app::casesOf(manifest, request)),
         outcomes_(cases_.size()) {}
 
-  std::vector<GoldenOutcome> outcomes() {
+  std::vector<Outcome> outcomes() {
     for (std::size_t i = 0; i < cases_.size(); ++i) prepare(i);
     draw();
     forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
     // A scene with a mistake may be what made a reference.
-    const bool allMade = std::ranges::count(outcomes_, GoldenStatus::kError, &GoldenOutcome::status) == 0;
-    for (GoldenOutcome& stray : strayOutcomes(manifest_, cases_, request_.only.empty(), allMade))
+    const bool allMade = std::ranges::count(outcomes_, OutcomeStatus::kError, &Outcome::status) == 0;
+    for (Outcome& stray : strayOutcomes(manifest_, cases_, request_.only.empty(), allMade))
       outcomes_.push_back(std::move(stray));
     return std::move(outcomes_);
   }
 
  private:
   void fail(std::size_t place, const core::Error& error) {
-    outcomes_[place].status = GoldenStatus::kError;
+    outcomes_[place].status = OutcomeStatus::kError;
     outcomes_[place].message = error.what();
     failed_.insert(place);
   }
@@ -272,7 +272,7 @@ class Run {
   }
 
   void compare(std::size_t place) {
-    GoldenOutcome& outcome = outcomes_[place];
+    Outcome& outcome = outcomes_[place];
     if (failed_.contains(place)) return showApproved(place);
     const auto start = std::chrono::steady_clock::now();
     try {
@@ -280,7 +280,7 @@ class Run {
       outcome.origin = originOf(cases_[place], outcome.origin.scene);
       Comparing(cases_[place], manifest_.references, request_).into(outcome);
     } catch (const core::Error& error) {
-      outcome.status = GoldenStatus::kError;
+      outcome.status = OutcomeStatus::kError;
       outcome.message = error.what();
       outcome.actual = cases_[place].actual;
       showApproved(place);
@@ -298,7 +298,7 @@ class Run {
   const GoldenManifest& manifest_;
   const GoldenRequest& request_;
   std::vector<GoldenCase> cases_;
-  std::vector<GoldenOutcome> outcomes_;
+  std::vector<Outcome> outcomes_;
   std::vector<Drawing> drawings_;
   std::set<std::size_t> failed_;
 };
@@ -337,7 +337,7 @@ void expectKnownVariants(const GoldenManifest& manifest, const std::vector<Golde
                                     approveBy));
 }
 
-std::vector<GoldenOutcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {
+std::vector<Outcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {
   return Run(manifest, request).outcomes();
 }
 

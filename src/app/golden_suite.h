@@ -24,9 +24,6 @@ struct GoldenCase {
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };
 
-using GoldenStatus = OutcomeStatus;
-using GoldenOutcome = Outcome;
-
 struct GoldenRequest {
   /// Names of tests or of cases, * for any characters, or files as the manifest has them; empty: all.
   std::vector<std::string> only;
@@ -50,6 +47,6 @@ void expectKnownVariants(const GoldenManifest& manifest, const std::vector<Golde
 /// Makes the pictures of all cases and compares them with what was approved; `jobs` at a time. Where all cases are
 /// run, references that belong to none are told as well. In order of the cases, whatever the jobs.
 /// @throws Interrupted; core::Error(kIo) if pictures of the comparison cannot be written.
-std::vector<GoldenOutcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request);
+std::vector<Outcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request);
 
 }  // namespace poinsot::app

@@ -34,8 +34,8 @@ namespace poinsot::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using app::GoldenOutcome;
-using app::GoldenStatus;
+using app::Outcome;
+using app::OutcomeStatus;
 using core::Error;
 using core::ErrorKind;
 
@@ -64,25 +64,25 @@ app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allo
           options.variant};
 }
 
-std::string lineOf(const GoldenOutcome& outcome, const std::string& message) {
+std::string lineOf(const Outcome& outcome, const std::string& message) {
   return fmt::format("{:<10} {}{}{}\n", toString(outcome.status), core::printable(outcome.name),
                      message.empty() ? "" : ": ", message);
 }
 
 /// What a near picture is near by stands alone.
-std::string lineReason(const GoldenOutcome& outcome) {
-  return outcome.status == GoldenStatus::kNear ? outcome.message : app::reasonOf(outcome);
+std::string lineReason(const Outcome& outcome) {
+  return outcome.status == OutcomeStatus::kNear ? outcome.message : app::reasonOf(outcome);
 }
 
 /// A line for each outcome that is wanted. What is wrong with a scene is said once, at the first of its pictures.
 template <typename Wanted>
-std::string linesOf(const std::vector<GoldenOutcome>& outcomes, Wanted wanted) {
+std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
   std::string lines, lastError;
-  for (const GoldenOutcome& outcome : outcomes) {
+  for (const Outcome& outcome : outcomes) {
     if (!wanted(outcome)) continue;
-    const bool again = outcome.status == GoldenStatus::kError && outcome.message == lastError;
+    const bool again = outcome.status == OutcomeStatus::kError && outcome.message == lastError;
     lines += lineOf(outcome, again ? "the same" : lineReason(outcome));
-    if (outcome.status == GoldenStatus::kError) lastError = outcome.message;
+    if (outcome.status == OutcomeStatus::kError) lastError = outcome.message;
   }
   return lines;
 }
@@ -157,12 +157,12 @@ class Golden {
   /// Whether nothing but --exact makes it fail.
   bool onlyNear() const {
     return options_.exact && failures() > 0 &&
-           std::ranges::all_of(outcomes_, [](const GoldenOutcome& o) { return o.passes(false); });
+           std::ranges::all_of(outcomes_, [](const Outcome& o) { return o.passes(false); });
   }
 
   void tell() const {
     if (options_.json) return say(app::suiteJson(outcomes_, {manifest_.references, options_.output}));
-    say(linesOf(outcomes_, [](const GoldenOutcome& o) { return o.status != GoldenStatus::kIdentical; }));
+    say(linesOf(outcomes_, [](const Outcome& o) { return o.status != OutcomeStatus::kIdentical; }));
     say(fmt::format("{}{}\n", outcomes_.empty() ? "nothing approved is unused" : app::countsText(outcomes_),
                     onlyNear() ? ": not all identical, as --exact asks" : ""));
     if (failures() == 0) return;
@@ -214,35 +214,35 @@ class Golden {
 
   /// Approves what is not as it was; exit 1 only where there is no picture to approve.
   int update() const {
-    const auto isThere = [](const GoldenOutcome& o) {
-      return o.status != GoldenStatus::kError && o.status != GoldenStatus::kUnused;
+    const auto isThere = [](const Outcome& o) {
+      return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused;
     };
-    for (const GoldenOutcome& outcome : outcomes_)
-      if (isThere(outcome) && (outcome.status != GoldenStatus::kIdentical || !hasOrigin(outcome)))
+    for (const Outcome& outcome : outcomes_)
+      if (isThere(outcome) && (outcome.status != OutcomeStatus::kIdentical || !hasOrigin(outcome)))
         approve(outcome);
     say(linesOf(outcomes_, std::not_fn(isThere)));
     return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
   }
 
   /// Whether it is written down what the reference was made with.
-  static bool hasOrigin(const GoldenOutcome& outcome) {
+  static bool hasOrigin(const Outcome& outcome) {
     std::error_code ignored;
     return fs::exists(fs::path(outcome.reference).replace_extension(".json"), ignored);
   }
 
-  void approve(const GoldenOutcome& outcome) const {
+  void approve(const Outcome& outcome) const {
     const app::Approval approval = app::approve(outcome.actual, outcome.origin, manifest_.references,
                                                 {outcome.name, outcome.actual.extension()}, options_.beside);
     for (const fs::path& file : approval.removed)
       say(fmt::format("{}: removed, as it was approved for what is no more\n", core::printable(file.native())));
-    if (outcome.status == GoldenStatus::kIdentical) return;
+    if (outcome.status == OutcomeStatus::kIdentical) return;
     say(fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome)));
   }
 
   const GoldenOptions& options_;
   app::GoldenRequest request_;
   app::GoldenManifest manifest_;
-  std::vector<GoldenOutcome> outcomes_;
+  std::vector<Outcome> outcomes_;
 };
 
 /// Runs the suite. An index page shows the last outcome that it finds, so that of an earlier run goes first: this
