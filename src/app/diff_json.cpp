@@ -49,8 +49,17 @@ ordered_json limitsJson(const image::NearRule& rule) {
   return json;
 }
 
+ordered_json limitsJson(const PictureRule& rule) {
+  ordered_json json = limitsJson(rule.limits), boxes = ordered_json::array();
+  for (const image::PixelRect& box : rule.ignore)
+    boxes.push_back({box.left, box.top, box.right - box.left, box.bottom - box.top});
+  json["ignore"] = boxes;
+  json["mask"] = textOrNull(rule.mask.native());
+  return json;
+}
+
 ordered_json limitsJson(const DiffRequest& request) {
-  ordered_json json = limitsJson(request.rule.limits);
+  ordered_json json = limitsJson(request.rule);
   json["pixels_per_degree"] = request.pixelsPerDegree;
   return json;
 }
@@ -79,6 +88,12 @@ ordered_json placesJson(const image::Changes& changes) {
     json.push_back({box.left, box.top, box.right - box.left, box.bottom - box.top, pixels});
   }
   return json;
+}
+
+/// Numbers of frames, from 0, and when they are shown.
+ordered_json filmJson(const FilmSummary& film) {
+  return {{"frames", film.frames},        {"differing_frames", film.differing}, {"first_frame", film.first},
+          {"first_time_s", film.first_s}, {"worst_frame", film.worst},          {"worst_time_s", film.worst_s}};
 }
 
 /// The object of one pair, without the names. `worstPixels`: with the list of them.
@@ -110,6 +125,7 @@ ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
                    {"third_quartile", d.flip.thirdQuartile},
                    {"max", d.flip.max}}}});
   }
+  if (diff.film) json["film"] = filmJson(*diff.film);
   json["change"] = textOrNull(image::wordsOf(diff.changes));
   if (!worstPixels) return json;
   json["places"] = placesJson(diff.changes);
@@ -127,21 +143,12 @@ ordered_json outcomeJson(const Outcome& outcome) {
                {"test", textOrNull(outcome.actual.native())},
                {"map", textOrNull(outcome.map.native())},
                {"renderer", textOrNull(outcome.origin.renderer)},
-               {"limits", limitsJson(outcome.rule.limits)}});
+               {"limits", limitsJson(outcome.rule)}});
   return json;
 }
 
-/// The verdict of all together: that of the worst.
-image::Verdict verdictOf(const std::vector<Outcome>& outcomes) {
-  image::Verdict worst = image::Verdict::kIdentical;
-  for (const Outcome& outcome : outcomes)
-    worst = std::max(worst, outcome.passes(false) ? outcome.diff.verdict : image::Verdict::kDifferent);
-  return worst;
-}
-
-}  // namespace
-
-std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& names) {
+/// Pairs, and what has no partner.
+ordered_json outcomesJson(const std::vector<Outcome>& outcomes, const DiffNames& names) {
   ordered_json json = headJson(verdictOf(outcomes), names);
   json.update({{"pictures", ordered_json::array()},
                {"only_in_reference", ordered_json::array()},
@@ -153,7 +160,13 @@ std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& nam
       json["only_in_test"].push_back(outcome.name);
     else
       json["pictures"].push_back(outcomeJson(outcome));
-  return dumped(json);
+  return json;
+}
+
+}  // namespace
+
+std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& names) {
+  return dumped(outcomesJson(outcomes, names));
 }
 
 std::string listJson(const std::vector<GoldenCase>& cases) {
@@ -170,16 +183,8 @@ std::string diffJson(const PictureDiff& diff, const DiffNames& names, const Diff
   return dumped(json);
 }
 
-std::string diffJson(const FolderDiff& diff, const DiffNames& names, const DiffRequest& request) {
-  ordered_json json = headJson(diff.verdict(), names);
-  json["pictures"] = ordered_json::array();
-  for (const PictureDiff& picture : diff.pictures) {
-    ordered_json entry{{"name", picture.name}};
-    entry.update(figuresJson(picture, true));
-    json["pictures"].push_back(std::move(entry));
-  }
-  json["only_in_reference"] = diff.onlyInReference;
-  json["only_in_test"] = diff.onlyInTest;
+std::string diffJson(const std::vector<Outcome>& outcomes, const DiffNames& names, const DiffRequest& request) {
+  ordered_json json = outcomesJson(outcomes, names);
   json["limits"] = limitsJson(request);
   return dumped(json);
 }
@@ -188,6 +193,7 @@ std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffReq
   ordered_json json = headJson(diff.verdict(), names);
   json["mismatch"] = textOrNull(diff.mismatch);
   json["fps"] = core::toString(diff.fps);
+  if (const PictureDiff summary = summaryOf(diff); summary.film) json["film"] = filmJson(*summary.film);
   if (!diff.frames.empty()) json["worst_frame"] = diff.worst();
   json["frames"] = ordered_json::array();
   for (const PictureDiff& frame : diff.frames) json["frames"].push_back(figuresJson(frame, false));

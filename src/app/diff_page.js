@@ -142,7 +142,10 @@ function chooseMode(mode) {
 document.addEventListener('keydown', event => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const typing = event.target.matches('input:not([type=checkbox]), select');
-  if (typing && event.key === 'Escape') event.target.blur();
+  if (typing && event.key === 'Escape') {
+    if (event.target === $('#find')) { event.target.value = ''; filter(); }
+    event.target.blur();
+  }
   if (typing || !keys[event.key] || !data.entries.length) return;
   event.preventDefault();
   keys[event.key]();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "app/diff_curve.h"
 #include "app/diff_text.h"
@@ -31,13 +32,18 @@ DiffPageEntry frameEntry(const FilmDiff& diff, std::size_t frame, const Compared
                          const OutcomePageHead& head) {
   Outcome outcome;
   outcome.name = fmt::format("{}", frame);
-  outcome.status = statusOf(diff.frames[frame].verdict);
-  outcome.message = reasonOf(diff.frames[frame]);
-  outcome.diff = diff.frames[frame];
+  outcome.status = statusOf(compared.diff.verdict);
+  outcome.message = reasonOf(compared.diff);
+  outcome.diff = compared.diff;
   DiffPageEntry entry = entryOf(outcome, head);
   entry.facts.emplace_back("time", fmt::format("{:.3f} s", diff.time_s(frame)));
   embedCompared(entry, compared);
   return entry;
+}
+
+/// False if a file could not be read, and for a film beside a picture.
+bool hasPictures(const ComparedPictures& compared) {
+  return std::visit([](const auto& picture) { return picture.size.width > 0; }, compared.reference.pixels);
 }
 
 }  // namespace
@@ -46,7 +52,10 @@ std::string diffReport(const ComparedPictures& compared, const Outcome& outcome,
   DiffPage page = pageOf(head);
   DiffPageEntry& entry = page.entries.emplace_back(entryOf(outcome, head));
   if (compared.diff.verdict == image::Verdict::kIdentical) return htmlOf(page);
-  embedCompared(entry, compared);
+  if (hasPictures(compared))
+    embedCompared(entry, compared);
+  else
+    embedFiles(entry);
   EmbedBudget().admit(entry);
   return htmlOf(page);
 }

@@ -45,17 +45,17 @@ std::string notesText(const PictureDiff& diff) {
 }
 
 /// Remarks on many pictures, each once with how many it is about.
-std::string notesText(const std::vector<PictureDiff>& pictures) {
+std::string notesText(const std::vector<Outcome>& outcomes) {
   std::map<std::string, int> counts;
-  for (const PictureDiff& picture : pictures)
-    for (const std::string& note : picture.notes) ++counts[note];
+  for (const Outcome& outcome : outcomes)
+    for (const std::string& note : outcome.diff.notes) ++counts[note];
   std::string text;
   for (const auto& [note, count] : counts)
-    text += fmt::format("  note: {} of {}: {}\n", count, pictures.size(), note);
+    text += fmt::format("  note: {} of {}: {}\n", count, outcomes.size(), note);
   return text;
 }
 
-/// What of the rule does not hold, in a line of its own.
+/// Limits that do not hold, in a line of their own.
 std::string beyondText(const PictureDiff& diff) {
   return diff.excesses.empty() ? "" : fmt::format("  beyond     {}\n", reasonOf(diff));
 }
@@ -63,7 +63,9 @@ std::string beyondText(const PictureDiff& diff) {
 /// One line of a pair among many, or of a frame.
 std::string rowText(const PictureDiff& diff, const char* kind = "") {
   const image::ImageDifference& d = diff.figures;
-  if (!diff.hasFigures) return fmt::format("  different  {}: {}\n", core::printable(diff.name), diff.mismatch);
+  if (!diff.hasFigures)
+    return fmt::format("  {:<9}  {}: {}\n", diff.isReadable ? "different" : "error", core::printable(diff.name),
+                       diff.mismatch);
   if (diff.film)
     return fmt::format("  {:<9}  {}{}: {}\n", image::toString(diff.verdict), kind, core::printable(diff.name),
                        reasonOf(diff));
@@ -71,6 +73,12 @@ std::string rowText(const PictureDiff& diff, const char* kind = "") {
   return fmt::format("  {:<9}  {}{}: largest {:.4g}, {} pixels, FLIP mean {:.3g}, max {:.3g}{}{}\n",
                      image::toString(diff.verdict), kind, core::printable(diff.name), d.maxAbs, d.differingPixels,
                      d.flip.mean, d.flip.max, change.empty() ? "" : "; ", change);
+}
+
+std::string rowText(const Outcome& outcome) {
+  if (outcome.status == OutcomeStatus::kMissing || outcome.status == OutcomeStatus::kNew)
+    return fmt::format("  {:<9}  {}\n", toString(outcome.status), core::printable(outcome.name));
+  return rowText(outcome.diff);
 }
 
 }  // namespace
@@ -110,20 +118,13 @@ std::string diffText(const PictureDiff& diff, const DiffRequest& request) {
   return head + (figures ? figuresText(diff, request.pixelsPerDegree) : "") + notesText(diff);
 }
 
-std::string diffText(const FolderDiff& diff) {
-  std::string counts = countsText(diff.pictures);
-  const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0) counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, what);
-  };
-  add(diff.onlyInReference.size(), "missing");
-  add(diff.onlyInTest.size(), "new");
-  std::string text = verdictLine(diff.verdict(), counts);
-  for (const PictureDiff& picture : diff.pictures)
-    if (picture.verdict != image::Verdict::kIdentical) text += rowText(picture);
-  for (const std::string& name : diff.onlyInReference)
-    text += fmt::format("  missing    {}\n", core::printable(name));
-  for (const std::string& name : diff.onlyInTest) text += fmt::format("  new        {}\n", core::printable(name));
-  return text + notesText(diff.pictures);
+std::string diffText(const std::vector<Outcome>& outcomes, const std::vector<std::string>& links) {
+  std::string text = verdictLine(verdictOf(outcomes), countsText(outcomes));
+  for (const Outcome& outcome : outcomes)
+    if (outcome.status != OutcomeStatus::kIdentical) text += rowText(outcome);
+  for (const std::string& link : links)
+    text += fmt::format("  note: {}: is a link to a folder, which is not followed\n", core::printable(link));
+  return text + notesText(outcomes);
 }
 
 std::string diffText(const FilmDiff& diff) {

@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "app/film_diff.h"
-#include "app/folder_diff.h"
+#include "app/outcome.h"
 #include "app/picture_diff.h"
 
 namespace poinsot::app {
 
 /// For people: the verdict, and why, in the first line; then the figures.
 std::string diffText(const PictureDiff& diff, const DiffRequest& request);
-std::string diffText(const FolderDiff& diff);
+/// @param links  to folders, which were not followed
+std::string diffText(const std::vector<Outcome>& outcomes, const std::vector<std::string>& links);
 std::string diffText(const FilmDiff& diff);
 
 /// The figures of a pair as terms and what is to be said of each. @pre diff.mismatch is empty.

@@ -19,10 +19,12 @@ ComparedPictures compareFilms(const fs::path& reference, const fs::path& test, c
                               int jobs) {
   const FilmDiff film = diffFilms(reference, test, request, jobs);
   ComparedPictures compared;
-  if (!film.frames.empty() && film.frames[film.worst()].verdict != image::Verdict::kIdentical)
+  PictureDiff summary = summaryOf(film);
+  if (!film.frames.empty() && summary.verdict != image::Verdict::kIdentical)
     forFrames(reference, test, {film.worst()}, request,
               [&](std::size_t, const ComparedPictures& frame) { compared = frame; });
-  compared.diff = summaryOf(film);
+  summary.ignored = compared.diff.ignored;
+  compared.diff = std::move(summary);
   return compared;
 }
 
@@ -36,6 +38,13 @@ ComparedPictures unlikeKinds(const fs::path& picture, bool testIsFilm) {
 }
 
 }  // namespace
+
+PictureDiff unreadablePair(const core::Error& error) {
+  PictureDiff diff;
+  diff.isReadable = false;
+  diff.mismatch = error.what();
+  return diff;
+}
 
 ComparedPictures compareFiles(const fs::path& reference, const fs::path& test, const DiffRequest& request,
                               int jobs) {

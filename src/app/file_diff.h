@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/picture_diff.h"
+#include "core/error.h"
 
 namespace poinsot::app {
 
@@ -13,5 +14,8 @@ namespace poinsot::app {
 /// @throws core::Error(kIo) with the file, if one cannot be read; as comparePictures().
 ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
                               const DiffRequest& request, int jobs = 1);
+
+/// The result of a pair that cannot be compared because of an error.
+PictureDiff unreadablePair(const core::Error& error);
 
 }  // namespace poinsot::app

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
+#include "image/png_file.h"
 #include "output/film_reader.h"
 
 namespace poinsot::app {
@@ -69,6 +70,15 @@ class FilmPair {
   FilmTimes times_, timesOfTest_;
 };
 
+/// The default picture of an animated PNG may be none of its frames.
+std::string defaultPictureMismatch(const std::filesystem::path& reference, const std::filesystem::path& test,
+                                   const DiffRequest& request) {
+  if (!image::isAnimatedPng(reference) || !image::isAnimatedPng(test)) return "";
+  const auto picture = [](const auto& file) { return DiffPicture{image::readPngAsStored(file).picture}; };
+  if (comparePictures(picture(reference), picture(test), request).diff.passes(false)) return "";
+  return "the default picture, which viewers without animation show, is different";
+}
+
 }  // namespace
 
 image::Verdict FilmDiff::verdict() const {
@@ -98,10 +108,12 @@ FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem
     forEachIndex(pairs.size(), jobs, [&](std::size_t i) {
       auto& [a, b] = pairs[i];
       diff.frames[first + i] = comparePictures(std::move(a), std::move(b), request).diff;
+      diff.frames[first + i].ignored = {};  // the same in all
       diff.frames[first + i].name = fmt::format("{}", first + i);
     });
   }
   diff.mismatch = films.mismatch();
+  if (diff.mismatch.empty()) diff.mismatch = defaultPictureMismatch(reference, test, request);
   diff.times = films.times();
   return diff;
 }

@@ -22,15 +22,17 @@ namespace fs = std::filesystem;
 using core::Error;
 using core::ErrorKind;
 
-/// Names of the PNG files and films beneath a folder, from there; sorted. Hidden ones, and links to folders, are
-/// left out.
-std::vector<std::string> namesIn(const fs::path& folder) {
+/// Names of the PNG files and films beneath a folder, from there; sorted. Hidden ones are left out.
+/// @param links  gets the links to folders, which are not followed
+std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string>& links) {
   std::vector<std::string> names;
   std::error_code failure;
   for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
     const bool hidden = entry->path().filename().native().starts_with('.');
     if (hidden) entry.disable_recursion_pending();
+    if (!hidden && entry->is_symlink(failure) && entry->is_directory(failure))
+      links.push_back((folder / entry->path().lexically_relative(folder)).native());
     if (!hidden && output::isPictureOrFilmName(entry->path()) && entry->is_regular_file(failure))
       names.push_back(entry->path().lexically_relative(folder).native());
   }
@@ -64,15 +66,6 @@ PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std:
   return std::move(compared.diff);
 }
 
-/// Of a pair that cannot be read.
-PictureDiff unreadablePair(const std::string& name, const Error& error) {
-  PictureDiff diff;
-  diff.name = name;
-  diff.isReadable = false;
-  diff.mismatch = error.what();
-  return diff;
-}
-
 }  // namespace
 
 image::Verdict FolderDiff::verdict() const {
@@ -83,12 +76,12 @@ image::Verdict FolderDiff::verdict() const {
 }
 
 FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const DiffRequest& request, int jobs) {
-  const auto ours = namesIn(reference), theirs = namesIn(test);
+  FolderDiff diff;
+  const auto ours = namesIn(reference, diff.linkedFolders), theirs = namesIn(test, diff.linkedFolders);
   if (ours.empty() && theirs.empty())
     throw Error(ErrorKind::kUsage,
                 fmt::format("{} and {}: no PNG file and no film is there", core::printable(reference.native()),
                             core::printable(test.native())));
-  FolderDiff diff;
   std::vector<std::string> both;
   std::ranges::set_intersection(ours, theirs, std::back_inserter(both));
   std::ranges::set_difference(ours, theirs, std::back_inserter(diff.onlyInReference));
@@ -99,7 +92,8 @@ FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const Di
     try {
       diff.pictures[i] = diffPair(reference, test, both[i], request);
     } catch (const Error& error) {
-      diff.pictures[i] = unreadablePair(both[i], error);
+      diff.pictures[i] = unreadablePair(error);
+      diff.pictures[i].name = both[i];
       errors[i] = error;
     }
   });

@@ -14,7 +14,8 @@ namespace poinsot::app {
 struct FolderDiff {
   std::vector<PictureDiff> pictures;  ///< by name
   std::vector<std::string> onlyInReference, onlyInTest;
-  std::optional<core::Error> firstError;  ///< of the first pair that could not be read or drawn; it is different
+  std::vector<std::string> linkedFolders;  ///< links to folders, which are not followed
+  std::optional<core::Error> firstError;   ///< of the first pair that could not be read or drawn; it is different
 
   /// The worst of the pairs; different where something has no partner.
   image::Verdict verdict() const;

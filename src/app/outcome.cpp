@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr OutcomeStatus kAll[] = {OutcomeStatus::kIdentical, OutcomeStatus::kNear,    OutcomeStatus::kDifferent,
-                                  OutcomeStatus::kNew,       OutcomeStatus::kMissing, OutcomeStatus::kUnused,
+constexpr OutcomeStatus kAll[] = {OutcomeStatus::kIdentical, OutcomeStatus::kNear, OutcomeStatus::kDifferent,
+                                  OutcomeStatus::kMissing,   OutcomeStatus::kNew,  OutcomeStatus::kUnused,
                                   OutcomeStatus::kError};
 
 /// The map of a pair where it was written.
@@ -70,6 +70,13 @@ std::string countsText(const std::vector<Outcome>& outcomes) {
   return text;
 }
 
+image::Verdict verdictOf(const std::vector<Outcome>& outcomes) {
+  image::Verdict worst = image::Verdict::kIdentical;
+  for (const Outcome& outcome : outcomes)
+    worst = std::max(worst, outcome.passes(false) ? outcome.diff.verdict : image::Verdict::kDifferent);
+  return worst;
+}
+
 std::ptrdiff_t countFailures(const std::vector<Outcome>& outcomes, bool exact) {
   return std::ranges::count_if(outcomes, [&](const Outcome& o) { return !o.passes(exact); });
 }
@@ -107,7 +114,7 @@ std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& referenc
 
 std::string approvalText(const Outcome& outcome) {
   if (outcome.status == OutcomeStatus::kNew) return "approved, the first of its test";
-  if (!outcome.diff.hasFigures) return "approved, " + outcome.diff.mismatch;
+  if (!outcome.diff.mismatch.empty()) return "approved, " + outcome.diff.mismatch;
   const image::ImageDifference& d = outcome.diff.figures;
   return fmt::format("approved, {} pixels changed, largest {:.4g}, FLIP mean {:.3g}, max {:.3g}",
                      d.differingPixels, d.maxAbs, d.flip.mean, d.flip.max);

@@ -46,12 +46,15 @@ struct Outcome {
 
 OutcomeStatus statusOf(image::Verdict verdict);
 
-/// Why an outcome is no pass, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one place of
-/// 40x24 px at (460, 340)". Never empty.
+/// Why an outcome is no pass, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one place
+/// of 40x24 px at (460, 340)". Never empty.
 std::string reasonOf(const Outcome& outcome);
 
 /// How many outcomes have each status: "60 identical, 2 near, 1 different".
 std::string countsText(const std::vector<Outcome>& outcomes);
+
+/// The verdict of all together: that of the worst.
+image::Verdict verdictOf(const std::vector<Outcome>& outcomes);
 
 std::ptrdiff_t countFailures(const std::vector<Outcome>& outcomes, bool exact);
 

@@ -67,6 +67,7 @@ void compareForms(ComparedPictures& compared, const DiffRequest& request) {
   compared.flip = std::move(made.flip);
   diff.hasFigures = true;
   diff.figures = std::move(made.difference);
+  expectCanRefuse(request.rule.limits, "the limits", diff.figures.comparedPixels);
   constexpr std::size_t kMostBoxes = 400;
   diff.ignoredShare = ignored ? ignored->share() : 0;
   if (ignored) diff.ignored = ignored->boxes(kMostBoxes);
@@ -77,7 +78,8 @@ void compareForms(ComparedPictures& compared, const DiffRequest& request) {
   if (diff.verdict == image::Verdict::kIdentical) return;
   const auto& [reference, test, same, flip] = compared;
   diff.changes = image::changesBetween(
-      reference.pixels, ignored ? image::withIgnoredOf(reference.pixels, test.pixels, *ignored) : test.pixels);
+      reference.pixels, ignored ? image::withIgnoredOf(reference.pixels, test.pixels, *ignored) : test.pixels,
+      ignored ? &*ignored : nullptr);
 }
 
 }  // namespace
@@ -98,10 +100,11 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
   diff.storedAlike = compared.reference.stored == compared.test.stored;
   diff.mismatch = sizeMismatch(compared.reference, compared.test);
   if (!diff.mismatch.empty()) return compared;
-  image::toCommonForm(compared.reference.pixels, compared.test.pixels);
-  expectWithinMemory(compareMemory_bytes(diff.size, hasAlpha(compared.reference.pixels)),
+  const bool transparent = hasAlpha(compared.reference.pixels) || hasAlpha(compared.test.pixels);
+  expectWithinMemory(compareMemory_bytes(diff.size, transparent),
                      fmt::format("comparing pictures of {}x{}", diff.size.width, diff.size.height),
                      request.limits);
+  image::toCommonForm(compared.reference.pixels, compared.test.pixels);
   compareForms(compared, request);
   diff.notes = notesOf(compared);
   return compared;

@@ -137,8 +137,10 @@ image::PixelRect ignoredBox(std::string_view name, std::string_view word) {
   return ignoredBox(fmt::format("{} '{}'", name, core::printable(word)), numbers);
 }
 
-void expectCanRefuse(const image::NearRule& limits, std::string_view name) {
-  if (!limits.canRefuse()) refuse(fmt::format("{}: every picture would pass; lower at least one limit", name));
+void expectCanRefuse(const image::NearRule& limits, std::string_view name, std::optional<std::int64_t> pixels) {
+  if (limits.canRefuse(pixels)) return;
+  const std::string many = pixels ? fmt::format(" of {} pixels", *pixels) : "";
+  refuse(fmt::format("{}: every picture{} would pass; lower at least one limit", name, many));
 }
 
 std::optional<image::IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::PixelSize size) {

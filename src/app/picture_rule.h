@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -44,8 +45,9 @@ image::PixelRect ignoredBox(std::string_view name, std::span<const double> leftT
 /// The same of "x,y,w,h".
 image::PixelRect ignoredBox(std::string_view name, std::string_view word);
 
-/// @throws core::Error(kUsage) with `name` if no picture could be beyond the limits.
-void expectCanRefuse(const image::NearRule& limits, std::string_view name);
+/// @throws core::Error(kUsage) with `name` if no picture, or none of so many pixels, could be beyond the limits.
+void expectCanRefuse(const image::NearRule& limits, std::string_view name,
+                     std::optional<std::int64_t> pixels = {});
 
 /// The places that a rule leaves out of a picture; nothing where it leaves out none.
 /// @throws core::Error(kUsage) if a box lies outside of the picture, the mask has another size, or nothing would

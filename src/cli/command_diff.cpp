@@ -63,16 +63,12 @@ Kind kindOf(const fs::path& path) {
   return output::isFilm(path) ? Kind::kFilm : Kind::kPicture;
 }
 
-/// A single picture beside an animated one of the same kind of name is a difference, not a slip.
-bool areBothPng(const DiffOptions& options) {
-  return image::isPngName(options.reference) && image::isPngName(options.test);
-}
-
+/// A film beside a picture is a difference; a folder beside a file is a slip.
 Kind commonKind(const DiffOptions& options) {
   const Kind reference = kindOf(options.reference), test = kindOf(options.test);
   if (reference == test) return reference;
-  if (reference != Kind::kFolder && test != Kind::kFolder && areBothPng(options)) return Kind::kPicture;
-  throw Error(ErrorKind::kUsage, "both must be PNG files, or both folders, or both films");
+  if (reference != Kind::kFolder && test != Kind::kFolder) return Kind::kPicture;
+  throw Error(ErrorKind::kUsage, "both must be files, or both folders");
 }
 
 app::PictureRule ruleOf(const DiffOptions& options) {
@@ -155,12 +151,7 @@ class Diff {
       case Kind::kPicture:
         break;
     }
-    const auto compared = app::compareFiles(options_.reference, options_.test, request_);
-    app::writeMaps(compared, request_);
-    const app::Outcome outcome = outcomeOf(compared.diff);
-    writeReport([&] { return app::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
-    return finish({outcome}, options_.json ? app::diffJson(compared.diff, names(), request_)
-                                           : app::diffText(compared.diff, request_));
+    return finishPictures();
   }
 
  private:
@@ -190,6 +181,27 @@ class Diff {
     return outcome;
   }
 
+  int finishPictures() const {
+    std::optional<Error> unreadable;
+    app::ComparedPictures compared;
+    try {
+      compared = app::compareFiles(options_.reference, options_.test, request_);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kIo) throw;
+      unreadable = error;
+      compared.diff = app::unreadablePair(error);
+    }
+    app::writeMaps(compared, request_);
+    const app::Outcome outcome = outcomeOf(compared.diff);
+    writeReport([&] { return app::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
+    const std::string text = options_.json ? app::diffJson(compared.diff, names(), request_)
+                             : unreadable  ? ""
+                                           : app::diffText(compared.diff, request_);
+    const int code = finish({outcome}, text);
+    if (unreadable) throw *unreadable;  // after what could be told
+    return code;
+  }
+
   template <class Page>
   void writeReport(Page page) const {
     if (!options_.report.empty()) output::writeFileAtomically(options_.report, page());
@@ -198,8 +210,8 @@ class Diff {
   int finish(const app::FolderDiff& diff) const {
     const auto outcomes = app::outcomesOf(diff, options_.reference, options_.test, request_);
     writeReport([&] { return app::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
-    const int code =
-        finish(outcomes, options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+    const int code = finish(outcomes, options_.json ? app::diffJson(outcomes, names(), request_)
+                                                    : app::diffText(outcomes, diff.linkedFolders));
     if (diff.firstError) throw *diff.firstError;  // after what could be told
     return code;
   }

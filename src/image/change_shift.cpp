@@ -78,12 +78,16 @@ std::optional<Shift> found(const BasicImage<Sample>& a, const BasicImage<Sample>
                            std::int64_t changed) {
   const ShiftTrial<Sample> trial(a, b, box, changed);
   int fullTrials = 8;  // bounds the cost of pictures in which every probe agrees with many shifts
+  std::optional<Shift> only;
   for (const Shift& shift : candidates()) {
     if (!trial.agreesAtProbes(shift)) continue;
-    if (trial.agreesEverywhere(shift)) return shift;
+    if (trial.agreesEverywhere(shift)) {
+      if (only) return std::nullopt;  // a flat area that grew looks moved by any of many shifts
+      only = shift;
+    }
     if (--fullTrials == 0) break;
   }
-  return std::nullopt;
+  return only;
 }
 
 }  // namespace

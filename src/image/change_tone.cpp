@@ -10,15 +10,15 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// Of one channel: the new value of each old one; kNone where it does not occur.
+/// New value of each old one of a channel; kNone for a value that does not occur.
 using Table = std::vector<int>;
 
-/// A value that occurs, and what became of it.
+/// A value that occurs, and its new value.
 struct Entry {
   int channel, from, to;
 };
 
-/// What became of all values, in rising order of channel and value.
+/// New values of all values that occur, in rising order of channel and value.
 struct Mapping {
   std::vector<Entry> entries;
   int most = 0;             ///< the largest sample
@@ -39,11 +39,13 @@ std::vector<Entry> entriesOf(const std::vector<Table>& tables) {
 
 /// Nothing as soon as one value became two.
 template <typename Sample>
-std::optional<Mapping> mappingOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
+std::optional<Mapping> mappingOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
+                                 const IgnoreMask* ignored) {
   const auto channels = static_cast<std::size_t>(a.channels);
   std::vector<Table> tables(channels, Table(std::size_t{BasicImage<Sample>::kMost} + 1, kNone));
   bool allChanged = true;
   for (std::size_t i = 0; i < a.pixels.size(); i += channels) {
+    if (ignored && ignored->ignoresPixel(i / channels)) continue;
     bool changed = false;
     for (std::size_t c = 0; c < channels; ++c) {
       int& to = tables[c][a.pixels[i + c]];
@@ -121,17 +123,21 @@ std::optional<ToneChange> changeOf(const Mapping& mapping) {
 }
 
 template <typename Sample>
-std::optional<ToneChange> found(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
-  const auto mapping = mappingOf(a, b);
+std::optional<ToneChange> found(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
+                                const IgnoreMask* ignored) {
+  const auto mapping = mappingOf(a, b, ignored);
   return mapping ? changeOf(*mapping) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<ToneChange> toneChange(const Image& reference, const Image& test) { return found(reference, test); }
+std::optional<ToneChange> toneChange(const Image& reference, const Image& test, const IgnoreMask* ignored) {
+  return found(reference, test, ignored);
+}
 
-std::optional<ToneChange> toneChange(const DeepImage& reference, const DeepImage& test) {
-  return found(reference, test);
+std::optional<ToneChange> toneChange(const DeepImage& reference, const DeepImage& test,
+                                     const IgnoreMask* ignored) {
+  return found(reference, test, ignored);
 }
 
 }  // namespace poinsot::image

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "image/image.h"
+#include "image/ignore_mask.h"
 
 namespace poinsot::image {
 
@@ -23,7 +23,8 @@ struct ToneChange {
 
 /// Returns the change of tone that makes `test` from `reference`, results cut at black and full. Nothing if there
 /// is none, or if too few values occur to tell it from another colour. @pre both have the same shape.
-std::optional<ToneChange> toneChange(const Image& reference, const Image& test);
-std::optional<ToneChange> toneChange(const DeepImage& reference, const DeepImage& test);
+/// @param ignored  pixels that do not count; null for none
+std::optional<ToneChange> toneChange(const Image& reference, const Image& test, const IgnoreMask* ignored);
+std::optional<ToneChange> toneChange(const DeepImage& reference, const DeepImage& test, const IgnoreMask* ignored);
 
 }  // namespace poinsot::image

@@ -69,9 +69,21 @@ std::string toneText(const ToneChange& tone) {
   return "another tone curve everywhere";
 }
 
-/// Whether the changes are many, small beside their number, and lie all over the picture.
+std::string symmetryText(Symmetry symmetry) {
+  switch (symmetry) {
+    case Symmetry::kUpsideDown:
+      return "upside down";
+    case Symmetry::kMirrored:
+      return "mirrored left to right";
+    case Symmetry::kRedAndBlueExchanged:
+      break;
+  }
+  return "red and blue are exchanged everywhere";
+}
+
+/// Whether the changes are many, small beside their number, and lie far apart.
 bool areScattered(const Changes& changes) {
-  constexpr std::int64_t kMany = 8;
+  constexpr std::int64_t kMany = 30;
   return changes.placeCount >= kMany && 4 * changes.places.front().pixels <= changes.pixels &&
          spans(changes.box, changes.size, 0.5);
 }
@@ -84,7 +96,9 @@ bool areEverywhere(const Changes& changes) {
 std::string placesText(const Changes& changes) {
   const std::string pixels = pixelsText(changes.pixels);
   const ChangedPlace& largest = changes.places.front();
-  if (areScattered(changes)) return pixels + " scattered over the whole picture";
+  if (areScattered(changes))
+    return fmt::format("{} scattered over {}", pixels,
+                       spans(changes.box, changes.size, 0.75) ? "the whole picture" : boxText(changes.box));
   if (areEverywhere(changes)) {
     const double all = static_cast<double>(changes.size.width) * changes.size.height;
     return fmt::format("{} ({:.3g} %) all over the picture", pixels,
@@ -121,6 +135,7 @@ std::string colourText(const Changes& changes) {
 std::string wordsOf(const Changes& changes) {
   if (changes.pixels == 0) return "";
   if (changes.tone) return toneText(*changes.tone);
+  if (changes.symmetry) return symmetryText(*changes.symmetry);
   if (changes.shift) return movedText(changes);
   return placesText(changes) + colourText(changes) + channelText(changes) + sizeText(changes);
 }

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "core/expect.h"
 #include "image/changed_pixels.h"
@@ -29,38 +31,59 @@ std::string colourText(std::uint64_t colour, int channels) {
   return text;
 }
 
-/// Finds what more than half of all values are, if any value is: the majority vote of Boyer and Moore (1981).
+/// Finds the few values that more than a fifth of all values may be: Misra and Gries (1982), with four counters.
 template <typename Value>
-class Majority {
+class FrequentValues {
  public:
   void add(const Value& value) {
-    if (votes_ == 0) value_ = value;
-    votes_ += value == value_ ? 1 : -1;
+    Counter* free = nullptr;
+    for (Counter& counter : counters_) {
+      if (counter.votes > 0 && counter.value == value) {
+        ++counter.votes;
+        return;
+      }
+      if (counter.votes == 0) free = &counter;
+    }
+    if (free)
+      *free = {value, 1};
+    else
+      for (Counter& counter : counters_) --counter.votes;
   }
-  /// Returns the only value that may be the majority. Count it to be sure.
-  const Value& candidate() const { return value_; }
+  /// Returns the only values that may be so frequent. Count them to be sure.
+  std::vector<Value> candidates() const {
+    std::vector<Value> values;
+    for (const Counter& counter : counters_)
+      if (counter.votes > 0) values.push_back(counter.value);
+    return values;
+  }
 
  private:
-  Value value_{};
-  std::int64_t votes_ = 0;
+  struct Counter {
+    Value value{};
+    std::int64_t votes = 0;
+  };
+  std::array<Counter, 4> counters_{};
 };
 
 template <typename Sample>
 class Finder {
  public:
-  Finder(const BasicImage<Sample>& a, const BasicImage<Sample>& b) : a_(a), b_(b), places_(a.size) {
+  Finder(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const IgnoreMask* ignored)
+      : a_(a), b_(b), ignored_(ignored), places_(a.size) {
     changes_.size = a.size;
   }
 
   Changes changes() {
-    forEachChangedPixel(a_, b_, wholeOf(a_.size),
-                        [&](int x, int y, const Sample* p, const Sample* q) { add(x, y, p, q); });
+    forEachChangedPixel(a_, b_, wholeOf(a_.size), [&](int x, int y, const Sample* p, const Sample* q) {
+      if (!ignored_ || !ignored_->ignores(x, y)) add(x, y, p, q);
+    });
     if (changes_.pixels == 0) return changes_;
     changes_.largest = largest_ * 255.0 / BasicImage<Sample>::kMost;
     addPlaces();
     addRecolouring();
-    changes_.tone = toneChange(a_, b_);
-    if (!changes_.tone) addShifts();
+    changes_.tone = toneChange(a_, b_, ignored_);
+    if (!changes_.tone) changes_.symmetry = symmetryOf(a_, b_);
+    if (!changes_.tone && !changes_.symmetry) addShifts();
     return std::move(changes_);
   }
 
@@ -70,7 +93,7 @@ class Finder {
   void add(int x, int y, const Sample* p, const Sample* q) {
     ++changes_.pixels;
     places_.add(x, y);
-    pair_.add(pairOf(p, q));
+    pairs_.add(pairOf(p, q));
     for (int c = 0; c < a_.channels; ++c) {
       const int difference = std::abs(p[c] - q[c]);
       largest_ = std::max(largest_, difference);
@@ -91,14 +114,18 @@ class Finder {
   }
 
   void addRecolouring() {
-    const Pair& pair = pair_.candidate();
-    std::int64_t count = 0;
+    std::map<Pair, std::int64_t> counts;
+    for (const Pair& pair : pairs_.candidates()) counts[pair] = 0;
     forEachChangedPixel(a_, b_, changes_.box, [&](int, int, const Sample* p, const Sample* q) {
-      count += pairOf(p, q) == pair ? 1 : 0;
+      if (const auto found = counts.find(pairOf(p, q)); found != counts.end()) ++found->second;
     });
-    if (2 * count > changes_.pixels)
-      changes_.recolouring = {colourText<Sample>(pair.first, a_.channels),
-                              colourText<Sample>(pair.second, a_.channels), count};
+    const auto most = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
+    if (most == counts.end() || 5 * most->second <= changes_.pixels) return;
+    // What changed there and back is a thing that moved.
+    const auto back = counts.find({most->first.second, most->first.first});
+    if (back != counts.end() && 2 * back->second > most->second) return;
+    changes_.recolouring = {colourText<Sample>(most->first.first, a_.channels),
+                            colourText<Sample>(most->first.second, a_.channels), most->second};
   }
 
   void addShifts() {
@@ -109,23 +136,24 @@ class Finder {
   }
 
   const BasicImage<Sample>&a_, &b_;
+  const IgnoreMask* ignored_;
   Changes changes_;
   PlaceFinder places_;
-  Majority<Pair> pair_;
+  FrequentValues<Pair> pairs_;
   int largest_ = 0;  // in the samples' own steps
 };
 
 }  // namespace
 
-Changes changesBetween(const AnyImage& reference, const AnyImage& test) {
+Changes changesBetween(const AnyImage& reference, const AnyImage& test, const IgnoreMask* ignored) {
   const auto *a = std::get_if<Image>(&reference), *b = std::get_if<Image>(&test);
   if (a && b) {
     POINSOT_EXPECT(a->size == b->size && a->channels == b->channels);
-    return Finder(*a, *b).changes();
+    return Finder(*a, *b, ignored).changes();
   }
   const DeepImage deepA = deepened(reference), deepB = deepened(test);
   POINSOT_EXPECT(deepA.size == deepB.size && deepA.channels == deepB.channels);
-  return Finder(deepA, deepB).changes();
+  return Finder(deepA, deepB, ignored).changes();
 }
 
 }  // namespace poinsot::image

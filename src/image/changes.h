@@ -9,12 +9,13 @@
 
 #include "image/change_places.h"
 #include "image/change_shift.h"
+#include "image/change_symmetry.h"
 #include "image/change_tone.h"
 #include "image/image.h"
 
 namespace poinsot::image {
 
-/// A colour that became another in most of the pixels that differ.
+/// The most frequent change of one colour to another, if it is that of a fifth of the differing pixels or more.
 struct Recolouring {
   std::string from, to;  ///< "#1f77b4", as CSS writes colours; four digits a channel for 16 bits
   std::int64_t pixels = 0;
@@ -33,6 +34,7 @@ struct Changes {
   std::int64_t placeCount = 0;          ///< of places found
   std::vector<ChangedPlace> places;     ///< the one with most pixels first; at most kMostPlaces
   std::optional<ToneChange> tone;       ///< explains all differing pixels
+  std::optional<Symmetry> symmetry;     ///< explains all differing pixels, if `tone` does not
   std::optional<Shift> shift;           ///< explains all places, if `tone` does not
   std::optional<Shift> shiftOfLargest;  ///< explains the first of several places
   std::optional<Recolouring> recolouring;
@@ -40,7 +42,8 @@ struct Changes {
 
 /// Finds what differs between two pictures. Takes time in proportion to the number of pixels; the same pictures
 /// always give the same result. @pre both have the same size and number of channels.
-Changes changesBetween(const AnyImage& reference, const AnyImage& test);
+/// @param ignored  mask of that size: pixels that do not count; without one all count
+Changes changesBetween(const AnyImage& reference, const AnyImage& test, const IgnoreMask* ignored = nullptr);
 
 /// Describes the changes in one clause: "87 pixels in one place of 40x24 px at (460, 340)", "brighter by 2
 /// everywhere", "the picture moved by 1 px to the right". Empty for identical pictures.

@@ -120,15 +120,15 @@ ImageDifference summed(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
   return sums.figures();
 }
 
-/// What an eye sees of the difference of two RGB pictures.
+/// The difference of two RGB pictures as an eye sees it.
 struct Seen {
   FlipMap flip;
   std::optional<SsimFigures> ssim;
 };
 
 template <typename Sample>
-Seen seenOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b, double pixelsPerDegree) {
-  return {flip(a, b, pixelsPerDegree), ssim(a, b)};
+Seen seenOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const ComparisonOptions& options) {
+  return {flip(a, b, options.pixelsPerDegree), ssim(a, b, options.ignored)};
 }
 
 /// The larger differences of two papers.
@@ -140,20 +140,29 @@ Seen larger(Seen dark, const Seen& light) {
 }
 
 template <typename Sample>
-Seen seenUponPapers(const BasicImage<Sample>& a, const BasicImage<Sample>& b, double pixelsPerDegree) {
-  if (a.channels == 3) return seenOf(a, b, pixelsPerDegree);
-  const auto upon = [&](Sample paper) { return seenOf(onPaper(a, paper), onPaper(b, paper), pixelsPerDegree); };
+Seen seenUponPapers(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const ComparisonOptions& options) {
+  if (a.channels == 3) return seenOf(a, b, options);
+  const auto upon = [&](Sample paper) { return seenOf(onPaper(a, paper), onPaper(b, paper), options); };
   return larger(upon(0), upon(BasicImage<Sample>::kMost));
+}
+
+/// FLIP's filters carry an error to ignored pixels beside it, where it does not count.
+void clearIgnored(FlipMap& map, const IgnoreMask& ignored) {
+  auto error = map.error.begin();
+  for (int y = 0; y < map.size.height; ++y)
+    for (int x = 0; x < map.size.width; ++x, ++error)
+      if (ignored.ignores(x, y)) *error = 0;
 }
 
 template <typename Sample>
 Comparison compared(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const ComparisonOptions& options) {
   checkComparable(a, b);
-  POINSOT_EXPECT(!options.ignored || options.ignored->size() == a.size);
+  const IgnoreMask* const ignored = options.ignored;
+  POINSOT_EXPECT(!ignored || ignored->size() == a.size);
   Comparison made{summed(a, b, options), {}};
-  Seen seen = options.ignored ? seenUponPapers(a, withIgnoredOf(a, b, *options.ignored), options.pixelsPerDegree)
-                              : seenUponPapers(a, b, options.pixelsPerDegree);
+  Seen seen = ignored ? seenUponPapers(a, withIgnoredOf(a, b, *ignored), options) : seenUponPapers(a, b, options);
   made.flip = std::move(seen.flip);
+  if (ignored) clearIgnored(made.flip, *ignored);
   made.difference.ssim = seen.ssim;
   made.difference.flip = figuresOf(made.flip, made.difference.comparedPixels);
   return made;

@@ -26,7 +26,7 @@ struct FlipMap {
 struct FlipFigures {
   double mean = 0, min = 0, firstQuartile = 0, median = 0, thirdQuartile = 0, max = 0;
 };
-/// @param pixels  over which the mean is taken, if they are fewer than those of the map: the others have no error
+/// @param pixels  number over which the mean is taken, if it is less than that of the map: the others have error 0
 FlipFigures figuresOf(const FlipMap& map, std::optional<std::int64_t> pixels = {});
 
 /// The FLIP difference of two sRGB pictures (alpha is left out), in double precision; symmetric in a and b.

@@ -22,6 +22,8 @@ class IgnoreMask {
   PixelSize size() const { return size_; }
   /// @pre inside the picture.
   bool ignores(int x, int y) const { return ignored_[index(x, y)] != 0; }
+  /// The same of a pixel by its number, row by row.
+  bool ignoresPixel(std::size_t index) const { return ignored_[index] != 0; }
   std::int64_t ignoredPixels() const { return count_; }
   std::int64_t comparedPixels() const { return static_cast<std::int64_t>(ignored_.size()) - count_; }
   /// The ignored pixels as boxes that do not overlap, from the top left, `most` at most.

@@ -39,9 +39,9 @@ std::vector<Limit> limitsOf(const ImageDifference& d, const NearRule& rule) {
 
 }  // namespace
 
-bool NearRule::canRefuse() const {
+bool NearRule::canRefuse(std::optional<std::int64_t> pixels) const {
   constexpr double kMostDifference = 255;
-  const bool countsPixels = (differingPixels || differingShare < 1) && level < kMostDifference;
+  const bool countsPixels = differingPixels ? !pixels || *differingPixels < *pixels : differingShare < 1;
   return maxAbs < kMostDifference || countsPixels || flipMean < 1 || flipMax < 1;
 }
 

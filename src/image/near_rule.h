@@ -26,8 +26,8 @@ struct NearRule {
   double flipMax = 0.05;
   double level = 0;  ///< in 1/255; pixels that differ by no more do not count as differing pixels
 
-  /// Whether some pair of pictures is beyond the limits.
-  bool canRefuse() const;
+  /// Whether some pair of pictures is beyond the limits. @param pixels  of such pictures, where they are known
+  bool canRefuse(std::optional<std::int64_t> pixels = {}) const;
 };
 
 /// A rule with a name.

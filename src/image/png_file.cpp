@@ -17,6 +17,7 @@
 #include <csetjmp>
 #include <cstring>
 #include <fstream>
+#include <initializer_list>
 #include <new>
 #include <system_error>
 
@@ -304,6 +305,14 @@ BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
   return picture;
 }
 
+/// Whichever of some chunks comes first in a file; empty if none does.
+std::string firstOfTypes(Remaining file, std::initializer_list<std::string_view> types) {
+  PngChunks chunks(file);
+  for (auto chunk = chunks.next(); chunk; chunk = chunks.next())
+    if (std::ranges::find(types, chunk->type) != types.end()) return std::string(chunk->type);
+  return "";
+}
+
 /// libpng takes memory for a chunk as it says it is long, 2 GiB at most, before it sees that so much is not there.
 bool endsWithinAChunk(Remaining bytes) {
   PngChunks chunks(bytes);
@@ -360,11 +369,11 @@ PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_vi
 }
 
 bool isAnimatedPng(const std::filesystem::path& path) try {
-  const std::string file = fileBytes(path);
-  PngChunks chunks(asBytes(file));
-  for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next())
-    if (chunk->type == "acTL") return true;
-  return false;
+  constexpr std::uint64_t kHead = 64 << 10;  // nearly always enough to see the first pixels
+  const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
+  const auto type = firstOfTypes(asBytes(head), {"acTL", "IDAT"});
+  if (!type.empty() || head.size() < kHead) return type == "acTL";
+  return firstOfTypes(asBytes(fileBytes(path)), {"acTL", "IDAT"}) == "acTL";
 } catch (const Error&) {
   return false;
 }

@@ -54,7 +54,8 @@ double similarity(double a, double b, double aa, double bb, double ab) {
 }
 
 template <typename Sample>
-std::optional<SsimFigures> ssimOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
+std::optional<SsimFigures> ssimOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
+                                  const IgnoreMask* ignored) {
   POINSOT_EXPECT(a.size == b.size);
   const int width = a.size.width, height = a.size.height;
   if (std::min(width, height) < 2 * kRadius + 1) return std::nullopt;
@@ -65,6 +66,7 @@ std::optional<SsimFigures> ssimOf(const BasicImage<Sample>& a, const BasicImage<
   means.fill(column);
   SsimFigures figures;
   double sum = 0;
+  std::int64_t windows = 0;
   for (int y = kRadius; y < height - kRadius; ++y) {
     window.moveTo(y);
     for (int k = 0; k < kPlanes; ++k) {
@@ -72,19 +74,26 @@ std::optional<SsimFigures> ssimOf(const BasicImage<Sample>& a, const BasicImage<
       profile.alongRow(column.data(), width, means[static_cast<std::size_t>(k)].data());
     }
     for (int x = kRadius; x < width - kRadius; ++x) {
+      if (ignored && ignored->ignores(x, y)) continue;
       const auto i = static_cast<std::size_t>(x);
       const double s = similarity(means[kA][i], means[kB][i], means[kAA][i], means[kBB][i], means[kAB][i]);
       sum += s;
+      ++windows;
       if (s < figures.worst) figures = {0, s, x, y};
     }
   }
-  figures.mean = sum / (static_cast<double>(width - 2 * kRadius) * (height - 2 * kRadius));
+  if (windows == 0) return std::nullopt;
+  figures.mean = sum / static_cast<double>(windows);
   return figures;
 }
 
 }  // namespace
 
-std::optional<SsimFigures> ssim(const Image& a, const Image& b) { return ssimOf(a, b); }
-std::optional<SsimFigures> ssim(const DeepImage& a, const DeepImage& b) { return ssimOf(a, b); }
+std::optional<SsimFigures> ssim(const Image& a, const Image& b, const IgnoreMask* ignored) {
+  return ssimOf(a, b, ignored);
+}
+std::optional<SsimFigures> ssim(const DeepImage& a, const DeepImage& b, const IgnoreMask* ignored) {
+  return ssimOf(a, b, ignored);
+}
 
 }  // namespace poinsot::image

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "image/ignore_mask.h"
 #include "image/image.h"
 
 namespace poinsot::image {
@@ -15,11 +16,13 @@ struct SsimFigures {
 };
 
 /// SSIM of the luma (0.299, 0.587, 0.114 of the encoded values) of two pictures, by Gaussian windows of 11x11
-/// pixels (σ = 1.5) wholly inside the picture, K1 = 0.01, K2 = 0.03. Nothing for pictures below one window.
+/// pixels (σ = 1.5) wholly inside the picture, K1 = 0.01, K2 = 0.03. Nothing for pictures below one window, and if
+/// no window counts.
 /// @pre same size.
 /// Source: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error Visibility to Structural
 /// Similarity", IEEE Trans. Image Processing 13(4), 2004.
-std::optional<SsimFigures> ssim(const Image& a, const Image& b);
-std::optional<SsimFigures> ssim(const DeepImage& a, const DeepImage& b);
+/// @param ignored  mask of the pictures' size: windows whose middle it ignores do not count; without one all count
+std::optional<SsimFigures> ssim(const Image& a, const Image& b, const IgnoreMask* ignored = nullptr);
+std::optional<SsimFigures> ssim(const DeepImage& a, const DeepImage& b, const IgnoreMask* ignored = nullptr);
 
 }  // namespace poinsot::image

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -189,9 +190,16 @@ struct FilmReader::Parts {
     return static_cast<double>(ticks) * unit.num / unit.den;
   }
 
+  /// Matroska and AVI say nothing of one frame; FFmpeg then tells what it takes for usual.
+  double duration_s() const {
+    const std::string_view container = format->iformat->name;
+    const bool says = container.find("matroska") == std::string_view::npos && container != "avi";
+    return says ? seconds(frame->pkt_duration) : 0;
+  }
+
   ShownPicture shown() {
     const std::int64_t start = frame->best_effort_timestamp;
-    return {picture(), start == AV_NOPTS_VALUE ? std::nan("") : seconds(start), seconds(frame->pkt_duration)};
+    return {picture(), start == AV_NOPTS_VALUE ? std::nan("") : seconds(start), duration_s()};
   }
 
   image::AnyImage picture() {
@@ -216,8 +224,8 @@ struct FilmReader::Parts {
 };
 
 bool isFilmName(const std::filesystem::path& file) {
-  const std::string extension = file.extension();
-  return filmContainer(file) || extension == ".mkv" || extension == ".avi" || extension == ".m4v";
+  const std::string extension = core::lowered(file.extension().native());
+  return filmContainer("film" + extension) || extension == ".mkv" || extension == ".avi" || extension == ".m4v";
 }
 
 bool isPictureOrFilmName(const std::filesystem::path& file) { return image::isPngName(file) || isFilmName(file); }

@@ -11,11 +11,11 @@
 
 namespace poinsot::output {
 
-/// Whether its name says that a file is a film that may be read here.
+/// Whether its name, in capitals or not, says that a file is a film that may be read here.
 bool isFilmName(const std::filesystem::path& file);
 /// Whether its name says that a file is a PNG or such a film.
 bool isPictureOrFilmName(const std::filesystem::path& file);
-/// As isFilmName(), but by what is in the file where its name may mean both: a .png with an animation is a film.
+/// Like isFilmName(), but by what is in the file where its name may mean both: a .png with an animation is a film.
 bool isFilm(const std::filesystem::path& file);
 
 /// A picture of a film, and when it is shown.

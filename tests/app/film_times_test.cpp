@@ -58,6 +58,24 @@ TEST(FilmTimes, NameRatesOfSteadyFilms) {
             "the film has 23.98 frames a second, not 30");
 }
 
+// In an AVI, or an MP4 whose time scale is its rate, a frame is a single unit of time.
+TEST(FilmTimes, TellRatesApartThatAreTheUnitOfTime) {
+  const auto steady = [](int frames, double fps) {
+    return film(
+        frames, 1 / fps, [=](int i) { return i / fps; }, 1 / fps);
+  };
+  EXPECT_EQ(timesMismatch(steady(10, 25), steady(10, 25)), "");
+  EXPECT_EQ(timesMismatch(steady(10, 25), steady(10, 20)), "the film has 20 frames a second, not 25");
+  EXPECT_EQ(timesMismatch(steady(10, 25), steady(10, 30)), "the film has 30 frames a second, not 25");
+  EXPECT_EQ(timesMismatch(steady(45, 24), steady(45, 25)), "the film has 25 frames a second, not 24");
+  EXPECT_EQ(timesMismatch(steady(10, 25), film(10, 1 / 25.0, [](int i) { return (i < 5 ? i : i + 1) / 25.0; })),
+            "frame 5 is at 0.24 s, not 0.2 s");
+  // Two pictures of a GIF.
+  EXPECT_NE(
+      timesMismatch(film(2, 0.01, [](int i) { return 0.02 * i; }), film(2, 0.01, [](int i) { return 0.03 * i; })),
+      "");
+}
+
 TEST(FilmTimes, CompareTheLastFrame) {
   const auto start_s = [](int i) { return i / 30.0; };
   EXPECT_EQ(timesMismatch(at30(), film(90, kExact_s, start_s, 2)), "the last frame is shown for 2 s, not 0.033 s");

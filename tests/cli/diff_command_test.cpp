@@ -259,7 +259,7 @@ TEST_F(DiffCommand, TellsOfAllPairsThoughOneCannotBeRead) {
   folder_.put("new/b.png", "no picture");
   const RunResult result = diff({"old", "new", "--report", "r.html"});
   EXPECT_EQ(result.exitCode, 4);
-  EXPECT_THAT(result.out, StartsWith("different: 1 identical, 2 different\n"));
+  EXPECT_THAT(result.out, StartsWith("different: 1 identical, 1 different, 1 error\n"));
   EXPECT_THAT(result.out, HasSubstr("  different  c.png: largest 100"));
   EXPECT_THAT(result.err, HasSubstr("new/b.png: not a readable PNG"));
   const json entries = dataOf(bytesOf(folder_ / "r.html"))["entries"];

@@ -197,6 +197,83 @@ TEST_F(DiffForms, TimesOfFramesAreCompared) {
   EXPECT_EQ(diff({"even.png", "near.png"}).exitCode, 0);
 }
 
+// Frames that are all the same have pictures and maps too, where their times or their number differ.
+TEST_F(DiffForms, FilmsThatDifferInTimesOnlyHaveMapsAndPages) {
+  save("old/times.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
+  save("new/times.png", animation({10, 20, 30, 40}, {100, 2000, 100, 100}));
+  save("old/count.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
+  save("new/count.png", animation({10, 20, 30}, {100, 100, 100}));
+  const RunResult folders = diff({"old", "new", "--map", "maps", "--diff-image", "d", "--report", "r.html"});
+  EXPECT_EQ(folders.exitCode, 1) << folders.err;
+  EXPECT_THAT(folders.out, HasSubstr("different  count.png: the film has 3 frames, not 4\n"));
+  EXPECT_THAT(folders.out, HasSubstr("different  times.png: frame 2 is at 2.1 s, not 0.2 s\n"));
+  EXPECT_THAT(bytesOf(folder_ / "r.html"), HasSubstr("data:image/png;base64,"));
+  for (const char* name : {"times.png", "count.png"}) {
+    const std::string a = std::string("old/") + name, b = std::string("new/") + name;
+    EXPECT_EQ(diff({a, b, "--map", "m.png", "--report", "one.html"}).exitCode, 1);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "m.png"));
+  }
+}
+
+// The picture that viewers without animation show stands before the first frame, and belongs to no frame.
+TEST_F(DiffForms, TheDefaultPictureOfAnAnimationIsCompared) {
+  const auto withDefault = [](int level) {
+    return apngBytes(square(kRgb), {Bytes(kSide * kSide * 3, 10), Bytes(kSide * kSide * 3, 20)}, {100, 100},
+                     Bytes(kSide * kSide * 3, static_cast<std::uint8_t>(level)));
+  };
+  save("a.png", withDefault(10));
+  save("same.png", withDefault(10));
+  save("b.png", withDefault(200));
+  EXPECT_EQ(diff({"a.png", "same.png"}).exitCode, 0);
+  save("old/a.png", withDefault(10));
+  save("new/a.png", withDefault(200));
+  for (const auto& [a, b] : {std::pair("a.png", "b.png"), {"old", "new"}}) {
+    const RunResult result = diff({a, b});
+    EXPECT_EQ(result.exitCode, 1) << a;
+    EXPECT_THAT(result.out, HasSubstr("the default picture, which viewers without animation show, is different"));
+  }
+}
+
+TEST_F(DiffForms, FoldersTakeNamesInCapitalsAndNameLinks) {
+  save("old/X.APNG", animation({10, 20}, {100, 100}));
+  save("new/X.APNG", animation({10, 200}, {100, 100}));
+  EXPECT_THAT(diff({"old", "new"}).out, StartsWith("different: 1 different\n"));
+  save("new/X.APNG", animation({10, 20}, {100, 100}));
+  std::filesystem::create_directory_symlink("..", folder_ / "new/link");
+  EXPECT_EQ(diff({"old", "new"}).out,
+            "identical: 1 identical\n  note: new/link: is a link to a folder, which is not followed\n");
+}
+
+// Reports say what happened, too, and the exit code is that of a file that cannot be read.
+TEST_F(DiffForms, AnUnreadablePictureIsReported) {
+  save("a.png", pngBytes(square(kGrey), Bytes(256, 100)));
+  folder_.put("torn.png", "version https://git-lfs.github.com/spec/v1\n");
+  const RunResult result = diff({"torn.png", "a.png", "--json", "--junit", "j.xml", "--report", "r.html"});
+  EXPECT_EQ(result.exitCode, 4);
+  const json made = json::parse(result.out, nullptr, false);
+  EXPECT_EQ(made["verdict"], "error");
+  EXPECT_EQ(made["size"], nullptr);
+  EXPECT_EQ(made["channels"], nullptr);
+  EXPECT_THAT(bytesOf(folder_ / "j.xml"),
+              HasSubstr("<error type=\"error\" message=\"torn.png: not a readable PNG: it is a Git LFS pointer"));
+  EXPECT_THAT(bytesOf(folder_ / "r.html"), HasSubstr("\"status\":\"error\""));
+  EXPECT_EQ(diff({"torn.png", "a.png"}).out, "");
+}
+
+TEST_F(DiffForms, JsonOfFilmsNamesFrames) {
+  save("old/a.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
+  save("new/a.png", animation({10, 20, 200, 250}, {100, 100, 100, 100}));
+  const json pair = figures({"old", "new"})["pictures"][0]["film"], films = figures({"old/a.png", "new/a.png"});
+  for (const json& film : {pair, films["film"]}) {
+    EXPECT_EQ(film["frames"], 4);
+    EXPECT_EQ(film["differing_frames"], 2);
+    EXPECT_EQ(film["first_frame"], 2);
+    EXPECT_NEAR(film["first_time_s"].get<double>(), 0.2, 1e-9);
+    EXPECT_EQ(film["worst_frame"], 3);
+  }
+  EXPECT_EQ(films["worst_frame"], 3);
+}
+
 // Frame 1 has the larger mean, and is within limits that frame 2 breaks by far: a bright dot.
 TEST_F(DiffForms, TheWorstFrameIsTheOneFarthestBeyondItsLimits) {
   std::vector<Bytes> before(3, Bytes(kSide * kSide * 3, 100)), after = before;
@@ -348,7 +425,7 @@ TEST_F(DiffReports, AreReadByContinuousIntegration) {
   EXPECT_THAT(xml, HasSubstr("<failure type=\"missing\""));
   EXPECT_THAT(xml, HasSubstr("<failure type=\"new\""));
   const std::string table = bytesOf(folder_ / "m.md");
-  EXPECT_THAT(table, StartsWith("### old and new: failed\n\n1 identical, 1 different, 1 new, 1 missing\n"));
+  EXPECT_THAT(table, StartsWith("### old and new: failed\n\n1 identical, 1 different, 1 missing, 1 new\n"));
   EXPECT_THAT(table, HasSubstr("| different | x&#91;1&#93;&#46;png | largest difference 80 "));
   EXPECT_THAT(table, HasSubstr("```sh\npoinsot diff old new --update "));
   EXPECT_EQ(diff({"old", "old", "--markdown", "m.md"}).exitCode, 0);

@@ -40,6 +40,13 @@ TEST(Wildcard, TakesBracketsAsTheyAre) {
   EXPECT_TRUE(matchesWildcard("test_*[*]", "test_wave[1]"));
 }
 
+TEST(Wildcard, OfATextMeansThatTextOnly) {
+  const auto all = words("a*\\", 4);
+  for (const std::string& one : all)
+    for (const std::string& other : all)
+      EXPECT_EQ(matchesWildcard(wildcardOf(one), other), one == other) << one << " / " << other;
+}
+
 TEST(Wildcard, IsQuickWithManyStars) {
   const std::string text(20000, 'a');
   EXPECT_FALSE(matchesWildcard("*a*a*a*a*a*a*a*a*a*a*b", text));

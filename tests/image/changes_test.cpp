@@ -235,5 +235,65 @@ TEST(Changes, RefusePicturesOfAnotherShape) {
   EXPECT_THROW(changesBetween(Image({4, 4}, 3), Image({4, 4}, 4)), std::logic_error);
 }
 
+/// A bar of one colour that stands on the lower edge.
+Image withBar(int height) {
+  Image picture({200, 100}, 3);
+  picture.pixels.assign(picture.pixels.size(), 255);
+  for (int y = 100 - height; y < 100; ++y)
+    for (int x = 60; x < 120; ++x) std::fill_n(picture.at(x, y), 3, std::uint8_t{40});
+  return picture;
+}
+
+// A bar that grew by eleven rows could have moved by any number of rows from eleven on, so it did not move.
+TEST(Changes, DoNotTakeAGrownAreaForAMovedOne) {
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(withBar(30)), AnyImage(withBar(41)))),
+            "660 pixels in one place of 60x11 px at (60, 59), #ffffff became #282828");
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(withBar(41)), AnyImage(withBar(30)))),
+            "660 pixels in one place of 60x11 px at (60, 59), #282828 became #ffffff");
+}
+
+Image noisy(int seed) {
+  Image picture({60, 40}, 3);
+  unsigned v = static_cast<unsigned>(seed);
+  for (auto& sample : picture.pixels) sample = static_cast<std::uint8_t>((v = v * 1664525 + 1013904223) >> 24);
+  return picture;
+}
+
+TEST(Changes, NameSlipsOfReadingPixelsBack) {
+  const Image a = noisy(1);
+  Image down(a.size, 3), mirrored(a.size, 3), exchanged(a.size, 3);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) {
+      std::copy_n(a.at(x, 39 - y), 3, down.at(x, y));
+      std::copy_n(a.at(59 - x, y), 3, mirrored.at(x, y));
+      std::reverse_copy(a.at(x, y), a.at(x, y) + 3, exchanged.at(x, y));
+    }
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(a), AnyImage(down))), "upside down");
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(a), AnyImage(mirrored))), "mirrored left to right");
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(a), AnyImage(exchanged))), "red and blue are exchanged everywhere");
+}
+
+TEST(Changes, LeaveIgnoredPixelsOut) {
+  const Image a = withBar(30);
+  Image b = a;
+  for (auto& v : b.pixels) v = static_cast<std::uint8_t>(v - 2);
+  IgnoreMask ignored(a.size);
+  ignored.add(PixelRect{0, 0, 50, 50});
+  const Image seen = withIgnoredOf(a, b, ignored);
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(a), AnyImage(seen), &ignored)), "darker by 2 everywhere");
+}
+
+// A fifth of the pixels is enough: lines are mostly smooth edges.
+TEST(Changes, NameTheColourOfAFifth) {
+  Image a({100, 100}, 3), b({100, 100}, 3);
+  for (int i = 0; i < 30; ++i) {
+    const int x = 10 + i, y = 20;
+    a.at(x, y)[0] = 200;
+    b.at(x, y)[1] = static_cast<std::uint8_t>(i < 8 ? 100 : 101 + i);  // 8 of 30 became one colour
+  }
+  EXPECT_EQ(wordsOf(changesBetween(AnyImage(a), AnyImage(b))),
+            "30 pixels in one place of 30x1 px at (10, 20), #c80000 became #006400 in 8");
+}
+
 }  // namespace
 }  // namespace poinsot::image

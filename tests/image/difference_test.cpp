@@ -177,6 +177,22 @@ TEST(Difference, LeavesOutIgnoredPixels) {
   EXPECT_EQ(amplifiedDifference(a, b, &ignored).at(4, 1)[0], 0);
   EXPECT_EQ(amplifiedDifference(a, b, &ignored).at(4, 5)[0], 7 * 16);
 
+  // Errors do not reach into ignored pixels, so that the mean is no more than the largest.
+  Image large = flat({64, 64}, 3, 100);
+  const Image before = large;
+  large.at(40, 40)[0] = 200;
+  IgnoreMask most({64, 64});
+  most.add(PixelRect{0, 0, 64, 40});
+  most.add(PixelRect{0, 41, 64, 64});
+  most.add(PixelRect{0, 40, 39, 41});
+  most.add(PixelRect{42, 40, 64, 41});  // three pixels are left
+  const Comparison few = compare(before, large, {.ignored = &most});
+  EXPECT_EQ(few.difference.comparedPixels, 3);
+  EXPECT_LE(few.difference.flip.mean, few.difference.flip.max);
+  EXPECT_EQ(std::ranges::count_if(few.flip.error, [](double e) { return e > 0; }), 3);
+  ASSERT_TRUE(few.difference.ssim);
+  EXPECT_LT(few.difference.ssim->mean, 0.9);  // of three windows, all of which see the change
+
   ignored.add(PixelRect{0, 5, 10, 6});
   EXPECT_EQ(verdict(compare(a, b, {.ignored = &ignored}).difference), Verdict::kIdentical);
 }
@@ -245,8 +261,12 @@ TEST(NearRule, KnowsWhetherItCanRefuse) {
   for (const NamedRule& named : namedRules()) EXPECT_TRUE(named.rule.canRefuse()) << named.name;
   NearRule everything{.maxAbs = 255, .differingShare = 1, .flipMean = 1, .flipMax = 1};
   EXPECT_FALSE(everything.canRefuse());
-  everything.flipMax = 0.99;
+  everything.differingPixels = 64;
   EXPECT_TRUE(everything.canRefuse());
+  EXPECT_TRUE(everything.canRefuse(65));
+  EXPECT_FALSE(everything.canRefuse(64));
+  everything.flipMax = 0.99;
+  EXPECT_TRUE(everything.canRefuse(64));
 }
 
 // By hand: 4 over the limits of 2 and 1 is ln 2 + ln 4; what is within its limit takes nothing off.

@@ -64,10 +64,12 @@ Bytes pngBytes(const RawPng& file, const Bytes& samples) {
 }
 
 Bytes apngBytes(const RawPng& file, const std::vector<Bytes>& pictures,
-                const std::vector<std::uint16_t>& delays_ms) {
+                const std::vector<std::uint16_t>& delays_ms, const Bytes& defaultPicture) {
   const auto frames = static_cast<std::uint32_t>(pictures.size());
   Bytes out = joined({kSignature, header(file), joined(file.chunks),
                       pngChunk("acTL", joined({bigEndian(frames), bigEndian(0)}))});
+  const bool hidden = !defaultPicture.empty();
+  if (hidden) append(out, pngChunk("IDAT", packed(file, defaultPicture)));
   std::uint32_t sequence = 0;
   for (std::uint32_t i = 0; i < frames; ++i) {
     append(out, pngChunk("fcTL", joined({bigEndian(sequence++),
@@ -79,7 +81,8 @@ Bytes apngBytes(const RawPng& file, const std::vector<Bytes>& pictures,
                                          bigEndian(1000, 2),
                                          {0, 0}})));
     const Bytes data = packed(file, pictures[i]);
-    append(out, i == 0 ? pngChunk("IDAT", data) : pngChunk("fdAT", joined({bigEndian(sequence++), data})));
+    const bool inIdat = i == 0 && !hidden;
+    append(out, inIdat ? pngChunk("IDAT", data) : pngChunk("fdAT", joined({bigEndian(sequence++), data})));
   }
   append(out, pngChunk("IEND", {}));
   return out;

@@ -27,8 +27,9 @@ struct RawPng {
 Bytes pngBytes(const RawPng& file, const Bytes& samples);
 
 /// An animation of such pictures, each shown for so many milliseconds. @pre as many delays as pictures.
+/// @param defaultPicture  shown by viewers that know no animation; empty for the first of the pictures
 Bytes apngBytes(const RawPng& file, const std::vector<Bytes>& pictures,
-                const std::vector<std::uint16_t>& delays_ms);
+                const std::vector<std::uint16_t>& delays_ms, const Bytes& defaultPicture = {});
 
 /// Writes a file, and the folders above it.
 void saveBytes(const std::filesystem::path& file, const Bytes& bytes);
