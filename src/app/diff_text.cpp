@@ -46,12 +46,14 @@ std::string notesText(const PictureDiff& diff) {
 
 /// Remarks on many pictures, each once with how many it is about.
 std::string notesText(const std::vector<Outcome>& outcomes) {
-  std::map<std::string, int> counts;
+  constexpr std::size_t kMostNames = 3;
+  std::map<std::string, std::vector<std::string>> names;
   for (const Outcome& outcome : outcomes)
-    for (const std::string& note : outcome.diff.notes) ++counts[note];
+    for (const std::string& note : outcome.diff.notes) names[note].push_back(core::printable(outcome.name));
   std::string text;
-  for (const auto& [note, count] : counts)
-    text += fmt::format("  note: {} of {}: {}\n", count, outcomes.size(), note);
+  for (const auto& [note, all] : names)
+    text += fmt::format("  note: {} of {}: {}{}\n", all.size(), outcomes.size(), note,
+                        all.size() > kMostNames ? "" : fmt::format(" ({})", fmt::join(all, ", ")));
   return text;
 }
 

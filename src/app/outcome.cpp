@@ -23,11 +23,10 @@ fs::path writtenMap(const std::optional<fs::path>& place, const std::string& nam
   return written ? *place / name : fs::path();
 }
 
-Outcome loneOutcome(const std::string& name, OutcomeStatus status, const char* message) {
+Outcome loneOutcome(const std::string& name, OutcomeStatus status) {
   Outcome outcome;
   outcome.name = name;
   outcome.status = status;
-  outcome.message = message;
   return outcome;
 }
 
@@ -102,12 +101,15 @@ std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& referenc
   for (const PictureDiff& pair : diff.pictures)
     outcomes.push_back(outcomeOf(pair, reference / pair.name, test / pair.name, request));
   for (const std::string& name : diff.onlyInReference) {
-    outcomes.push_back(loneOutcome(name, OutcomeStatus::kMissing, "only in the reference"));
+    outcomes.push_back(loneOutcome(name, OutcomeStatus::kMissing));
     outcomes.back().reference = reference / name;
+    outcomes.back().message = fmt::format("only in the reference; if it is gone for good, remove {}",
+                                          core::printable(outcomes.back().reference.native()));
   }
   for (const std::string& name : diff.onlyInTest) {
-    outcomes.push_back(loneOutcome(name, OutcomeStatus::kNew, "nothing in the reference has this name"));
+    outcomes.push_back(loneOutcome(name, OutcomeStatus::kNew));
     outcomes.back().actual = test / name;
+    outcomes.back().message = "nothing in the reference has this name";
   }
   return outcomes;
 }

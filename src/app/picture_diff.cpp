@@ -49,13 +49,13 @@ std::vector<std::string> notesOf(const ComparedPictures& compared) {
   return notes;
 }
 
-/// "frame 45 at 1.500 s, the worst of 3 that are different; the first is frame 40 at 1.333 s".
+/// "3 of 90 frames are different, the first is frame 40 at 1.333 s; the worst, frame 45 at 1.500 s".
 std::string frameText(const PictureDiff& diff) {
   const FilmSummary& film = *diff.film;
   const std::string worst = fmt::format("frame {} at {:.3f} s", film.worst, film.worst_s);
   if (film.differing == 1) return worst;
-  return fmt::format("{}, the worst of {} {} ones; the first is frame {} at {:.3f} s", worst, film.differing,
-                     image::toString(diff.verdict), film.first, film.first_s);
+  return fmt::format("{} of {} frames are {}, the first is frame {} at {:.3f} s; the worst, {}", film.differing,
+                     film.frames, image::toString(diff.verdict), film.first, film.first_s, worst);
 }
 
 void compareForms(ComparedPictures& compared, const DiffRequest& request) {

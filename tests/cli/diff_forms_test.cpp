@@ -109,7 +109,8 @@ TEST_F(DiffForms, FoldersSayOnceWhatIsStoredDifferently) {
   const auto forms = formsOfOnePicture();
   for (const char* name : {"old/a.png", "old/b.png", "old/c.png", "new/c.png"}) save(name, forms.at("RGB"));
   for (const char* name : {"new/a.png", "new/b.png"}) save(name, forms.at("grey"));
-  EXPECT_EQ(diff({"old", "new"}).out, "identical: 3 identical\n  note: 2 of 3: grey beside RGB, same pixels\n");
+  EXPECT_EQ(diff({"old", "new"}).out,
+            "identical: 3 identical\n  note: 2 of 3: grey beside RGB, same pixels (a.png, b.png)\n");
   EXPECT_EQ(figures({"old", "new"})["pictures"][0]["notes"], json::array({"grey beside RGB, same pixels"}));
   EXPECT_EQ(diff({"old", "new", "--exact", "--quiet"}).exitCode, 1);
 }
@@ -446,7 +447,8 @@ TEST_F(DiffReports, ApprovePicturesByName) {
   const RunResult rest = approve("*");
   EXPECT_EQ(rest.exitCode, 1);  // what is gone is not approved
   EXPECT_EQ(rest.out,
-            "missing    gone.png: only in the reference\nold/more.png: approved, the first of its test\n");
+            "missing    gone.png: only in the reference; if it is gone for good, remove "
+            "old/gone.png\nold/more.png: approved, the first of its test\n");
   EXPECT_EQ(approve("same.png").out, "nothing to approve: all of these are identical\n");
 }
 
