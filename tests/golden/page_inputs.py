@@ -64,6 +64,15 @@ def pairs(program, folder):
     return folder / 'pairs.html'
 
 
+def ignored(program, folder):
+    """One pair of which a box is ignored: a pixel differs outside of it."""
+    png(folder / 'a.png', lambda x, y: GREY, 120, 80)
+    png(folder / 'b.png', lambda x, y: WHITE if (x, y) == (100, 70) or y < 20 else GREY, 120, 80)
+    made = subprocess.run([program, 'diff', 'a.png', 'b.png', '--ignore', '0,0,120,20', '--report', 'ignored.html', '--quiet'], cwd=folder)
+    expect(made.returncode, 1, 'exit code of a pixel outside of the ignored box')
+    return folder / 'ignored.html'
+
+
 def many(program, folder):
     """402 pairs, 101 of which differ, each a little more than the one before; k0 differs least."""
     for name in ('m_old', 'm_new'):

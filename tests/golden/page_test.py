@@ -19,7 +19,7 @@ from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.keys import Keys
 
 from page_driver import Page, browser, close, expect, expect_colour, until
-from page_inputs import BLACK, BLUE, COMMIT, GREY, HOSTILE, RED, WHITE, films, many, pairs, suite
+from page_inputs import BLACK, BLUE, COMMIT, GREY, HOSTILE, RED, WHITE, films, ignored, many, pairs, suite
 
 
 def check_rows(page):
@@ -285,6 +285,22 @@ def check_many(driver, report):
     driver.get_log('browser')  # tells of the missing file
 
 
+def check_ignored(driver, report):
+    """What is not compared is hatched where it is, in every view; it is no changed place."""
+    page = Page(driver, report)
+    expect(page.find('#words').text, 'different: 1 pixel at (100, 70), #808080 became #ffffff', 'what changed')
+    for mode in ('changes', 'side', 'overlay'):
+        page.mode(mode)
+        hatched = page.all('#stage .ignored')
+        expect(len(hatched), 2 if mode == 'side' else 1, 'hatched places')
+        left, top, wide, high = page.rect(page.find('#stage img'))
+        for found, wanted in zip(page.rect(hatched[0]), (left, top, wide, high / 4)):
+            assert abs(found - wanted) < 1.5, (mode, page.rect(hatched[0]), (left, top, wide, high / 4))
+    figures = page.script("return document.querySelector('#figures dl').textContent")
+    assert 'ignored25 % of the picture' in figures, figures
+    page.finish()
+
+
 def check_widths(driver, reports):
     """From 700 px of width on the picture is in the window, without scrolling."""
     for width, height in ((720, 640), (1100, 700), (1920, 1080)):
@@ -330,7 +346,7 @@ def main():
     program, screenshot = sys.argv[1:]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for part in ('suite', 'pairs', 'many', 'films'):
+        for part in ('suite', 'pairs', 'many', 'films', 'ignored'):
             (folder / part).mkdir()
         report, both = suite(program, folder / 'suite'), pairs(program, folder / 'pairs')
         all_of_them, film = many(program, folder / 'many'), films(program, folder / 'films')
@@ -338,6 +354,7 @@ def main():
         try:
             check_suite(driver, report, screenshot)
             check_pairs(driver, both)
+            check_ignored(driver, ignored(program, folder / 'ignored'))
             check_film(driver, film, screenshot.replace('.png', '_film.png'))
             check_widths(driver, [report, both, film])
             check_many(driver, all_of_them)
