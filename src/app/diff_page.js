@@ -28,7 +28,7 @@ const shown = () => sorted().filter(t => !t.row.hidden);
 function sorted() {
   const key = sorts[state.sort][1], sign = state.down ? -1 : 1;
   const compare = (a, b) => typeof a === 'string' ? a.localeCompare(b, undefined, {numeric: true}) : a - b;
-  // Of equal ones what an eye notices most comes first.
+  // Among equal rows, the one that an eye notices most comes first.
   const rest = (a, b) => (b.flip_mean ?? -1) - (a.flip_mean ?? -1) || compare(a.name, b.name);
   return [...data.entries].sort((a, b) => sign * compare(key(a), key(b)) || rest(a, b));
 }

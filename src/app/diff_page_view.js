@@ -272,7 +272,7 @@ function layOutNear() {
   const [l, t, w, h] = nearBox, {clientWidth: width, clientHeight: height} = near[0];
   const s = limited(Math.floor(Math.min(width / (w + 8), height / (h + 8))), 1, 8);
   near.forEach((element, i) => {
-    // Of a place larger than the pane the worst pixel is shown, if it has that, else its top left corner.
+    // If a place is larger than the pane, its worst pixel is shown, or else its top left corner.
     const at = (room, begin, extent, worst, whole) => {
       const hasWorst = worst >= begin && worst < begin + extent;
       const middle = extent * s <= room ? begin + extent / 2 : hasWorst ? worst : begin + room / 2 / s - 4;

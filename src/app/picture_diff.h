@@ -40,7 +40,7 @@ struct FilmSummary {
   double worst_s = 0, first_s = 0;   ///< when they are shown
 };
 
-/// What came of comparing two pictures, or two films.
+/// Result of comparing two pictures, or two films.
 struct PictureDiff {
   std::string name;  ///< of the pair in a folder; empty for two files
   image::Verdict verdict = image::Verdict::kDifferent;

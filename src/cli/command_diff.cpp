@@ -52,7 +52,7 @@ struct DiffOptions : AllowanceOptions {
 
 enum class Kind { kPicture, kFolder, kFilm };
 
-/// By what is there. @throws Error(kIo) if nothing is.
+/// Kind of a file or folder, by its content. @throws Error(kIo) if there is none.
 Kind kindOf(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -216,7 +216,7 @@ class Diff {
     return code;
   }
 
-  /// Of the worst frame.
+  /// Writes the maps of the worst frame.
   void writeMaps(const app::FilmDiff& diff) const {
     if (diff.frames.empty() || (!request_.map && !request_.difference)) return;
     app::forFrames(options_.reference, options_.test, {diff.worst()}, request_,

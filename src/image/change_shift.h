@@ -8,7 +8,7 @@
 
 namespace poinsot::image {
 
-/// By how many pixels something moved: to the right and down.
+/// Pixels that something moved, to the right and down.
 struct Shift {
   int x = 0, y = 0;
   friend bool operator==(const Shift&, const Shift&) = default;

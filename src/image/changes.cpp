@@ -121,7 +121,7 @@ class Finder {
     });
     const auto most = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
     if (most == counts.end() || 5 * most->second <= changes_.pixels) return;
-    // What changed there and back is a thing that moved.
+    // A thing that moved changes two colours into each other.
     const auto back = counts.find({most->first.second, most->first.first});
     if (back != counts.end() && 2 * back->second > most->second) return;
     changes_.recolouring = {colourText<Sample>(most->first.first, a_.channels),

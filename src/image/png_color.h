@@ -9,7 +9,7 @@
 
 namespace poinsot::image {
 
-/// What the chunks of a PNG file say about the colours that its samples stand for.
+/// Chunks of a PNG file about the colours that its samples stand for.
 struct PngColorChunks {
   std::optional<std::array<std::uint8_t, 4>> cicp;  ///< primaries, transfer, matrix, full range: ITU-T H.273
   std::string profileName;                          ///< iCCP; empty without one

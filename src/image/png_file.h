@@ -62,7 +62,7 @@ PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_vi
 /// be read.
 bool isAnimatedPng(const std::filesystem::path& path);
 
-/// Those of files. @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
+/// Reads a file. @throws as decodePng; core::Error(kIo) also if the file cannot be read or is no regular file.
 PngPicture readPngAsStored(const std::filesystem::path& path);
 Image readPng(const std::filesystem::path& path);
 

@@ -74,7 +74,7 @@ std::map<std::string, Bytes> formsOfOnePicture() {
   };
 }
 
-// What a lossless optimiser may make of a reference changes no verdict; --exact alone refuses it.
+// Another way to store the same pixels, as lossless optimisers choose it, is refused by --exact only.
 TEST_F(DiffForms, StorageIsNoDifferenceOfPixels) {
   const auto forms = formsOfOnePicture();
   for (const auto& [name, bytes] : forms) save(name + ".png", bytes);

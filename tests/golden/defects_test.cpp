@@ -168,7 +168,7 @@ Image wobbled(Image picture) {
   return picture;
 }
 
-/// As another driver draws: a quarter of the pixels off by one level, and thirty pixels of edges by sixty.
+/// The picture of another driver: a quarter of the pixels off by one level, and thirty pixels of edges by sixty.
 Image byAnotherDriver(Image picture) {
   std::vector<std::uint8_t*> edges;
   for (int y = 0; y < kSize.y; ++y)

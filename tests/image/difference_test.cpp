@@ -239,7 +239,7 @@ TEST(Difference, LooksAtTransparencyUponBlackAndWhite) {
   }
 }
 
-// What stands under alpha 0 is nothing; grey, opaque alpha and 16 bits are another way to store the same.
+// Colours under alpha 0 do not count; grey, opaque alpha and 16 bits are other ways to store the same.
 TEST(Difference, ComparesByValueWhateverTheForm) {
   Image hidden = holed({8, 8}, 90, 0), other = hidden;
   for (int y = 0; y < 8; ++y) std::fill_n(other.at(0, y), 3, std::uint8_t{200});

@@ -15,7 +15,7 @@ using Bytes = std::vector<std::uint8_t>;
 /// A chunk with its length and checksum.
 Bytes pngChunk(const std::string& type, const Bytes& data);
 
-/// What a file is besides its pixels.
+/// Properties of a file besides its pixels.
 struct RawPng {
   std::uint32_t width = 1, height = 1;
   std::uint8_t depth = 8;
