@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "app/diff_text.h"
+#include "app/picture_form.h"
 #include "core/base64.h"
 #include "core/regular_file.h"
 #include "image/png_file.h"
@@ -145,8 +146,7 @@ ordered_json pageJson(const DiffPage& page) {
 /// Returns the picture of a file to embed; an empty one if the file cannot be read or is, where that is in doubt,
 /// no whole PNG.
 DiffPagePicture readPicture(const fs::path& file, bool inDoubt) try {
-  constexpr std::size_t kMost = std::size_t{512} << 20;
-  std::string png = core::readRegularFile(file, kMost, core::ErrorKind::kIo);
+  std::string png = core::readRegularFile(file, kMostPicture, core::ErrorKind::kIo);
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(png.data()), png.size());
   if (inDoubt && !image::textsOfWholePng(bytes)) return {};
   return {std::move(png), file};

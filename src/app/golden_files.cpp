@@ -45,18 +45,17 @@ void collect(const fs::path& folder, fs::path::iterator part, const fs::path::it
   }
 }
 
-/// A pattern in two: the folder before its first star, and the parts from there on.
+/// A pattern in two: the folder before its first star, and the parts from there on; the last part is among them.
 struct SplitPattern {
   fs::path folder, rest;
 };
 
 SplitPattern split(const fs::path& folder, const fs::path& pattern) {
   SplitPattern parts{folder, {}};
-  for (const fs::path& part : pattern)
-    if (parts.rest.empty() && !isPattern(part.native()) && part != pattern.filename())
-      parts.folder /= part;
-    else
-      parts.rest /= part;
+  auto part = pattern.begin();
+  const auto last = pattern.empty() ? pattern.end() : std::prev(pattern.end());
+  for (; part != last && !isPattern(part->native()); ++part) parts.folder /= *part;
+  for (; part != pattern.end(); ++part) parts.rest /= *part;
   return parts;
 }
 

@@ -39,6 +39,12 @@ bool isName(const std::string& name) {
   return std::ranges::none_of(path, [](const fs::path& part) { return part.native().starts_with('.'); });
 }
 
+/// Puts the name of a file in place of the star of a test's name; `a//b` becomes `a/b`.
+std::string filledIn(std::string pattern, const std::string& file) {
+  if (const auto star = pattern.find('*'); star != std::string::npos) pattern.replace(star, 1, file);
+  return isName(pattern) ? fs::path(pattern).lexically_normal().native() : pattern;
+}
+
 /// Reads one manifest; all that is wrong is gathered.
 class Reader {
  public:
@@ -220,6 +226,7 @@ class Reader {
     test.file = path;
     if (test.name.empty()) test.name = "*";
     test.namePattern = test.name;
+    if (!isName(filledIn(test.name, "x"))) return refuseName(test.name, node);  // whether a file matches or not
     std::vector<MatchedFile> files = filesMatching(folder, path);
     if (isImage && isPattern(path))
       std::erase_if(files, [](const auto& f) { return !output::isPictureOrFilmName(f.file); });
@@ -245,15 +252,17 @@ class Reader {
     manifest_.tests.push_back(std::move(test));
   }
 
+  void refuseName(const std::string& name, const Node& node) {
+    problems_.add(node.place,
+                  fmt::format("test.name: '{}': a name must be that of a file below the references: at most 200 "
+                              "printable characters, no part of which begins with a dot",
+                              core::printable(name)));
+  }
+
   /// `file` stands for the * of a test's name, or is the name.
   void add(GoldenTest test, const std::string& file, const Node& node) {
-    if (const auto star = test.name.find('*'); star != std::string::npos) test.name.replace(star, 1, file);
-    if (!isName(test.name))
-      return problems_.add(
-          node.place,
-          fmt::format("test.name: '{}': a name must be that of a file below the references: at most 200 "
-                      "printable characters, no part of which begins with a dot",
-                      core::printable(test.name)));
+    test.name = filledIn(test.name, file);
+    if (!isName(test.name)) return refuseName(test.name, node);
     if (!names_.insert(test.name).second)
       return problems_.add(node.place, fmt::format("test.name: {} is the name of another test", test.name));
     manifest_.tests.push_back(std::move(test));

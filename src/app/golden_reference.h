@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/golden_reference_files.h"
+
 namespace poinsot::app {
 
 /// What a picture was made with: kept beside a reference, in NAME.json.
@@ -23,17 +25,14 @@ struct GoldenReference {
   GoldenOrigin origin;
 };
 
-/// Name of a test's references, beneath the folder of references.
-struct GoldenName {
-  std::string name;       ///< of the case; may have folders: "axes/ticks"
-  std::string extension;  ///< of its pictures: ".png", ".mp4"
-};
-
 /// What a NAME.json says: a text that is missing is empty. Nothing where it is no JSON object.
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 
+/// Whether a picture was approved beside the usual one of a test: its description says for which renderer.
+bool isApprovedBeside(const std::filesystem::path& picture, const std::filesystem::path& usual);
+
 /// References of a test, the usual one first. A NAME@X counts only if its NAME@X.json says that it was approved
-/// for the renderer X. @throws core::Error(kIo) for a NAME.json that is none of ours.
+/// for the renderer X. @throws core::Error(kIo) for a NAME.json that is none of ours, and for a link to a folder.
 std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, const GoldenName& name);
 
 /// Which of them a picture is compared with: those of its own renderer, if there are any, else all.
@@ -48,25 +47,8 @@ struct Approval {
 /// Makes `picture` the reference of its renderer. Those of other renderers stay with `beside`, and, where its own
 /// was there already, if they are of the same scene; else they are removed: nobody looked at what they should be
 /// now.
-/// @throws core::Error(kIo).
+/// @throws core::Error(kIo); (kUsage) if the file of a renderer is that of another.
 Approval approve(const std::filesystem::path& picture, const GoldenOrigin& origin,
                  const std::filesystem::path& folder, const GoldenName& name, bool beside);
-
-/// A file in the folder of references that is nobody's reference.
-struct StrayFile {
-  std::filesystem::path file;
-  std::string why;  ///< and what to do
-};
-
-/// Where files that belong to no test may lie, apart from the folders of references that are used.
-struct StrayPlaces {
-  bool all = false;                            ///< whether the names are all; else only files beside them count
-  std::vector<std::filesystem::path> folders;  ///< further folders
-  std::vector<std::filesystem::path> trees;    ///< further folders, with all below
-};
-
-/// Pictures and descriptions that belong to no test, in the folders that the names use and in other places.
-std::vector<StrayFile> strayFiles(const std::filesystem::path& folder, const std::vector<GoldenName>& names,
-                                  const StrayPlaces& places);
 
 }  // namespace poinsot::app

@@ -3,38 +3,148 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
 #include "app/golden_files.h"
+#include "app/golden_values.h"
+#include "app/json_file.h"
+#include "core/error.h"
+#include "core/regular_file.h"
 #include "core/text.h"
 #include "output/film_reader.h"
 
 namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file in the folder of references that is nobody's reference.
+struct StrayFile {
+  fs::path file;
+  std::string why;  ///< and what to do
+};
+
+/// Whether a JSON file is a description that approve() wrote.
+bool isDescription(const fs::path& file) try {
+  const auto json = parseJson(core::readRegularFile(file, kMostDescription, core::ErrorKind::kIo));
+  return json.is_object() && json.size() == 3 && json.contains("renderer") && json.contains("software") &&
+         json.contains("scene");
+} catch (const core::Error&) {
+  return false;
+}
+
+/// Finds the files of one folder that no test refers to.
+class StrayFinder {
+ public:
+  StrayFinder(std::vector<fs::path> usual, bool all) : usual_(std::move(usual)), all_(all) {}
+
+  void search(const fs::path& folder) {
+    const std::vector<fs::path> files = filesIn(folder), links = filesIn(folder, true);
+    std::set<std::string> stems;
+    for (const fs::path& file : files)
+      if (output::isPictureOrFilmName(file)) stems.insert(file.stem());
+    for (const fs::path& file : files)
+      if (output::isPictureOrFilmName(file))
+        examine(file);
+      else if (all_ && file.extension() == ".json" && !stems.contains(file.stem()) && isDescription(file))
+        strays_.push_back({file, whyAlone(file, links)});
+  }
+
+  std::vector<StrayFile> strays() { return std::move(strays_); }
+
+ private:
+  /// Says why a description has no picture.
+  static std::string whyAlone(const fs::path& description, const std::vector<fs::path>& links) {
+    for (const fs::path& link : links)
+      if (link.stem() == description.stem() && output::isPictureOrFilmName(link))
+        return fmt::format("{} is a link; links are no references: put the picture itself there",
+                           core::printable(link.native()));
+    return "describes a picture that is not there: remove " + core::printable(description.native());
+  }
+
+  void examine(const fs::path& file) {
+    if (std::ranges::find(usual_, file) != usual_.end()) return;
+    const ReferenceStem stem = splitStem(file.stem());
+    const fs::path besides = file.parent_path() / (stem.name + file.extension().native());
+    const bool ofATest = !stem.renderer.empty() && std::ranges::find(usual_, besides) != usual_.end();
+    if (ofATest && isApprovedBeside(file, besides)) return;
+    if (ofATest)
+      strays_.push_back(
+          {file, fmt::format("lies beside {} but was not approved: approve it by --update --beside, or "
+                             "remove {}",
+                             core::printable(besides.filename().native()), core::printable(file.native()))});
+    else if (all_)
+      strays_.push_back({file, "approved, and no test makes it: remove " + withDescription(file)});
+  }
+
+  /// A picture, and its description if there is one.
+  static std::string withDescription(const fs::path& file) {
+    std::error_code ignored;
+    const fs::path json = descriptionOf(file);
+    const std::string picture = core::printable(file.native());
+    return fs::exists(json, ignored) ? fmt::format("{} and {}", picture, core::printable(json.native())) : picture;
+  }
+
+  std::vector<fs::path> usual_;
+  bool all_;
+  std::vector<StrayFile> strays_;
+};
+
+/// Adds a folder and all below it; links are not followed.
+void addTree(const fs::path& root, std::set<fs::path>& folders) {
+  folders.insert(root);
+  std::error_code ignored;  // no folder has no files
+  for (const auto& entry : fs::directory_iterator(root, ignored))
+    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) addTree(entry.path(), folders);
+}
+
+/// Returns the path of a folder without a slash at its end.
+fs::path plain(const fs::path& folder) { return (folder / ".").parent_path(); }
+
+/// Adds the folders in which references of a pattern lie, whether it matches a file now or not.
+void addPlaces(const GoldenManifest& manifest, std::set<fs::path>& folders) {
+  folders.insert(plain(manifest.references));
+  for (const GoldenTest& test : manifest.tests) {
+    if (!isPattern(test.file)) continue;
+    const fs::path folder = plain(manifest.references / fs::path(test.namePattern).parent_path());
+    if (!isBeneath(folder, manifest.references)) continue;
+    if (test.file.find("**") == std::string::npos)
+      folders.insert(folder);
+    else
+      addTree(folder, folders);
+  }
+}
+
+/// Returns pictures and descriptions that belong to no test.
+/// @param all  whether the names are all; else only files beside their references are looked at
+std::vector<StrayFile> strayFiles(const GoldenManifest& manifest, const std::vector<GoldenName>& names, bool all) {
+  std::vector<fs::path> usual;
+  std::set<fs::path> folders;
+  if (all) addPlaces(manifest, folders);
+  for (const GoldenName& name : names) {
+    usual.push_back(usualFile(manifest.references, name));
+    folders.insert(usual.back().parent_path());
+  }
+  StrayFinder finder(std::move(usual), all);
+  for (const fs::path& folder : folders)
+    if (isBeneath(folder, manifest.references)) finder.search(folder);
+  return finder.strays();
+}
+
+}  // namespace
 
 Outcome unmatchedOutcome(const GoldenCase& pattern) {
   Outcome outcome;
   outcome.name = pattern.name;
   outcome.status = OutcomeStatus::kError;
   outcome.rule = pattern.test.rule;
-  outcome.message =
-      fmt::format("no PNG and no film is there of the name {}: run the program that makes them first",
-                  core::printable(pattern.test.image.native()));
+  outcome.message = fmt::format("{} matches no PNG and no film; run the program that makes them first",
+                                core::printable(pattern.test.image.native()));
   return outcome;
 }
-
-namespace {
-
-/// Folders in which references of a pattern lie, whether it matches a file now or not.
-StrayPlaces placesOf(const GoldenManifest& manifest, bool all) {
-  StrayPlaces places{all, {}, {}};
-  for (const GoldenTest& test : manifest.tests) {
-    if (!all || !isPattern(test.file)) continue;
-    const std::filesystem::path folder =
-        manifest.references / std::filesystem::path(test.namePattern).parent_path();
-    (test.file.find("**") == std::string::npos ? places.folders : places.trees).push_back(folder);
-  }
-  return places;
-}
-
-}  // namespace
 
 std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases, bool all,
                                    bool allMade) {
@@ -42,7 +152,7 @@ std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::ve
   for (const GoldenCase& one : cases)
     if (!one.test.isUnmatched) names.push_back(one.reference());
   std::vector<Outcome> outcomes;
-  for (const StrayFile& stray : strayFiles(manifest.references, names, placesOf(manifest, all))) {
+  for (const StrayFile& stray : strayFiles(manifest, names, all)) {
     Outcome& outcome = outcomes.emplace_back();
     outcome.name = stray.file.lexically_relative(manifest.references).replace_extension();
     outcome.status = OutcomeStatus::kUnused;

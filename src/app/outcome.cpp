@@ -30,11 +30,6 @@ Outcome loneOutcome(const std::string& name, OutcomeStatus status) {
   return outcome;
 }
 
-bool canBeApproved(const Outcome& outcome) {
-  return outcome.status != OutcomeStatus::kError && outcome.status != OutcomeStatus::kUnused &&
-         outcome.status != OutcomeStatus::kMissing;
-}
-
 }  // namespace
 
 std::string_view toString(OutcomeStatus status) {
@@ -52,6 +47,11 @@ OutcomeStatus statusOf(image::Verdict verdict) {
       break;
   }
   return OutcomeStatus::kDifferent;
+}
+
+bool canBeApproved(const Outcome& outcome) {
+  return outcome.status != OutcomeStatus::kError && outcome.status != OutcomeStatus::kUnused &&
+         outcome.status != OutcomeStatus::kMissing;
 }
 
 std::string reasonOf(const Outcome& outcome) {

@@ -46,6 +46,15 @@ struct Outcome {
 
 OutcomeStatus statusOf(image::Verdict verdict);
 
+/// Whether there is a new picture that can become the reference.
+bool canBeApproved(const Outcome& outcome);
+
+/// Whether approving would change the reference: a new picture differs from it, or, with `exact`, is stored in
+/// another way.
+inline bool isToApprove(const Outcome& outcome, bool exact) {
+  return canBeApproved(outcome) && !(outcome.status == OutcomeStatus::kIdentical && outcome.passes(exact));
+}
+
 /// Why an outcome is no pass, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one place
 /// of 40x24 px at (460, 340)". Never empty.
 std::string reasonOf(const Outcome& outcome);

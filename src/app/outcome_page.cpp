@@ -21,11 +21,6 @@ std::string pngOf(const image::AnyImage& picture) {
   return textOf(std::visit([](const auto& p) { return image::encodePng(p); }, picture));
 }
 
-bool canBeApproved(const Outcome& outcome) {
-  return outcome.status == OutcomeStatus::kNear || outcome.status == OutcomeStatus::kDifferent ||
-         outcome.status == OutcomeStatus::kNew;
-}
-
 /// A browser shows no film as a picture.
 bool isPicture(const std::filesystem::path& file) { return image::isPngName(file); }
 
@@ -66,7 +61,7 @@ DiffPageEntry entryOf(const Outcome& outcome, const OutcomePageHead& head) {
   if (isPicture(outcome.reference)) entry.reference.file = outcome.reference;
   if (isPicture(outcome.actual) && outcome.status != OutcomeStatus::kIdentical) entry.actual.file = outcome.actual;
   entry.map.file = outcome.map;
-  if (!head.approve.empty() && canBeApproved(outcome)) entry.approve = core::shellWord(outcome.name);
+  if (!head.approve.empty() && isToApprove(outcome, head.exact)) entry.approve = core::shellWord(outcome.name);
   return entry;
 }
 

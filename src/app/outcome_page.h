@@ -20,6 +20,7 @@ struct OutcomePageHead {
   std::filesystem::path place = {};                      ///< in the work tree whose commit is named
   std::string approve = {};  ///< command that approves the rows whose names follow; empty for none
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
+  bool exact = false;  ///< whether identical pixels that are stored in another way fail
 };
 
 /// A page without rows.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/picture_form.h"
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
@@ -20,6 +21,10 @@ bool isMeant(const Outcome& outcome, const std::string& pattern) {
   return core::matchesWildcard(pattern, outcome.name);
 }
 
+bool isMeant(const Outcome& outcome, const std::vector<std::string>& patterns) {
+  return std::ranges::any_of(patterns, [&](const std::string& pattern) { return isMeant(outcome, pattern); });
+}
+
 void expectMeaning(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns) {
     if (std::ranges::any_of(outcomes, [&](const Outcome& o) { return isMeant(o, pattern); })) continue;
@@ -33,9 +38,13 @@ void expectMeaning(const std::vector<Outcome>& outcomes, const std::vector<std::
 }
 
 void copyPicture(const fs::path& from, const fs::path& to) {
-  constexpr std::size_t kMost = std::size_t{512} << 20;
   output::makeFolders(output::folderOf(to));
-  output::writeFileAtomically(to, core::readRegularFile(from, kMost, core::ErrorKind::kIo));
+  output::writeFileAtomically(to, core::readRegularFile(from, kMostPicture, core::ErrorKind::kIo));
+}
+
+/// Returns the file that a picture is copied to. @param reference  the picture, or the folder of pictures
+fs::path placeOf(const Outcome& outcome, const fs::path& reference) {
+  return outcome.reference.empty() ? reference / outcome.name : outcome.reference;
 }
 
 }  // namespace
@@ -43,20 +52,21 @@ void copyPicture(const fs::path& from, const fs::path& to) {
 PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
                           const fs::path& reference) {
   expectMeaning(outcomes, patterns);
+  std::vector<const Outcome*> meant;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.status != OutcomeStatus::kIdentical && isMeant(outcome, patterns)) meant.push_back(&outcome);
+  for (const Outcome* outcome : meant) expectNoLinkAbove(placeOf(*outcome, reference), reference);
   PairApproval approval;
-  for (const Outcome& outcome : outcomes) {
-    const bool meant =
-        std::ranges::any_of(patterns, [&](const std::string& pattern) { return isMeant(outcome, pattern); });
-    if (!meant || outcome.status == OutcomeStatus::kIdentical) continue;
-    if (outcome.status == OutcomeStatus::kError || outcome.status == OutcomeStatus::kMissing) {
+  for (const Outcome* outcome : meant) {
+    if (!canBeApproved(*outcome)) {
       approval.complete = false;
-      approval.text +=
-          fmt::format("{:<10} {}: {}\n", toString(outcome.status), core::printable(outcome.name), outcome.message);
+      approval.text += fmt::format("{:<10} {}: {}\n", toString(outcome->status), core::printable(outcome->name),
+                                   outcome->message);
       continue;
     }
-    const fs::path place = outcome.reference.empty() ? reference / outcome.name : outcome.reference;
-    copyPicture(outcome.actual, place);
-    approval.text += fmt::format("{}: {}\n", core::printable(place.native()), approvalText(outcome));
+    const fs::path place = placeOf(*outcome, reference);
+    copyPicture(outcome->actual, place);
+    approval.text += fmt::format("{}: {}\n", core::printable(place.native()), approvalText(*outcome));
   }
   if (approval.text.empty()) approval.text = "nothing to approve: all of these are identical\n";
   return approval;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 namespace poinsot::app {
+
+/// Largest file of a picture that is copied or embedded, in bytes.
+inline constexpr std::size_t kMostPicture = std::size_t{512} << 20;
 
 /// A picture's width on paper. Type and lines are then sized in points, and its pixels are width times dpi.
 struct PrintSize {

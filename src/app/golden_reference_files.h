@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Names and places of the files of references: NAME.png, NAME@RENDERER.png, and a description NAME.json of each.
+namespace poinsot::app {
+
+/// Largest description that is read, in bytes.
+inline constexpr std::size_t kMostDescription = std::size_t{64} << 10;
+
+/// Name of a test's references, beneath the folder of references.
+struct GoldenName {
+  std::string name;       ///< of the case; may have folders: "axes/ticks"
+  std::string extension;  ///< of its pictures: ".png", ".mp4"
+};
+
+/// A stem in two, at its last @.
+struct ReferenceStem {
+  std::string name, renderer;  ///< the second empty without an @
+};
+
+/// Splits "ticks@softpipe" into "ticks" and "softpipe".
+ReferenceStem splitStem(const std::string& stem);
+
+/// Returns a renderer's name as part of a file name: a run of characters other than letters, digits and points
+/// becomes one _.
+std::string slugOf(const std::string& renderer);
+
+/// Returns the file that describes a picture.
+std::filesystem::path descriptionOf(const std::filesystem::path& picture);
+
+/// Returns the usual file of a test, which is not for one renderer only.
+std::filesystem::path usualFile(const std::filesystem::path& folder, const GoldenName& name);
+
+/// Returns the regular files and the links of a folder, sorted; none if there is no folder.
+/// @param links  whether links are meant, and regular files are not
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, bool links = false);
+
+/// Checks that no folder between `folder` and `file`, which is named below it, is a link: what is written or read
+/// there would lie elsewhere. `folder` itself may be a link.
+/// @throws core::Error(kIo)
+void expectNoLinkAbove(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+}  // namespace poinsot::app
