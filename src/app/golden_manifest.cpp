@@ -265,7 +265,28 @@ class Reader {
     if (!isName(test.name)) return refuseName(test.name, node);
     if (!names_.insert(test.name).second)
       return problems_.add(node.place, fmt::format("test.name: {} is the name of another test", test.name));
-    manifest_.tests.push_back(std::move(test));
+    if (claimFiles(test, node)) manifest_.tests.push_back(std::move(test));
+  }
+
+  /// Reserves the references of a test and the files that a run writes for it. Reports the first that another
+  /// test has.
+  bool claimFiles(const GoldenTest& test, const Node& node) {
+    const auto claim = [&](std::map<std::string, std::string>& claimed, const std::string& file,
+                           const char* what) {
+      const std::string use = fmt::format("{} of test '{}'", what, test.name);
+      const auto [taken, isFree] = claimed.try_emplace(file, use);
+      if (!isFree)
+        problems_.add(node.place, fmt::format("test.name: {} would be {} and {}; choose other names or times",
+                                              file, taken->second, use));
+      return isFree;
+    };
+    for (const std::string& name : caseNames(test)) {
+      if (!claim(references_, name + ".png", "the reference")) return false;
+      if (!test.scene.empty() && !claim(written_, name + ".png", "the new picture")) return false;
+      if (!claim(written_, fmt::format("{}{}", name, kMapEnding), "FLIP's map")) return false;
+      if (!claim(written_, fmt::format("{}{}", name, kDifferenceEnding), "the difference")) return false;
+    }
+    return true;
   }
 
   scene::Source source_;
@@ -274,9 +295,17 @@ class Reader {
   scene::Problems problems_;
   GoldenManifest manifest_;
   std::set<std::string> names_;
+  std::map<std::string, std::string> references_, written_;  ///< use of each file, by its name
 };
 
 }  // namespace
+
+std::vector<std::string> caseNames(const GoldenTest& test) {
+  if (test.times_s.size() <= 1) return {test.name};
+  std::vector<std::string> names;
+  for (const double t_s : test.times_s) names.push_back(fmt::format("{}_t{}", test.name, t_s));
+  return names;
+}
 
 GoldenManifest parseGoldenManifest(std::string text, const fs::path& file, const scene::Allowance& allowance,
                                    const fs::path& images) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/picture_rule.h"
@@ -29,6 +30,12 @@ struct GoldenTest {
   std::string variant;                 ///< of an image: what made it, where references differ by that
   PictureRule rule;
 };
+
+/// Endings of the files that a run writes beside the picture of a case: FLIP's map and the difference.
+inline constexpr std::string_view kMapEnding = ".flip.png", kDifferenceEnding = ".difference.png";
+
+/// Returns the names of a test's pictures: its own, or with several times one for each ("racket_t1.5").
+std::vector<std::string> caseNames(const GoldenTest& test);
 
 /// A golden.toml.
 struct GoldenManifest {

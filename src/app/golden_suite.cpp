@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -32,11 +33,11 @@ namespace fs = std::filesystem;
 /// The test itself, or one for each of its times.
 std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) {
   std::vector<GoldenCase> cases;
-  if (test.times_s.size() <= 1)
-    cases.push_back({test.name, test, test.times_s.empty() ? std::nullopt : std::optional(test.times_s[0]), {}});
-  else
-    for (const double t_s : test.times_s) cases.push_back({fmt::format("{}_t{}", test.name, t_s), test, t_s, {}});
-  for (GoldenCase& one : cases) one.actual = test.scene.empty() ? test.image : output / (one.name + ".png");
+  for (const std::string& name : caseNames(test)) {
+    const std::size_t i = cases.size();
+    const auto time_s = i < test.times_s.size() ? std::optional(test.times_s[i]) : std::nullopt;
+    cases.push_back({name, test, time_s, test.scene.empty() ? test.image : output / (name + ".png")});
+  }
   return cases;
 }
 
@@ -84,8 +85,8 @@ image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene, const
   if (width < scene::kLeastSide || width > most)
     throw core::Error(
         core::ErrorKind::kLimit,
-        fmt::format("height: of {} pixels makes this scene of {}x{} one of a width of {}; sides are from "
-                    "{} to {} pixels; {}",
+        fmt::format("height: {} pixels would make this scene of {}x{} {} pixels wide; sides are from {} to {} "
+                    "pixels; {}",
                     *test.height, own.width, own.height, width, scene::kLeastSide, most,
                     howToRaise(scene::Limit::kSide)),
         test.heightAt);
@@ -142,6 +143,26 @@ GoldenOrigin originOf(const GoldenCase& one, const std::string& scene) {
   return origin;
 }
 
+/// Whether expectReadable() accepts a picture.
+bool isReadable(const fs::path& picture) try {
+  expectReadable(picture);
+  return true;
+} catch (const core::Error&) {
+  return false;
+}
+
+/// Checks that an image of another program is not its own reference, with which it would always be identical.
+void expectApart(const fs::path& actual, const std::vector<GoldenReference>& references) {
+  for (const GoldenReference& reference : references) {
+    std::error_code ignored;
+    if (fs::equivalent(actual, reference.picture, ignored))
+      throw core::Error(core::ErrorKind::kScene,
+                        fmt::format("{}: is its own reference and would always pass; name another folder in "
+                                    "references, or have the program write into another",
+                                    core::printable(actual.native())));
+  }
+}
+
 std::string messageOf(const PictureDiff& diff, const PictureRule& rule) {
   return diff.verdict == image::Verdict::kNear ? rule.reason : reasonOf(diff);
 }
@@ -161,6 +182,7 @@ class Comparing {
       outcome.message = "nothing was approved yet";
       return;
     }
+    expectApart(one_.actual, all);
     const ComparedPictures nearest = nearestOf(relevant(all, outcome.origin.renderer), outcome.reference);
     outcome.diff = nearest.diff;
     outcome.status = statusOf(outcome.diff.verdict);
@@ -172,7 +194,7 @@ class Comparing {
   ComparedPictures nearestOf(const std::vector<GoldenReference>& references, fs::path& which) const {
     ComparedPictures nearest;
     for (const GoldenReference& reference : references) {
-      ComparedPictures compared = compareFiles(reference.picture, one_.actual, places());
+      ComparedPictures compared = compareWith(reference.picture);
       if (!which.empty() && badness(compared.diff) >= badness(nearest.diff)) continue;
       which = reference.picture;
       nearest = std::move(compared);
@@ -180,11 +202,19 @@ class Comparing {
     return nearest;
   }
 
+  ComparedPictures compareWith(const fs::path& reference) const try {
+    return compareFiles(reference, one_.actual, places());
+  } catch (const core::Error& error) {
+    if (error.kind() != core::ErrorKind::kIo || isReadable(reference)) throw;
+    throw core::Error(error.kind(), fmt::format("{}; remove {} and approve again", error.message(),
+                                                core::printable(reference.native())));
+  }
+
   DiffRequest places() const {
     DiffRequest request{one_.test.rule};
     request.limits = limits_;
-    request.map = output_ / (one_.name + ".flip.png");
-    request.difference = output_ / (one_.name + ".difference.png");
+    request.map = one_.fileIn(output_, kMapEnding);
+    request.difference = one_.fileIn(output_, kDifferenceEnding);
     return request;
   }
 
@@ -303,6 +333,20 @@ class Run {
   std::set<std::size_t> failed_;
 };
 
+/// Returns the renderers for which references of images with a variant were approved; "" where none is known.
+std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
+  std::set<std::string> renderers;
+  for (const GoldenCase& one : cases) {
+    if (one.variant().empty()) continue;
+    try {
+      for (const GoldenReference& reference : referencesOf(manifest.references, one.reference()))
+        renderers.insert(reference.origin.renderer);
+    } catch (const core::Error&) {  // is reported when the case is compared
+    }
+  }
+  return renderers;
+}
+
 }  // namespace
 
 std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request) {
@@ -315,26 +359,39 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
   return request.only.empty() ? all : chosen(all, request.only);
 }
 
-void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& request,
                          const std::string& approveBy) {
-  std::set<std::string> wanted, known;
-  bool approved = false;
-  for (const GoldenCase& one : cases) {
-    if (one.variant().empty()) continue;
-    wanted.insert(one.variant());
-    for (const GoldenReference& reference : referencesOf(manifest.references, one.reference())) {
-      approved = true;
-      if (!reference.origin.renderer.empty()) known.insert(reference.origin.renderer);
-    }
+  GoldenRequest all = request;
+  all.only.clear();
+  const std::set<std::string> renderers = approvedRenderers(manifest, casesOf(manifest, all));
+  if (renderers.empty()) return;
+  for (const GoldenCase& one : casesOf(manifest, request)) {
+    if (one.variant().empty() || renderers.contains(one.variant())) continue;
+    std::vector<std::string> known;
+    for (const std::string& renderer : renderers)
+      if (!renderer.empty()) known.push_back(renderer);
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("variant '{}': no reference was approved for it; {}; approve the first by {}",
+                                  core::printable(one.variant()),
+                                  known.empty() ? "there are none with a variant"
+                                                : fmt::format("there are {}", fmt::join(known, ", ")),
+                                  approveBy));
   }
-  for (const std::string& variant : wanted)
-    if (approved && !known.contains(variant))
-      throw core::Error(core::ErrorKind::kUsage,
-                        fmt::format("variant '{}': no reference was approved for it; {}; approve the first by {}",
-                                    core::printable(variant),
-                                    known.empty() ? "there are none with a variant"
-                                                  : fmt::format("there are {}", fmt::join(known, ", ")),
-                                    approveBy));
+}
+
+void expectImagesKept(const std::vector<GoldenCase>& cases, const fs::path& output) {
+  std::error_code ignored;
+  std::map<fs::path, const GoldenCase*> images;
+  for (const GoldenCase& one : cases)
+    if (one.test.scene.empty() && !one.test.isUnmatched) images[fs::weakly_canonical(one.actual, ignored)] = &one;
+  for (const GoldenCase& one : cases)
+    for (const std::string_view ending : {kMapEnding, kDifferenceEnding})
+      if (const auto image = images.find(fs::weakly_canonical(one.fileIn(output, ending), ignored));
+          image != images.end())
+        throw core::Error(core::ErrorKind::kUsage,
+                          fmt::format("-o {}: a map of '{}' would replace the image {}; choose another folder",
+                                      core::printable(output.native()), one.name,
+                                      core::printable(image->second->actual.native())));
 }
 
 std::vector<Outcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {

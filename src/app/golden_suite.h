@@ -19,6 +19,10 @@ struct GoldenCase {
   std::optional<double> time_s;
   std::filesystem::path actual;  ///< where the new picture is
 
+  /// A file that a run writes into its output folder. @param ending  kMapEnding or kDifferenceEnding
+  std::filesystem::path fileIn(const std::filesystem::path& output, std::string_view ending) const {
+    return output / (name + std::string(ending));
+  }
   GoldenName reference() const { return {name, actual.extension()}; }
   /// Variant that the user names for an image; empty without one, and for a scene.
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
@@ -38,11 +42,16 @@ struct GoldenRequest {
 /// The cases of a manifest that are asked for. @throws core::Error(kUsage) for a name that is none.
 std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request);
 
-/// @throws core::Error(kUsage) if a case has a variant for which no reference of any case was approved, although
-/// some were: probably a slip.
+/// Checks that for the variant of each case that is asked for, a reference of some case of the manifest was
+/// approved, if references of any variant were: another one is probably a slip.
 /// @param approveBy  words or command that approves the first reference of a variant, for the message
-void expectKnownVariants(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+/// @throws core::Error(kUsage)
+void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& request,
                          const std::string& approveBy);
+
+/// Checks that no map that a run writes into `output` replaces an image that is compared.
+/// @throws core::Error(kUsage)
+void expectImagesKept(const std::vector<GoldenCase>& cases, const std::filesystem::path& output);
 
 /// Makes the pictures of all cases and compares them with what was approved; `jobs` at a time. Where all cases are
 /// run, references that belong to none are told as well. In order of the cases, whatever the jobs.

@@ -30,6 +30,17 @@ Outcome loneOutcome(const std::string& name, OutcomeStatus status) {
   return outcome;
 }
 
+/// Whether a pair has the same pixels, but two ways to store them.
+bool isStoredOtherwise(const Outcome& outcome) {
+  return outcome.status == OutcomeStatus::kIdentical && !outcome.diff.storedAlike;
+}
+
+/// "grey beside RGB, same pixels"
+std::string storageText(const PictureDiff& diff) {
+  return diff.notes.empty() ? "the same pixels are stored in another way"
+                            : fmt::format("{}", fmt::join(diff.notes, "; "));
+}
+
 }  // namespace
 
 std::string_view toString(OutcomeStatus status) {
@@ -55,6 +66,8 @@ bool canBeApproved(const Outcome& outcome) {
 }
 
 std::string reasonOf(const Outcome& outcome) {
+  if (isStoredOtherwise(outcome))
+    return fmt::format("{}; --exact asks for the same storage", storageText(outcome.diff));
   const std::string words = image::wordsOf(outcome.diff.changes);
   if (words.empty()) return outcome.message.empty() ? "not identical" : outcome.message;
   return outcome.message.empty() ? words : outcome.message + "; " + words;
@@ -116,6 +129,7 @@ std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& referenc
 
 std::string approvalText(const Outcome& outcome) {
   if (outcome.status == OutcomeStatus::kNew) return "approved, the first of its test";
+  if (isStoredOtherwise(outcome)) return "approved, " + storageText(outcome.diff);
   if (!outcome.diff.mismatch.empty()) return "approved, " + outcome.diff.mismatch;
   const image::ImageDifference& d = outcome.diff.figures;
   return fmt::format("approved, {} pixels changed, largest {:.4g}, FLIP mean {:.3g}, max {:.3g}",

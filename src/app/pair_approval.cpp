@@ -50,11 +50,12 @@ fs::path placeOf(const Outcome& outcome, const fs::path& reference) {
 }  // namespace
 
 PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
-                          const fs::path& reference) {
+                          const fs::path& reference, bool exact) {
   expectMeaning(outcomes, patterns);
   std::vector<const Outcome*> meant;
   for (const Outcome& outcome : outcomes)
-    if (outcome.status != OutcomeStatus::kIdentical && isMeant(outcome, patterns)) meant.push_back(&outcome);
+    if (isMeant(outcome, patterns) && (isToApprove(outcome, exact) || !canBeApproved(outcome)))
+      meant.push_back(&outcome);
   for (const Outcome* outcome : meant) expectNoLinkAbove(placeOf(*outcome, reference), reference);
   PairApproval approval;
   for (const Outcome* outcome : meant) {

@@ -19,9 +19,10 @@ struct PairApproval {
 /// any characters), those that are not identical. Pictures that cannot be read and those that only the reference
 /// has stay as they are, and make the approval incomplete.
 /// @param reference  folder for pictures that are new
+/// @param exact  whether pictures that are only stored in another way are copied, too
 /// @throws core::Error(kUsage) for a pattern that means no outcome; core::Error(kIo), also for a
 /// link among the folders below the reference's.
 PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
-                          const std::filesystem::path& reference);
+                          const std::filesystem::path& reference, bool exact);
 
 }  // namespace poinsot::app

@@ -162,7 +162,12 @@ class Diff {
   }
 
   std::string approveCommand() const {
-    return core::shellWords({"poinsot", "diff", options_.reference, options_.test, "--update"});
+    std::vector<std::string> words{"poinsot", "diff", options_.reference, options_.test};
+    const std::vector<std::string> allowance = allowanceWords(options_);
+    words.insert(words.end(), allowance.begin(), allowance.end());
+    if (options_.exact) words.emplace_back("--exact");
+    words.emplace_back("--update");
+    return core::shellWords(words);
   }
 
   app::OutcomePageHead headOf(image::Verdict verdict) const {
@@ -172,6 +177,7 @@ class Diff {
     head.place = options_.reference;
     head.approve = approveCommand();
     head.pixelsPerDegree = request_.pixelsPerDegree;
+    head.exact = options_.exact;
     return head;
   }
 
@@ -255,7 +261,8 @@ class Diff {
   }
 
   int approve(const std::vector<app::Outcome>& outcomes) const {
-    const app::PairApproval approval = app::approvePairs(outcomes, options_.update, options_.reference);
+    const app::PairApproval approval =
+        app::approvePairs(outcomes, options_.update, options_.reference, options_.exact);
     say(approval.text);
     return approval.complete ? kDone : kNo;
   }

@@ -11,6 +11,7 @@
 #include "app/diff_json.h"
 #include "app/golden_strays.h"
 #include "app/golden_suite.h"
+#include "app/golden_values.h"
 #include "app/interrupt.h"
 #include "app/junit.h"
 #include "app/markdown.h"
@@ -62,6 +63,10 @@ app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allo
           !options.native,
           std::move(allowance),
           options.variant};
+}
+
+bool mayReplaceJunit(const GoldenOptions& options) {
+  return options.force || output::beginsWith(options.junit, app::kJunitMark);
 }
 
 std::string lineOf(const Outcome& outcome, const std::string& message) {
@@ -121,13 +126,22 @@ class Golden {
     if (options_.beside && !options_.update) refuse("--beside: goes with --update");
     if (options_.unused && (options_.update || !options_.only.empty()))
       refuse("--unused: looks at all tests and approves nothing; leave out --only and --update");
-    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
     if (!options_.update && !options_.unused)
-      app::expectKnownVariants(manifest_, cases,
+      app::expectKnownVariants(manifest_, request_,
                                options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
-    if (!options_.beside) return;
-    for (const app::GoldenCase& one : cases)
-      if (one.test.scene.empty() && one.variant().empty())
+    if (options_.beside && !namesVariants()) expectOnlyScenes();
+  }
+
+  /// Whether any image of the manifest has a variant. The others then have one that is not named.
+  bool namesVariants() const {
+    return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const app::GoldenTest& test) {
+      return test.scene.empty() && !test.variant.empty();
+    });
+  }
+
+  void expectOnlyScenes() const {
+    for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
+      if (one.test.scene.empty())
         refuse(fmt::format(
             "--beside: {}: of a picture that another program made, the renderer is not known: name it by "
             "--variant, or choose tests with --only",
@@ -136,16 +150,23 @@ class Golden {
 
   /// New pictures may not come to lie on approved ones, nor reports on what somebody else wrote.
   void checkPlaces() const {
-    std::error_code ignored;
+    expectApartFromReferences();
+    app::expectImagesKept(app::casesOf(manifest_, request_), request_.output);
     if (!options_.unused) {
       output::makeFolders(request_.output);
       output::expectWritableFolder(request_.output);
     }
-    if (fs::equivalent(request_.output, manifest_.references, ignored))
-      refuse(fmt::format("-o {}: there are the approved pictures", core::printable(options_.output)));
     if (!options_.report.empty()) output::checkTarget(options_.report, options_.force);
-    if (!options_.junit.empty())
-      output::checkTarget(options_.junit, options_.force || output::beginsWith(options_.junit, app::kJunitMark));
+    if (!options_.junit.empty()) output::checkTarget(options_.junit, mayReplaceJunit(options_));
+  }
+
+  void expectApartFromReferences() const {
+    const auto refuseOutput = [&](const char* why) {
+      refuse(fmt::format("-o {}: {} the approved references; choose another folder",
+                         core::printable(options_.output), why));
+    };
+    if (app::isBeneath(manifest_.references, request_.output)) refuseOutput("contains");
+    if (app::isBeneath(request_.output, manifest_.references)) refuseOutput("lies in the folder of");
   }
 
   void say(const std::string& text) const {
@@ -162,7 +183,9 @@ class Golden {
 
   void tell() const {
     if (options_.json) return say(app::suiteJson(outcomes_, {manifest_.references, options_.output}));
-    say(linesOf(outcomes_, [](const Outcome& o) { return o.status != OutcomeStatus::kIdentical; }));
+    say(linesOf(outcomes_, [&](const Outcome& o) {
+      return o.status != OutcomeStatus::kIdentical || !o.passes(options_.exact);
+    }));
     say(fmt::format("{}{}\n", outcomes_.empty() ? "nothing approved is unused" : app::countsText(outcomes_),
                     onlyNear() ? ": not all identical, as --exact asks" : ""));
     if (failures() == 0) return;
@@ -175,7 +198,7 @@ class Golden {
                       approve));
   }
 
-  std::string suite() const { return fs::absolute(manifest_.file).parent_path().filename(); }
+  std::string suite() const { return fs::absolute(manifest_.file).lexically_normal().parent_path().filename(); }
 
   app::OutcomeReport reportHead() const {
     return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy, attachmentRoot()};
@@ -184,13 +207,27 @@ class Golden {
   /// The command that approves tests, drawn and compared in the same way; their names follow.
   std::string approveCommand() const {
     std::vector<std::string> words{"poinsot", "golden", options_.manifest};
-    for (const std::string& root : options_.assetRoots) words.insert(words.end(), {"--asset-root", root});
+    const std::vector<std::string> allowance = allowanceWords(options_);
+    words.insert(words.end(), allowance.begin(), allowance.end());
     if (options_.backend != "auto") words.insert(words.end(), {"--backend", options_.backend});
     if (options_.native) words.emplace_back("--native");
     if (!options_.images.empty()) words.insert(words.end(), {"--images", options_.images});
-    if (!options_.variant.empty()) words.insert(words.end(), {"--beside", "--variant", options_.variant});
+    if (options_.output != GoldenOptions().output) words.insert(words.end(), {"-o", options_.output});
+    if (!options_.variant.empty()) words.insert(words.end(), {"--variant", options_.variant});
+    if (options_.exact) words.emplace_back("--exact");
+    if (failsForAVariant()) words.emplace_back("--beside");
     words.insert(words.end(), {"--update", "--only"});
     return core::shellWords(words);
+  }
+
+  /// Whether an image with a variant can be approved; references of its other variants are to stay.
+  bool failsForAVariant() const {
+    for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
+      if (!one.variant().empty() && std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
+            return outcome.name == one.name && app::isToApprove(outcome, options_.exact);
+          }))
+        return true;
+    return false;
   }
 
   void writeReports() const {
@@ -209,6 +246,7 @@ class Golden {
     head.page = options_.report;
     head.place = manifest_.file;
     head.approve = approveCommand();
+    head.exact = options_.exact;
     return head;
   }
 
@@ -218,8 +256,7 @@ class Golden {
       return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused;
     };
     for (const Outcome& outcome : outcomes_)
-      if (isThere(outcome) && (outcome.status != OutcomeStatus::kIdentical || !hasOrigin(outcome)))
-        approve(outcome);
+      if (app::isToApprove(outcome, options_.exact) || (isThere(outcome) && !hasOrigin(outcome))) approve(outcome);
     say(linesOf(outcomes_, std::not_fn(isThere)));
     return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
   }
@@ -234,8 +271,9 @@ class Golden {
     const app::Approval approval = app::approve(outcome.actual, outcome.origin, manifest_.references,
                                                 {outcome.name, outcome.actual.extension()}, options_.beside);
     for (const fs::path& file : approval.removed)
-      say(fmt::format("{}: removed, as it was approved for what is no more\n", core::printable(file.native())));
-    if (outcome.status == OutcomeStatus::kIdentical) return;
+      say(fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
+                      core::printable(file.native())));
+    if (!app::isToApprove(outcome, options_.exact)) return;
     say(fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome)));
   }
 
@@ -245,10 +283,37 @@ class Golden {
   std::vector<Outcome> outcomes_;
 };
 
+/// Checks that an approval is asked for no reports, which only a comparison has.
+void expectNoReports(const GoldenOptions& options) {
+  const auto expectNone = [](const char* option, bool given) {
+    if (given) refuse(fmt::format("--update: approves, and writes no reports; leave out {}", option));
+  };
+  expectNone("--junit", !options.junit.empty());
+  expectNone("--report", !options.report.empty());
+  expectNone("--markdown", !options.markdown.empty());
+  expectNone("--outcome", !options.outcome.empty());
+  expectNone("--json", options.json);
+}
+
+/// Removes the reports of an earlier run, because this one may end before it writes its own.
+void removeReports(const GoldenOptions& options) {
+  const auto remove = [](const std::string& file, bool force) {
+    std::error_code ignored;
+    if (file.empty() || !fs::exists(file, ignored)) return;
+    output::checkTarget(file, force);
+    fs::remove(file, ignored);
+  };
+  remove(options.report, options.force);
+  remove(options.junit, mayReplaceJunit(options));
+}
+
 /// Runs the suite. An index page shows the last outcome that it finds, so that of an earlier run goes first: this
 /// one may end before it has one.
 int runGolden(const GoldenOptions& options) {
-  if (options.outcome.empty() || options.list) return Golden(options).run();
+  if (options.list) return Golden(options).run();
+  if (options.update) expectNoReports(options);
+  removeReports(options);
+  if (options.outcome.empty()) return Golden(options).run();
   const auto write = [&](const std::string& message) {
     output::writeFileAtomically(options.outcome, app::brokenOutcomeScript(message));
   };
