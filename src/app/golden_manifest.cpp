@@ -275,7 +275,10 @@ class Reader {
                            const char* what) {
       const std::string use = fmt::format("{} of test '{}'", what, test.name);
       const auto [taken, isFree] = claimed.try_emplace(file, use);
-      if (!isFree)
+      if (!isFree && taken->second == use)
+        problems_.add(node.place,
+                      fmt::format("test.times: {} would be {} at two times; give each time once", file, use));
+      else if (!isFree)
         problems_.add(node.place, fmt::format("test.name: {} would be {} and {}; choose other names or times",
                                               file, taken->second, use));
       return isFree;

@@ -42,17 +42,6 @@ struct GoldenRequest {
 /// The cases of a manifest that are asked for. @throws core::Error(kUsage) for a name that is none.
 std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequest& request);
 
-/// Checks that for the variant of each case that is asked for, a reference of some case of the manifest was
-/// approved, if references of any variant were: another one is probably a slip.
-/// @param approveBy  words or command that approves the first reference of a variant, for the message
-/// @throws core::Error(kUsage)
-void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& request,
-                         const std::string& approveBy);
-
-/// Checks that no map that a run writes into `output` replaces an image that is compared.
-/// @throws core::Error(kUsage)
-void expectImagesKept(const std::vector<GoldenCase>& cases, const std::filesystem::path& output);
-
 /// Makes the pictures of all cases and compares them with what was approved; `jobs` at a time. Where all cases are
 /// run, references that belong to none are told as well. In order of the cases, whatever the jobs.
 /// @throws Interrupted; core::Error(kIo) if pictures of the comparison cannot be written.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/allowance.h"
+
+namespace poinsot::cli {
+
+/// Words of the command line of `poinsot golden`, as typed.
+struct GoldenOptions : AllowanceOptions {
+  std::string manifest = "golden.toml", output = "out/golden", images, junit, report, markdown, outcome, variant,
+              approveBy, backend = "auto";
+  std::vector<std::string> only;
+  int jobs = 0;
+  bool force = false, update = false, beside = false, exact = false, native = false, list = false, unused = false,
+       quiet = false, json = false;
+};
+
+/// Declares them.
+void addGoldenOptions(CLI::App& command, GoldenOptions& options);
+
+}  // namespace poinsot::cli
