@@ -82,7 +82,9 @@ TEST_F(GoldenCommand, TellsAnOriginThatIsNotItsOwn) {
   folder_.put("golden/s.json", "[1]");
   const RunResult result = golden();
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_THAT(result.out, HasSubstr("error      s: golden/s.json: is no JSON object of poinsot's"));
+  EXPECT_THAT(
+      result.out,
+      HasSubstr("error      s: golden/s.json: is no description that poinsot wrote; remove it and approve again"));
 }
 
 // Where an approved picture is of this renderer, only that counts; else any of those approved.
@@ -122,9 +124,10 @@ TEST_F(GoldenCommand, ApprovingAnotherSceneRemovesWhatWasApprovedOfTheOld) {
   folder_.put("golden/s@softpipe.json", theirs.dump());
   EXPECT_EQ(golden().out, "1 identical\n");
   folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
-  EXPECT_THAT(golden({"--update"}).out,
-              StartsWith("golden/s@softpipe.png: removed, as it was approved for what is no more\ngolden/s.png: "
-                         "approved, "));
+  EXPECT_THAT(
+      golden({"--update"}).out,
+      StartsWith("golden/s@softpipe.png: removed: it was approved for an earlier scene or picture\ngolden/s.png: "
+                 "approved, "));
   EXPECT_FALSE(fs::exists(folder_ / "golden/s@softpipe.png"));
   EXPECT_FALSE(fs::exists(folder_ / "golden/s@softpipe.json"));
 }
@@ -135,7 +138,7 @@ TEST_F(GoldenCommand, WritesNothingOverWhatIsNotItsOwn) {
   folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
   const RunResult overApproved = golden({"-o", "golden"});
   EXPECT_EQ(overApproved.exitCode, 2);
-  EXPECT_THAT(overApproved.err, HasSubstr("-o golden: there are the approved pictures"));
+  EXPECT_THAT(overApproved.err, HasSubstr("-o golden: contains the approved references; choose another folder"));
   EXPECT_EQ(bytesOf(folder_ / "golden/s.png"), approved);
 
   folder_.put("theirs.txt", "somebody's");
@@ -257,7 +260,8 @@ TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
             "golden.toml:3:8: error: test.rule: expected a table, got 3\n   3 | rule = 3\n     |        ^\n");
   EXPECT_THAT(refusal("[[test]]\nscen = 's.toml'\n"),
               HasSubstr("test.scen: unknown key; did you mean test.scene?"));
-  EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"), HasSubstr("a name must be that of a file below the references"));
+  EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"),
+              HasSubstr("a name must be that of a file below the references"));
   EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\n[[test]]\nscene = 's.toml'\n"),
               HasSubstr("golden.toml:3:1: error: test.name: s is the name of another test"));
   EXPECT_THAT(refusal("[[test]]\nscene = 'no*.toml'\n"), HasSubstr("no file is there of the name no*.toml"));
@@ -272,8 +276,8 @@ TEST_F(GoldenCommand, HoldsWidthsToTheLimitsOfAPicture) {
   folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\nset = 'output.size=[8192, 16]'\nheight = 17\n");
   const RunResult result = golden();
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_THAT(result.out, HasSubstr("golden.toml:4:10: height: of 17 pixels makes this scene of 8192x16 one of a "
-                                    "width of 8704; sides are from 16 to 8192 pixels"));
+  EXPECT_THAT(result.out, HasSubstr("golden.toml:4:10: height: 17 pixels would make this scene of 8192x16 8704 "
+                                    "pixels wide; sides are from 16 to 8192 pixels"));
 }
 
 // A manifest, too, comes from anywhere: what it names lies below it, or where the user says.

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/golden_images_fixture.h"
 #include "cli/program_run.h"
 #include "support/raw_png.h"
 #include "support/shell_run.h"
@@ -20,30 +21,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-Bytes flat(int level) { return pngBytes({16, 12, 8, 0, {}}, Bytes(16 * 12, static_cast<std::uint8_t>(level))); }
-
 Bytes film(const std::vector<int>& levels) {
   std::vector<Bytes> pictures;
   for (const int level : levels) pictures.emplace_back(16 * 12, static_cast<std::uint8_t>(level));
   return apngBytes({16, 12, 8, 0, {}}, pictures, std::vector<std::uint16_t>(levels.size(), 100));
 }
 
-class GoldenImages : public ::testing::Test {
- protected:
-  RunResult golden(std::vector<std::string> words = {}) {
-    words.insert(words.begin(), "golden");
-    return run(folder_, words, Stdout::kFile, {"CI="});
-  }
-  void approve(std::vector<std::string> words = {}) {
-    words.emplace_back("--update");
-    const RunResult made = golden(words);
-    ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
-  }
-  void manifest(const std::string& text) { folder_.put("golden.toml", "references = 'ref'\n" + text); }
-  void save(const std::string& name, const Bytes& bytes) { saveBytes(folder_ / name, bytes); }
-
-  ScratchFolder folder_;
-};
+class GoldenImages : public GoldenImagesFixture {};
 
 // As `diff old new` pairs them: names with brackets, and the same name in two folders.
 TEST_F(GoldenImages, ArePairedByName) {
@@ -80,7 +64,7 @@ TEST_F(GoldenImages, PatternsWithoutAFileAreErrorsOfTheRun) {
   const RunResult none = golden({"--junit", "j.xml"});
   EXPECT_EQ(none.exitCode, 1);
   EXPECT_THAT(none.out,
-              StartsWith("error      new/*.png: no PNG and no film is there of the name new/*.png: run "));
+              StartsWith("error      new/*.png: new/*.png matches no PNG and no film; run the program "));
   EXPECT_THAT(none.out,
               HasSubstr("unused     axes/a: approved, and no test makes it: first mend what is in error"));
   EXPECT_THAT(bytesOf(folder_ / "j.xml"), HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// `poinsot golden` and `diff --update`: where references and new pictures may lie, and that no two of a suite's
+// files are one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/golden_images_fixture.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class GoldenPlaces : public GoldenImagesFixture {};
+
+// A stranger's manifest could otherwise put any picture of the machine into the report.
+TEST_F(GoldenPlaces, RejectNamesOutsideTheReferencesThoughNoFileMatches) {
+  const ScratchFolder elsewhere;
+  saveBytes(elsewhere / "secret.png", flat(90));
+  const std::string outside = fs::relative(elsewhere.path(), folder_ / "ref").native();
+  manifest("[[test]]\nimage = 'nothing/*.png'\nname = '" + outside + "/*'\n");
+  const RunResult refused = golden({"--report", "r.html"});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_THAT(refused.err, AllOf(StartsWith("golden.toml:2:1: error: test.name: "),
+                                 HasSubstr("a name must be that of a file below the references")));
+  EXPECT_THAT(refused.out, Not(HasSubstr("secret")));
+}
+
+TEST_F(GoldenPlaces, RejectLinksAmongTheFoldersOfReferences) {
+  const ScratchFolder elsewhere;
+  saveBytes(elsewhere / "a.png", flat(90));
+  save("new/a.png", flat(90));
+  fs::create_directory(folder_ / "ref");
+  fs::create_directory_symlink(elsewhere.path(), folder_ / "ref/sub");
+  for (const char* image : {"new/*.png", "nothing/*.png"}) {
+    manifest("[[test]]\nimage = '" + std::string(image) + "'\nname = 'sub/*'\n");
+    EXPECT_THAT(golden().out, Not(HasSubstr("unused"))) << image;  // a.png lies elsewhere
+  }
+  manifest("[[test]]\nimage = 'new/*.png'\nname = 'sub/*'\n");
+  for (const RunResult& refused : {golden(), golden({"--update"})}) {
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.out, StartsWith("error      sub/a: ref/sub: is a link; references lie in real folders "));
+  }
+  EXPECT_FALSE(fs::exists(elsewhere / "a.json"));
+
+  save("mine/sub/new.png", flat(30));
+  const RunResult pairs = poinsot({"diff", "ref", "mine", "--update", "*"});
+  EXPECT_EQ(pairs.exitCode, 4);
+  EXPECT_THAT(pairs.err, HasSubstr("ref/sub: is a link; references lie in real folders below ref"));
+  EXPECT_FALSE(fs::exists(elsewhere / "new.png"));
+}
+
+// The folder of references may be a link itself: the user made it.
+TEST_F(GoldenPlaces, AllowALinkToTheFolderOfReferences) {
+  save("new/a.png", flat(90));
+  fs::create_directory(folder_ / "kept");
+  fs::create_directory_symlink("kept", folder_ / "ref");
+  manifest("[[test]]\nimage = 'new/*.png'\nname = 'sub/*'\n");
+  approve();
+  EXPECT_TRUE(fs::exists(folder_ / "kept/sub/a.png"));
+  EXPECT_EQ(golden().out, "1 identical\n");
+}
+
+TEST_F(GoldenPlaces, RejectImagesThatAreTheirOwnReference) {
+  save("ref/a.png", flat(90));
+  manifest("[[test]]\nimage = 'ref/*.png'\n");
+  for (const RunResult& refused : {golden(), golden({"--update"})}) {
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.out, StartsWith("error      a: ref/a.png: is its own reference and would always pass; "));
+  }
+}
+
+// Drawing ref/x and x would else write over the approved picture of x.
+TEST_F(GoldenPlaces, RejectOutputFoldersThatShareAPlaceWithReferences) {
+  save("new/a.png", flat(90));
+  folder_.put("golden.toml", "references = 'o/ref'\n[[test]]\nimage = 'new/*.png'\n");
+  approve();
+  for (const char* output : {"o", ".", "o/ref"}) {
+    const RunResult refused = golden({"-o", output});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("-o " + std::string(output) +
+                                       ": contains the approved references; choose another folder"));
+  }
+  EXPECT_THAT(golden({"-o", "o/ref/x"}).err,
+              HasSubstr("-o o/ref/x: lies in the folder of the approved references"));
+  EXPECT_FALSE(fs::exists(folder_ / "o/ref/x"));
+  EXPECT_EQ(golden({"-o", "o/new"}).exitCode, 0);
+}
+
+TEST_F(GoldenPlaces, RejectCasesThatWriteOneFile) {
+  folder_.put("s.toml", kGoodScene);
+  const auto errorOf = [&](const std::string& first, const std::string& second) {
+    manifest("[[test]]\nscene = 's.toml'\n" + first + (second.empty() ? "" : "[[test]]\nscene = 's.toml'\n") +
+             second);
+    const RunResult result = golden({"--list"});
+    EXPECT_EQ(result.exitCode, 2) << result.out;
+    return result.err;
+  };
+  EXPECT_THAT(errorOf("name = 'a'\ntimes = [0, 1]\n", "name = 'a_t0'\n"),
+              StartsWith("golden.toml:6:1: error: test.name: a_t0.png would be the reference of test 'a' and the "
+                         "reference of test 'a_t0'; choose other names"));
+  EXPECT_THAT(errorOf("name = 'a'\ntimes = [0, 0]\n", ""),
+              StartsWith("golden.toml:2:1: error: test.times: a_t0.png would be the reference of test 'a' at two "
+                         "times; give each time once"));
+  EXPECT_THAT(errorOf("name = 'a'\n", "name = 'a.flip'\n"),
+              HasSubstr("test.name: a.flip.png would be FLIP's map of test 'a' and the new picture of test"));
+  EXPECT_THAT(errorOf("name = 'a.difference'\n", "name = 'a'\n"), HasSubstr("a.difference.png would be"));
+  EXPECT_THAT(errorOf("name = 'a//b'\n", "name = 'a/b'\n"), HasSubstr("a/b is the name of another test"));
+}
+
+// Images of these names lie elsewhere than maps do, unless -o says so.
+TEST_F(GoldenPlaces, KeepMapsOffImages) {
+  for (const char* name : {"new/a.png", "new/a.flip.png"}) save(name, flat(90));
+  manifest("[[test]]\nimage = 'new/*.png'\n");
+  approve();
+  EXPECT_EQ(golden().out, "2 identical\n");
+  EXPECT_THAT(golden({"-o", "new"}).err, HasSubstr("-o new: a map of 'a' would replace the image new/a.flip.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "new/a.flip.png"));
+}
+
+// `new` stands twice in the path; only the folder before the last part is fixed.
+TEST_F(GoldenPlaces, RejectImagesOutsideThoughThePathRepeatsAName) {
+  manifest("[[test]]\nimage = 'new/../../new'\n");
+  EXPECT_THAT(golden().err, StartsWith("golden.toml:3:9: error: test.image: \"new/../../new\" is neither below"));
+}
+
+TEST_F(GoldenPlaces, NameLinksThatStandForReferences) {
+  save("new/a.png", flat(90));
+  manifest("[[test]]\nimage = 'new/*.png'\n");
+  approve();
+  fs::rename(folder_ / "ref/a.png", folder_ / "mine.png");
+  fs::create_symlink("../mine.png", folder_ / "ref/a.png");
+  EXPECT_THAT(golden().out, HasSubstr("unused     a: ref/a.png is a link; links are no references"));
+}
+
+}  // namespace
+}  // namespace poinsot
