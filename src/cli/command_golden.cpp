@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <system_error>
 
 #include "app/diff_json.h"
@@ -215,12 +216,12 @@ class Golden {
 
   /// Whether an image with a variant can be approved; references of its other variants are to stay.
   bool failsForAVariant() const {
+    std::set<std::string> ofVariants;
     for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
-      if (!one.variant().empty() && std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
-            return outcome.name == one.name && app::isToApprove(outcome, options_.exact);
-          }))
-        return true;
-    return false;
+      if (!one.variant().empty()) ofVariants.insert(one.name);
+    return std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
+      return app::isToApprove(outcome, options_.exact) && ofVariants.contains(outcome.name);
+    });
   }
 
   void writeReports() const {

@@ -136,6 +136,9 @@ TEST_F(GoldenSuiteProject, HasAnIndexPage) {
   EXPECT_THAT(row,
               AllOf(HasSubstr("class=\"failed\""), HasSubstr(">different<"), HasSubstr("largest difference")));
   EXPECT_TRUE(fs::exists(tree_.folder() / "build/golden" / found(row, "href=\"([^\"]*report.html)\""))) << row;
+  // The page is where the outcome says.
+  run("sed -i 's/report.html/other page.html/' build/golden/logo/outcome.js");
+  EXPECT_THAT(indexPage(), HasSubstr("href=\"logo/other%20page.html\""));
   // A run that breaks off does not leave the outcome of the one before.
   run("echo 'size = 3' >>project/golden.toml; ctest --test-dir build -R scene_top || true");
   EXPECT_THAT(found(indexPage(), "(<tr[^>]*><td[^>]*>error</td><td>viewer.scene_top</td><td>[^<]*)"),
@@ -172,6 +175,30 @@ TEST_F(GoldenSuiteProject, HasReferencesOfAVariant) {
   run(found(told, "approve the first by (.*)\n"));
   EXPECT_THAT(run(one), HasSubstr("100% tests passed"));
   EXPECT_THAT(run("ls project/golden"), HasSubstr("@softpipe.png"));
+}
+
+// With a variant in the golden.toml the targets keep the references of the others, too.
+TEST_F(GoldenSuiteProject, KeepsReferencesOfVariantsThatTheManifestNames) {
+  approveAll();
+  run("sed -i '1a variant = \"mesa\"' project/golden.toml; sed -i s/200/180/ project/draw.sh");
+  configure();
+  approveAll();
+  const std::string list = run("ls project/golden/plot");
+  EXPECT_THAT(list, AllOf(HasSubstr("wave 2.png"), HasSubstr("wave 2@mesa.png")));
+  expectAllPass();
+}
+
+TEST_F(GoldenSuiteProject, CallsReferencesAsTheBaseline) {
+  run("sed -i s/logo.png/logo.v2.png/ project/CMakeLists.txt");
+  configure();
+  run("cmake --build build --target poinsot_golden_update_logo");
+  EXPECT_EQ(run("ls project/approved"), "logo.v2.json\nlogo.v2.png\n");
+}
+
+TEST_F(GoldenSuiteProject, NamesUnknownArguments) {
+  run("sed -i 's/NAME viewer/& VARAINT mesa/' project/CMakeLists.txt");
+  EXPECT_THAT(run("cmake -S project -B build 2>&1 | tr -s ' \\n' ' ' || true"),
+              HasSubstr("poinsot_add_golden_suite: unknown arguments: VARAINT;mesa"));
 }
 
 TEST_F(GoldenSuiteProject, MistakesInTheManifestEndConfiguring) {
