@@ -218,6 +218,9 @@ function(_poinsot_golden_list result file)
   execute_process(COMMAND ${ARGN} --list --json WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
     OUTPUT_VARIABLE json ERROR_VARIABLE problem RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
+    if(NOT problem)
+      set(problem "cannot run ${POINSOT_PROGRAM}: ${code}; set POINSOT_PROGRAM to the program poinsot")
+    endif()
     message(FATAL_ERROR "poinsot_add_golden_suite(${file}): ${problem}")
   endif()
   set(${result} "${json}" PARENT_SCOPE)
@@ -254,6 +257,9 @@ function(poinsot_add_golden_suite file)
   _poinsot_golden_list(json ${file} ${golden})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
 
+  # Outcomes of an earlier run must not stand in the index for tests that ctest does not get to.
+  set(cleared poinsot_golden_${ARG_NAME}.clear)
+  set(outcomes "")
   set(common COMMAND ${golden} WORKING_DIRECTORY ${working} LABELS ${ARG_LABELS})
   string(JSON count LENGTH "${json}" tests)
   math(EXPR last "${count} - 1")
@@ -275,16 +281,21 @@ function(poinsot_add_golden_suite file)
     if(at EQUAL -1)
       string(APPEND seen "${only}\n")
       _poinsot_golden_id(id "${ARG_NAME}.${only}")
+      list(APPEND outcomes ${CMAKE_BINARY_DIR}/golden/${id}/outcome.js)
       _poinsot_golden_add_test(TEST "${ARG_NAME}.${only}" CHOICE "--only=${only}" ${common}
-        FIXTURES_REQUIRED ${fixtures})
+        FIXTURES_REQUIRED ${cleared} ${fixtures})
       add_custom_target(poinsot_golden_update_${id}
         COMMAND ${golden} -o ${CMAKE_BINARY_DIR}/golden/${id} ${update} "--only=${only}"
         WORKING_DIRECTORY ${working} VERBATIM USES_TERMINAL)
     endif()
   endforeach()
 
+  _poinsot_golden_id(id "${ARG_NAME}.unused")
+  list(APPEND outcomes ${CMAKE_BINARY_DIR}/golden/${id}/outcome.js)
   _poinsot_golden_add_test(TEST ${ARG_NAME}.unused CHOICE --unused ${common}
-    FIXTURES_REQUIRED ${ARG_FIXTURES_REQUIRED})
+    FIXTURES_REQUIRED ${cleared} ${ARG_FIXTURES_REQUIRED})
+  add_test(NAME ${ARG_NAME}.clear COMMAND ${CMAKE_COMMAND} -E rm -f ${outcomes})
+  set_tests_properties(${ARG_NAME}.clear PROPERTIES FIXTURES_SETUP ${cleared} LABELS "${ARG_LABELS}")
   add_custom_target(poinsot_golden_update_${ARG_NAME}
     COMMAND ${golden} -o ${CMAKE_BINARY_DIR}/golden/${ARG_NAME} ${update}
     WORKING_DIRECTORY ${working} VERBATIM USES_TERMINAL)

@@ -52,6 +52,25 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
   }
 }
 
+void expectReferencesKept(const std::vector<GoldenCase>& cases, const fs::path& references,
+                          const fs::path& output) {
+  std::error_code ignored;
+  std::set<fs::path> approved;
+  for (const GoldenCase& one : cases)
+    approved.insert(fs::weakly_canonical(references / (one.name + one.actual.extension().native()), ignored));
+  bool replaces = fs::equivalent(output, references, ignored);
+  for (const GoldenCase& one : cases) {
+    for (const std::string_view ending : {kMapEnding, kDifferenceEnding})
+      replaces = replaces || approved.contains(fs::weakly_canonical(one.fileIn(output, ending), ignored));
+    replaces =
+        replaces || (!one.test.scene.empty() && approved.contains(fs::weakly_canonical(one.actual, ignored)));
+  }
+  if (replaces)
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("-o {}: contains the approved references; choose another folder",
+                                  core::printable(output.native())));
+}
+
 void expectImagesKept(const std::vector<GoldenCase>& cases, const fs::path& output) {
   std::error_code ignored;
   std::map<fs::path, const GoldenCase*> images;

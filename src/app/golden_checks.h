@@ -16,6 +16,10 @@ namespace poinsot::app {
 void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& request,
                          const std::string& approveBy);
 
+/// Checks that nothing that a run writes into `output` replaces a reference. @throws core::Error(kUsage)
+void expectReferencesKept(const std::vector<GoldenCase>& cases, const std::filesystem::path& references,
+                          const std::filesystem::path& output);
+
 /// Checks that no map that a run writes into `output` replaces an image that is compared.
 /// @throws core::Error(kUsage)
 void expectImagesKept(const std::vector<GoldenCase>& cases, const std::filesystem::path& output);

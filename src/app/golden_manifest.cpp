@@ -189,6 +189,7 @@ class Reader {
   void addTest(const Node& node, const GoldenTest& usual) {
     GoldenTest test = usual;
     std::string scene, image;
+    bool hasSize = false;
     const std::size_t problems = problems_.size();
     take(node, "test.",
          {{"name", [&](const Node& n) { test.name = textOf(n); }},
@@ -199,11 +200,16 @@ class Reader {
              test.times_s = listOf(n, timeOf);
              test.timesAt = locationOf(n.place);
            }},
-          {"size", [&](const Node& n) { test.size = sizeOf(n, allowance_.limits); }},
+          {"size",
+           [&](const Node& n) {
+             test.size = sizeOf(n, allowance_.limits);
+             hasSize = true;
+           }},
           {"height",
            [&](const Node& n) {
              takeHeight(n, test);
              test.size.reset();
+             hasSize = true;
            }},
           {"set", [&](const Node& n) { test.overrides = listOf(n, textOf); }},
           {"variant", [&](const Node& n) { test.variant = textOf(n); }},
@@ -213,6 +219,8 @@ class Reader {
       return problems_.add(node.place, "test: expected a scene or an image, one of the two");
     if (!image.empty() && (!test.times_s.empty() || !test.overrides.empty()))
       return problems_.add(node.place, "test: times and set are for a scene");
+    if (!image.empty() && hasSize)
+      return problems_.add(node.place, "test: size and height are for a scene; an image has its own");
     if (!scene.empty() && !test.variant.empty() && test.variant != usual.variant)
       return problems_.add(node.place, "test: variant is for an image; of a scene the renderer is known");
     addFiles(scene.empty() ? image : scene, scene.empty() ? &GoldenTest::image : &GoldenTest::scene, test, node);

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
+#include "core/wildcard.h"
 #include "output/film_reader.h"
 
 namespace poinsot::app {
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 /// A file in the folder of references that is nobody's reference.
 struct StrayFile {
   fs::path file;
-  std::string why;  ///< and what to do
+  std::string why;         ///< and what to do
+  bool isMissing = false;  ///< a pattern of images would make it, if its image were there
 };
 
 /// Whether a JSON file is a description that approve() wrote.
@@ -39,7 +41,8 @@ bool isDescription(const fs::path& file) try {
 /// Finds the files of one folder that no test refers to.
 class StrayFinder {
  public:
-  StrayFinder(std::vector<fs::path> usual, bool all) : usual_(std::move(usual)), all_(all) {}
+  StrayFinder(const fs::path& root, std::vector<fs::path> usual, std::vector<const GoldenTest*> patterns, bool all)
+      : root_(root), usual_(std::move(usual)), patterns_(std::move(patterns)), all_(all) {}
 
   void search(const fs::path& folder) {
     const std::vector<fs::path> files = filesIn(folder), links = filesIn(folder, true);
@@ -76,8 +79,30 @@ class StrayFinder {
           {file, fmt::format("lies beside {} but was not approved: approve it by --update --beside, or "
                              "remove {}",
                              core::printable(besides.filename().native()), core::printable(file.native()))});
+    else if (const GoldenTest* const pattern = patternOf(file))
+      strays_.push_back(
+          {file,
+           fmt::format("approved, and {} has no such image: run the program that makes it; if it is gone "
+                       "for good, remove {}",
+                       core::printable(pattern->file), withDescription(file)),
+           true});
     else if (all_)
       strays_.push_back({file, "approved, and no test makes it: remove " + withDescription(file)});
+  }
+
+  /// The pattern of images that would make a reference; null if none would.
+  const GoldenTest* patternOf(const fs::path& file) const {
+    const fs::path relative = file.lexically_relative(root_);
+    const std::string name = (relative.parent_path() / relative.stem()).native();
+    for (const GoldenTest* test : patterns_) {
+      const std::string extension = fs::path(test->file).extension();
+      const bool inFolder = test->file.find("**") != std::string::npos ||
+                            relative.parent_path() == fs::path(test->namePattern).parent_path();
+      if (inFolder && core::matchesWildcard(test->namePattern, name) &&
+          (extension.empty() || isPattern(extension) || extension == file.extension()))
+        return test;
+    }
+    return nullptr;
   }
 
   /// A picture, and its description if there is one.
@@ -88,7 +113,9 @@ class StrayFinder {
     return fs::exists(json, ignored) ? fmt::format("{} and {}", picture, core::printable(json.native())) : picture;
   }
 
+  fs::path root_;
   std::vector<fs::path> usual_;
+  std::vector<const GoldenTest*> patterns_;
   bool all_;
   std::vector<StrayFile> strays_;
 };
@@ -105,30 +132,43 @@ void addTree(const fs::path& root, std::set<fs::path>& folders) {
 fs::path plain(const fs::path& folder) { return (folder / ".").parent_path(); }
 
 /// Adds the folders in which references of a pattern lie, whether it matches a file now or not.
-void addPlaces(const GoldenManifest& manifest, std::set<fs::path>& folders) {
-  folders.insert(plain(manifest.references));
-  for (const GoldenTest& test : manifest.tests) {
-    if (!isPattern(test.file)) continue;
-    const fs::path folder = plain(manifest.references / fs::path(test.namePattern).parent_path());
-    if (!isBeneath(folder, manifest.references)) continue;
-    if (test.file.find("**") == std::string::npos)
-      folders.insert(folder);
-    else
-      addTree(folder, folders);
-  }
+void addPlaces(const GoldenManifest& manifest, const GoldenTest& pattern, std::set<fs::path>& folders) {
+  const fs::path folder = plain(manifest.references / fs::path(pattern.namePattern).parent_path());
+  if (!isBeneath(folder, manifest.references)) return;
+  if (pattern.file.find("**") == std::string::npos)
+    folders.insert(folder);
+  else
+    addTree(folder, folders);
 }
 
-/// Returns pictures and descriptions that belong to no test.
-/// @param all  whether the names are all; else only files beside their references are looked at
-std::vector<StrayFile> strayFiles(const GoldenManifest& manifest, const std::vector<GoldenName>& names, bool all) {
+/// The patterns of images that were asked for as a whole: all, or those that `only` has as the manifest does.
+std::vector<const GoldenTest*> imagePatterns(const GoldenManifest& manifest,
+                                             const std::vector<std::string>& only) {
+  std::vector<const GoldenTest*> patterns;
+  for (const GoldenTest& test : manifest.tests) {
+    const bool wanted = only.empty() || std::ranges::find(only, test.file) != only.end();
+    const bool isNew = std::ranges::find(patterns, test.file, &GoldenTest::file) == patterns.end();
+    if (test.scene.empty() && isPattern(test.file) && wanted && isNew) patterns.push_back(&test);
+  }
+  return patterns;
+}
+
+/// Returns pictures and descriptions that belong to no test, and those whose image is missing.
+/// @param only  tests that were asked for; empty for all: then every file is looked at
+std::vector<StrayFile> strayFiles(const GoldenManifest& manifest, const std::vector<GoldenName>& names,
+                                  const std::vector<std::string>& only) {
   std::vector<fs::path> usual;
   std::set<fs::path> folders;
-  if (all) addPlaces(manifest, folders);
+  if (only.empty()) folders.insert(plain(manifest.references));
+  const std::vector<const GoldenTest*> patterns = imagePatterns(manifest, only);
+  for (const GoldenTest* const pattern : patterns) addPlaces(manifest, *pattern, folders);
+  for (const GoldenTest& test : manifest.tests)
+    if (only.empty() && isPattern(test.file)) addPlaces(manifest, test, folders);
   for (const GoldenName& name : names) {
     usual.push_back(usualFile(manifest.references, name));
     folders.insert(usual.back().parent_path());
   }
-  StrayFinder finder(std::move(usual), all);
+  StrayFinder finder(plain(manifest.references), std::move(usual), patterns, only.empty());
   for (const fs::path& folder : folders)
     if (isBeneath(folder, manifest.references)) finder.search(folder);
   return finder.strays();
@@ -146,17 +186,18 @@ Outcome unmatchedOutcome(const GoldenCase& pattern) {
   return outcome;
 }
 
-std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases, bool all,
-                                   bool allMade) {
+std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                                   const std::vector<std::string>& only, bool allMade) {
   std::vector<GoldenName> names;
   for (const GoldenCase& one : cases)
     if (!one.test.isUnmatched) names.push_back(one.reference());
   std::vector<Outcome> outcomes;
-  for (const StrayFile& stray : strayFiles(manifest, names, all)) {
+  for (const StrayFile& stray : strayFiles(manifest, names, only)) {
     Outcome& outcome = outcomes.emplace_back();
     outcome.name = stray.file.lexically_relative(manifest.references).replace_extension();
-    outcome.status = OutcomeStatus::kUnused;
-    outcome.message = allMade ? stray.why : "approved, and no test makes it: first mend what is in error";
+    outcome.status = stray.isMissing ? OutcomeStatus::kMissing : OutcomeStatus::kUnused;
+    outcome.message =
+        allMade || stray.isMissing ? stray.why : "approved, and no test makes it: first mend what is in error";
     if (output::isPictureOrFilmName(stray.file)) outcome.reference = stray.file;
   }
   return outcomes;
@@ -168,7 +209,7 @@ std::vector<Outcome> unusedReferences(const GoldenManifest& manifest) {
   for (const GoldenCase& one : cases)
     if (one.test.isUnmatched) outcomes.push_back(unmatchedOutcome(one));
   const bool allMade = outcomes.empty();
-  for (Outcome& stray : strayOutcomes(manifest, cases, true, allMade)) outcomes.push_back(std::move(stray));
+  for (Outcome& stray : strayOutcomes(manifest, cases, {}, allMade)) outcomes.push_back(std::move(stray));
   return outcomes;
 }
 

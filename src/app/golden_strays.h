@@ -11,10 +11,11 @@ namespace poinsot::app {
 Outcome unmatchedOutcome(const GoldenCase& pattern);
 
 /// Files among the references that are compared with nothing.
-/// @param all      whether `cases` are all of the manifest; else only files beside their references are looked at
+/// @param only     names of the tests that were asked for; empty for all. If some were, only files beside their
+///                 references are looked at, and those that a pattern among them would make.
 /// @param allMade  whether every case had a picture; else a stray file may belong to one that had none
-std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases, bool all,
-                                   bool allMade);
+std::vector<Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                                   const std::vector<std::string>& only, bool allMade);
 
 /// Files among the references that no test makes, found without making or comparing any picture; and the errors of
 /// patterns that match no image.

@@ -51,7 +51,8 @@ std::string listText(const std::vector<std::string>& names) {
                      shown < all.size() ? ", ..." : "");
 }
 
-bool isAskedFor(const GoldenCase& one, const std::string& only) {
+bool isAskedFor(const GoldenCase& one, const std::string& word) {
+  const std::string only = word.starts_with("./") ? word.substr(2) : word;  // of a name that begins with a dash
   return only == one.test.file || core::matchesWildcard(only, one.name) ||
          core::matchesWildcard(only, one.test.name);
 }
@@ -182,7 +183,7 @@ class Comparing {
       return;
     }
     expectApart(one_.actual, all);
-    const ComparedPictures nearest = nearestOf(relevant(all, outcome.origin.renderer), outcome.reference);
+    const ComparedPictures nearest = nearestOf(relevant(all, outcome.origin.renderer), outcome);
     outcome.diff = nearest.diff;
     outcome.status = statusOf(outcome.diff.verdict);
     outcome.message = messageOf(outcome.diff, one_.test.rule);
@@ -190,12 +191,13 @@ class Comparing {
   }
 
  private:
-  ComparedPictures nearestOf(const std::vector<GoldenReference>& references, fs::path& which) const {
+  ComparedPictures nearestOf(const std::vector<GoldenReference>& references, Outcome& outcome) const {
     ComparedPictures nearest;
     for (const GoldenReference& reference : references) {
       ComparedPictures compared = compareWith(reference.picture);
-      if (!which.empty() && badness(compared.diff) >= badness(nearest.diff)) continue;
-      which = reference.picture;
+      if (!outcome.reference.empty() && badness(compared.diff) >= badness(nearest.diff)) continue;
+      outcome.reference = reference.picture;
+      outcome.referenceIsOwn = reference.origin.renderer == outcome.origin.renderer;
       nearest = std::move(compared);
     }
     return nearest;
@@ -245,7 +247,7 @@ class Run {
     forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
     // A scene with a mistake may be what made a reference.
     const bool allMade = std::ranges::count(outcomes_, OutcomeStatus::kError, &Outcome::status) == 0;
-    for (Outcome& stray : strayOutcomes(manifest_, cases_, request_.only.empty(), allMade))
+    for (Outcome& stray : strayOutcomes(manifest_, cases_, request_.only, allMade))
       outcomes_.push_back(std::move(stray));
     return std::move(outcomes_);
   }

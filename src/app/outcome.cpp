@@ -2,11 +2,13 @@
 #include "app/outcome.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "core/shell_word.h"
 #include "core/text.h"
+#include "core/wildcard.h"
 
 namespace poinsot::app {
 namespace {
@@ -136,15 +138,19 @@ std::string approvalText(const Outcome& outcome) {
                      d.differingPixels, d.maxAbs, d.flip.mean, d.flip.max);
 }
 
+std::string approvalWord(const std::string& name) {
+  return core::shellWord((name.starts_with('-') ? "./" : "") + core::wildcardOf(name));
+}
+
 std::string approveCommand(const std::vector<Outcome>& outcomes, const OutcomeReport& report) {
   constexpr std::size_t kMostNames = 20;
   std::vector<std::string> names;
   for (const Outcome& outcome : outcomes)
-    if (!outcome.passes(report.exact) && canBeApproved(outcome)) names.push_back(outcome.name);
+    if (!outcome.passes(report.exact) && canBeApproved(outcome)) names.push_back(approvalWord(outcome.name));
   if (names.empty()) return "";
   if (report.approve.empty() || !report.approveBy.empty()) return report.approveBy;
-  if (names.size() > kMostNames) names = {"*"};
-  return report.approve + " " + core::shellWords(names);
+  if (names.size() > kMostNames) names = {core::shellWord("*")};
+  return fmt::format("{} {}", report.approve, fmt::join(names, " "));
 }
 
 }  // namespace poinsot::app

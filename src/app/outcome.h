@@ -32,6 +32,7 @@ struct Outcome {
   std::string message;                    ///< why it is no pass; the reason of its rule where it is near by one
   PictureDiff diff;                       ///< against `reference`; figures where both could be compared
   std::filesystem::path reference;        ///< the nearest of those approved; empty if none
+  bool referenceIsOwn = true;             ///< whether that was approved for what made the new picture
   std::filesystem::path actual;           ///< the new picture; empty if there is none
   std::filesystem::path map, difference;  ///< files that were written of it; empty if none
   GoldenOrigin origin;                    ///< of the new picture
@@ -87,6 +88,9 @@ struct OutcomeReport {
   std::string approveBy;       ///< in place of that, command that approves all failures; empty if there is none
   std::filesystem::path attachmentRoot;  ///< folder from which paths of attachments are; empty: absolute paths
 };
+
+/// The word of a command line that means a test of this name and no other.
+std::string approvalWord(const std::string& name);
 
 /// The command that approves all failures that can be approved; empty if there are none.
 std::string approveCommand(const std::vector<Outcome>& outcomes, const OutcomeReport& report);

@@ -61,7 +61,7 @@ DiffPageEntry entryOf(const Outcome& outcome, const OutcomePageHead& head) {
   if (isPicture(outcome.reference)) entry.reference.file = outcome.reference;
   if (isPicture(outcome.actual) && outcome.status != OutcomeStatus::kIdentical) entry.actual.file = outcome.actual;
   entry.map.file = outcome.map;
-  if (!head.approve.empty() && isToApprove(outcome, head.exact)) entry.approve = core::shellWord(outcome.name);
+  if (!head.approve.empty() && isToApprove(outcome, head.exact)) entry.approve = approvalWord(outcome.name);
   return entry;
 }
 

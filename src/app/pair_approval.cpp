@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isMeant(const Outcome& outcome, const std::string& pattern) {
+bool isMeant(const Outcome& outcome, const std::string& word) {
+  const std::string pattern = word.starts_with("./") ? word.substr(2) : word;  // of a name that begins with a dash
   return core::matchesWildcard(pattern, outcome.name);
 }
 

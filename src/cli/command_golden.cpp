@@ -95,6 +95,8 @@ class Golden {
         manifest_(app::readGoldenManifest(options.manifest, request_.allowance, options.images)) {}
 
   int run() {
+    if (!options_.images.empty() && !fs::is_directory(options_.images))
+      throw Error(ErrorKind::kIo, fmt::format("--images {}: no such folder", core::printable(options_.images)));
     if (options_.list) return list();
     checkOptions();
     checkPlaces();
@@ -144,23 +146,15 @@ class Golden {
 
   /// New pictures may not come to lie on approved ones, nor reports on what somebody else wrote.
   void checkPlaces() const {
-    expectApartFromReferences();
-    app::expectImagesKept(app::casesOf(manifest_, request_), request_.output);
+    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
+    app::expectReferencesKept(cases, manifest_.references, request_.output);
+    app::expectImagesKept(cases, request_.output);
     if (!options_.unused) {
       output::makeFolders(request_.output);
       output::expectWritableFolder(request_.output);
     }
     if (!options_.report.empty()) output::checkTarget(options_.report, options_.force);
     if (!options_.junit.empty()) output::checkTarget(options_.junit, mayReplaceJunit(options_));
-  }
-
-  void expectApartFromReferences() const {
-    const auto refuseOutput = [&](const char* why) {
-      refuse(fmt::format("-o {}: {} the approved references; choose another folder",
-                         core::printable(options_.output), why));
-    };
-    if (app::isBeneath(manifest_.references, request_.output)) refuseOutput("contains");
-    if (app::isBeneath(request_.output, manifest_.references)) refuseOutput("lies in the folder of");
   }
 
   void say(const std::string& text) const {
@@ -247,12 +241,25 @@ class Golden {
   /// Approves what is not as it was; exit 1 only where there is no picture to approve.
   int update() const {
     const auto isThere = [](const Outcome& o) {
-      return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused;
+      return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused &&
+             o.status != OutcomeStatus::kMissing;
     };
+    std::ptrdiff_t approved = 0;
     for (const Outcome& outcome : outcomes_)
-      if (app::isToApprove(outcome, options_.exact) || (isThere(outcome) && !hasOrigin(outcome))) approve(outcome);
+      if (isThere(outcome) && (app::isToApprove(outcome, options_.exact) || lacksOwn(outcome))) {
+        approve(outcome);
+        ++approved;
+      }
     say(linesOf(outcomes_, std::not_fn(isThere)));
+    if (approved == 0) say(fmt::format("nothing to approve: {}\n", app::countsText(outcomes_)));
     return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
+  }
+
+  /// Whether a picture that equals a reference still needs one: its reference has no description, or is that of
+  /// another variant. Scenes share references of equal pixels.
+  bool lacksOwn(const Outcome& outcome) const {
+    const bool isImage = outcome.origin.scene.empty();
+    return !hasOrigin(outcome) || (options_.beside && isImage && !outcome.referenceIsOwn);
   }
 
   /// Whether it is written down what the reference was made with.
@@ -267,7 +274,7 @@ class Golden {
     for (const fs::path& file : approval.removed)
       say(fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
                       core::printable(file.native())));
-    if (!app::isToApprove(outcome, options_.exact)) return;
+    if (!app::isToApprove(outcome, options_.exact) && outcome.referenceIsOwn) return;
     say(fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome)));
   }
 

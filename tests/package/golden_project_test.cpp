@@ -92,7 +92,7 @@ TEST_F(GoldenSuiteProject, HasOneTestForEachSceneAndPattern) {
                            "viewer.of <one>; \"odd\" [name\n", "viewer.plots/*.png\n", "viewer.unused\n",
                            "logo.clear\n", "logo.run\n", "logo\n"})
     EXPECT_THAT(list, HasSubstr(std::string(": ") + name));
-  EXPECT_THAT(list, HasSubstr("Total Tests: 12"));  // and plots.clear, plots
+  EXPECT_THAT(list, HasSubstr("Total Tests: 13"));  // and plots.clear, plots
   // Another scene is another test, after a build.
   run("cp project/scenes/top.toml project/scenes/book.toml; cmake --build build");
   EXPECT_THAT(run("ctest --test-dir build -N"), HasSubstr(": viewer.scene_book\n"));
@@ -104,7 +104,7 @@ TEST_F(GoldenSuiteProject, FailsForWhatNoTestMakes) {
   // A plot that is not drawn any more, and a scene that is gone.
   run("sed -i '/wave 2/d' project/draw.sh; rm project/scenes/top.toml; cmake --build build");
   const std::string told = ctest("-R viewer.unused");
-  EXPECT_THAT(told, AllOf(HasSubstr("unused     plot/wave 2: "), HasSubstr("unused     scene_top: ")));
+  EXPECT_THAT(told, AllOf(HasSubstr("missing    plot/wave 2: "), HasSubstr("unused     scene_top: ")));
   EXPECT_THAT(told, HasSubstr("project/golden/scene_top.png"));
 }
 
@@ -114,7 +114,7 @@ TEST_F(GoldenSuiteProject, SaysThatImagesAreMissing) {
   run("echo true >project/draw.sh");
   const std::string told = ctest("-R viewer");
   EXPECT_THAT(told, HasSubstr("/plots/*.png matches no PNG and no film; run the program"));
-  EXPECT_THAT(told, HasSubstr("first mend what is in error"));
+  EXPECT_THAT(told, HasSubstr("run the program that makes it; if it is gone for good"));
   for (const char* name : {"scene_spin", "scene_top", "spin_t0", "spin_t1.5"})
     EXPECT_THAT(told, Not(HasSubstr(std::string("viewer.") + name + " (Failed)")));
   // With a program that fails, its tests do not run; those of scenes do.
@@ -139,6 +139,14 @@ TEST_F(GoldenSuiteProject, HasAnIndexPage) {
   // The page is where the outcome says.
   run("sed -i 's/report.html/other page.html/' build/golden/logo/outcome.js");
   EXPECT_THAT(indexPage(), HasSubstr("href=\"logo/other%20page.html\""));
+  // Nor does a program that crashes, whose pictures no test gets to compare.
+  run("sed -i s/180/200/ project/draw.sh");
+  ctest("-R viewer");
+  run("sed -i '2i exit 3' project/draw.sh");
+  ctest("-R viewer");
+  EXPECT_THAT(found(indexPage(), "(<tr[^>]*><td[^>]*>[a-z ]*</td><td>viewer.plots/\\*.png</td>)"),
+              HasSubstr(">not run<"));
+  run("sed -i 2d project/draw.sh");
   // A run that breaks off does not leave the outcome of the one before.
   run("echo 'size = 3' >>project/golden.toml; ctest --test-dir build -R scene_top || true");
   EXPECT_THAT(found(indexPage(), "(<tr[^>]*><td[^>]*>error</td><td>viewer.scene_top</td><td>[^<]*)"),
