@@ -79,7 +79,7 @@ Outcome outcomeOf(const PictureDiff& diff, const std::filesystem::path& referenc
 /// How far a new reference is from the one before: "approved, 12 pixels changed, largest 30, ...".
 std::string approvalText(const Outcome& outcome);
 
-/// What reports of outcomes say about the run.
+/// Facts about a run for the reports of its outcomes.
 struct OutcomeReport {
   std::string suite;           ///< name of all tests together
   bool exact = false;          ///< only identical pictures pass

@@ -10,7 +10,7 @@
 
 namespace poinsot::app {
 
-/// What a page of outcomes says besides them.
+/// Texts and places of a page of outcomes.
 struct OutcomePageHead {
   std::string title, verdict;
   std::string note = {};                                 ///< beside the title; empty for none

@@ -9,7 +9,7 @@
 
 namespace poinsot::app {
 
-/// What was approved, a line for each, and whether all that was asked for could be.
+/// Approved pictures, a line for each, and whether all that was asked for could be approved.
 struct PairApproval {
   std::string text;
   bool complete = true;

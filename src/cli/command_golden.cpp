@@ -68,7 +68,7 @@ std::string lineOf(const Outcome& outcome, const std::string& message) {
                      message.empty() ? "" : ": ", message);
 }
 
-/// What a near picture is near by stands alone.
+/// Returns why an outcome has its status; for a near picture the reason of its rule only.
 std::string lineReason(const Outcome& outcome) {
   return outcome.status == OutcomeStatus::kNear ? outcome.message : app::reasonOf(outcome);
 }
