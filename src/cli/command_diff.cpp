@@ -308,7 +308,7 @@ void addDiff(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand("diff", "compare two pictures, folders of them, or films");
   command->add_option("REFERENCE", options->reference, "PNG file, folder or film")->required()->check(notEmpty());
   command->add_option("TEST", options->test, "what is compared with it")->required()->check(notEmpty());
-  command->add_flag("--exact", options->exact, "exit 0 only for identical pictures");
+  command->add_flag("--exact", options->exact, "exit 0 only for identical pictures that are stored alike");
   command->add_flag("--json", options->json, "the figures as a JSON object");
   command->add_flag("--quiet", options->quiet, "only the exit code");
   command

@@ -29,7 +29,7 @@ void addGoldenOptions(CLI::App& command, GoldenOptions& options) {
                   "folder from which paths of images are, such as a build folder (default: the manifest's)")
       ->type_name("FOLDER")
       ->check(notEmpty());
-  command.add_flag("--exact", options.exact, "only identical pictures pass");
+  command.add_flag("--exact", options.exact, "only identical pictures that are stored alike pass");
   command.add_option("--junit", options.junit, "write the outcome as JUnit XML")
       ->type_name("FILE")
       ->check(notEmpty());
