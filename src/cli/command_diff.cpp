@@ -120,7 +120,7 @@ void checkApart(const DiffOptions& options) {
 /// Before anything is compared.
 void checkTargets(const DiffOptions& options, Kind kind) {
   checkApart(options);
-  if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve is of two films");
+  if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve: needs two films");
   if (!options.curve.empty()) app::checkCurveTarget(options.curve, options.force);
   if (!options.report.empty()) {
     if (!fs::path(options.report).extension().native().starts_with(".htm"))

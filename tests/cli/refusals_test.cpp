@@ -101,8 +101,8 @@ TEST_F(Refused, WhatIsNotComparedOrJoined) {
   put("a.png", "");
   put("a.mp4", "");
   expectAll({
-      {{"diff", "a.mp4", "a.png"}, "both must be PNG files, or both folders, or both films"},
-      {{"diff", "a.png", "a.png", "--curve", "c.svg"}, "--curve is of two films"},
+      {{"diff", "a.png", "."}, "both must be files, or both folders"},
+      {{"diff", "a.png", "a.png", "--curve", "c.svg"}, "--curve: needs two films"},
       {{"diff", "a.png", "a.png", "--max", "0-300"}, "the end of the range must be a number from 0 to 255"},
       {{"diff", "a.png", "a.png", "--max", "3"}, "write 0-3: a limit is a range from 0"},
       {{"assemble", "b.mp4"}, "b.mp4: there are no segments of it here", 4},
