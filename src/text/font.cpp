@@ -191,6 +191,11 @@ std::optional<GlyphId> Font::glyph(char32_t character) const {
 }
 
 GlyphMetrics Font::metrics(GlyphId id) const {
+  const auto known = measured_.find(id);
+  return known != measured_.end() ? known->second : measured_.emplace(id, measured(id)).first->second;
+}
+
+GlyphMetrics Font::measured(GlyphId id) const {
   hb_font_t* font = handles_->shapingFont;
   hb_glyph_extents_t ink{};
   expectMemory(hb_font_get_glyph_extents(font, id, &ink));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "text/glyph_run.h"
@@ -92,10 +93,12 @@ class Font {
  private:
   struct Handles;
   explicit Font(Typeface face);
+  GlyphMetrics measured(GlyphId id) const;
 
   std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from whoever includes this header
   MathConstants constants_;
-  std::vector<unsigned> scriptLookups_, dotlessLookups_;  // of the table of substitutions
+  mutable std::unordered_map<GlyphId, GlyphMetrics> measured_;  ///< HarfBuzz reads the outline for each
+  std::vector<unsigned> scriptLookups_, dotlessLookups_;        // of the table of substitutions
 };
 
 }  // namespace poinsot::text
