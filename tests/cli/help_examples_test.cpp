@@ -30,10 +30,11 @@ const std::vector<Exception> kExceptions{
      "poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash -n football.sh",
      "the script needs a cluster with Slurm; submission_test runs it with stand-ins"}};
 
-/// Runs a line in bash, where `poinsot` is the program under test.
+/// Runs a line in bash, where `poinsot` is the program under test. CI is emptied, as on a user's machine: with it,
+/// no example could approve a picture.
 ShellResult runIn(const ScratchFolder& folder, const std::string& line) {
   return runShell(folder.path(), "set -o pipefail; poinsot() { " POINSOT_PROGRAM " \"$@\"; }\n" + line,
-                  {"POINSOT_SCENES=" + (folder / "scenes").string()});
+                  {"POINSOT_SCENES=" + (folder / "scenes").string(), "CI="});
 }
 
 Lines linesOf(const std::string& text) {
