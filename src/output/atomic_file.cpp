@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
+#include "output/file_batch.h"
 
 namespace poinsot::output {
 namespace {
@@ -47,16 +48,14 @@ void syncPath(const std::filesystem::path& path, int flags, std::string_view doi
   if (code != 0) fail(path, doing, code);
 }
 
-/// `.name.PID-N.tmp`: hidden, free of leftovers of a
-/// killed process with our number. A long name is cut, as 255 bytes are all a name may have.
+}  // namespace
+
 std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
                                     int attempt) {
-  constexpr std::size_t kLongestStem = 200;
+  constexpr std::size_t kLongestStem = 200;  // 255 bytes are all a name may have
   const std::string stem = target.filename().native().substr(0, kLongestStem);
   return folder / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), attempt);
 }
-
-}  // namespace
 
 void makeFolders(const std::filesystem::path& folder) {
   std::error_code failure;
@@ -103,6 +102,11 @@ AtomicFile::AtomicFile(std::filesystem::path target, const std::filesystem::path
   if (descriptor_ < 0) fail(target_, "cannot be created", EEXIST);
 }
 
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
@@ -119,14 +123,27 @@ void AtomicFile::close() {
   if (::close(descriptor) < 0 && errno != EINTR) fail(target_, "cannot be closed", errno);
 }
 
-void AtomicFile::commit(Durability durability) {
-  POINSOT_EXPECT(descriptor_ >= 0);
+void AtomicFile::finish(Durability durability) {
+  if (descriptor_ < 0) return;
   if (durability == Durability::kSynced)
     if (const int code = syncDescriptor(descriptor_); code != 0) fail(target_, "cannot be synced", code);
   close();
+}
+
+void AtomicFile::rename() {
   if (std::rename(temporary_.c_str(), target_.c_str()) < 0) fail(target_, "cannot be given its name", errno);
   temporary_.clear();
-  if (durability == Durability::kSynced) syncFolderOf(target_);
+}
+
+void AtomicFile::commit(Durability durability) {
+  POINSOT_EXPECT(descriptor_ >= 0);
+  if (durability == Durability::kSynced) {
+    FileBatch batch;
+    batch.add(std::move(*this));
+    return batch.commit();
+  }
+  finish(durability);
+  rename();
 }
 
 void writeFileAtomically(const std::filesystem::path& target, std::span<const std::uint8_t> bytes,

@@ -23,11 +23,12 @@ class AtomicFile {
   /// @throws core::Error(kIo) with the target's path and the system's reason; so do all members below.
   explicit AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder = {});
   ~AtomicFile();
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
 
   void write(std::span<const std::uint8_t> bytes);
-  /// Replaces the target. At most once; nothing may be written afterwards.
+  /// Replaces the target. At most once; nothing may be written afterwards. If it throws, what was there before is
+  /// there again.
   void commit(Durability durability = Durability::kSynced);
 
   const std::filesystem::path& target() const { return target_; }
@@ -36,6 +37,11 @@ class AtomicFile {
   int descriptor() const { return descriptor_; }
 
  private:
+  friend class FileBatch;
+  /// Syncs and closes the file, which keeps its temporary name.
+  void finish(Durability durability);
+  /// Gives the finished file its name.
+  void rename();
   void close();
 
   std::filesystem::path target_;
@@ -53,6 +59,10 @@ void appendToFile(const std::filesystem::path& target, std::string_view text);
 
 /// @throws core::Error(kIo) with the folder if no file can be made in it.
 void expectWritableFolder(const std::filesystem::path& folder);
+
+/// A hidden name beside `target` that is free; the `attempt`-th one to try.
+std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
+                                    int attempt);
 
 /// Makes a file's content durable. @throws core::Error(kIo).
 void syncFile(const std::filesystem::path& file);

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/file_batch.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ranges>
+#include <set>
+#include <utility>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+
+namespace poinsot::output {
+namespace {
+
+using std::filesystem::path;
+
+[[noreturn]] void fail(const path& file, int code) {
+  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: cannot be given its name: {}",
+                                                      core::printable(file.native()), std::strerror(code)));
+}
+
+/// What a name stands for; 0 for nothing.
+mode_t kindOf(const path& file) {
+  struct stat status {};
+  return ::lstat(file.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
+}
+
+path freeNameBeside(const path& file) {
+  constexpr int kAttempts = 1000;
+  for (int attempt = 0; attempt < kAttempts; ++attempt)
+    if (path name = temporaryName(folderOf(file), file, attempt); kindOf(name) == 0) return name;
+  fail(file, EEXIST);
+}
+
+}  // namespace
+
+/// The names that were changed so far. All go back unless keep() is called.
+class FileBatch::Changes {
+ public:
+  explicit Changes(std::size_t most) { changes_.reserve(most); }
+  Changes(const Changes&) = delete;
+  Changes& operator=(const Changes&) = delete;
+
+  ~Changes() {
+    for (const Change& change : std::views::reverse(changes_)) {
+      if (change.renamed) ::unlink(change.name.c_str());
+      if (change.moved || (change.linked && change.renamed))
+        std::rename(change.aside.c_str(), change.name.c_str());
+      if (change.linked && !change.renamed) ::unlink(change.aside.c_str());
+    }
+  }
+
+  /// Moves the file that has this name, if any, out of the way.
+  void putAside(const path& name) {
+    const mode_t kind = kindOf(name);
+    if (kind == 0) return;
+    if (kind == S_IFDIR) fail(name, EISDIR);
+    move(begin(name));
+  }
+
+  /// Gives a file the name of its target, without an instant in which that stands for nothing: the old one has a
+  /// second name before. Only where a file system knows no second names, the old one is moved.
+  void replace(AtomicFile& file) {
+    const mode_t kind = kindOf(file.target());
+    if (kind == S_IFDIR) fail(file.target(), EISDIR);
+    Change& change = begin(file.target());
+    if (kind != 0) {
+      change.linked = ::link(change.name.c_str(), change.aside.c_str()) == 0;
+      if (!change.linked) move(change);
+    }
+    file.rename();
+    change.renamed = true;
+  }
+
+  void keep() {
+    // If this fails, a hidden file stays, and all that was promised is there.
+    for (const Change& change : changes_)
+      if (change.moved || change.linked) ::unlink(change.aside.c_str());
+    changes_.clear();
+  }
+
+ private:
+  struct Change {
+    path name, aside;      ///< `aside` is where the old file is, if there was one
+    bool moved = false;    ///< the old file is there only
+    bool linked = false;   ///< the old file is there too
+    bool renamed = false;  ///< the name stands for the new file
+  };
+
+  // All memory is taken before a name changes, so that nothing can fail between a change and its record.
+  Change& begin(const path& name) {
+    POINSOT_EXPECT(changes_.size() < changes_.capacity());
+    return changes_.emplace_back(Change{name, freeNameBeside(name)});
+  }
+
+  static void move(Change& change) {
+    if (std::rename(change.name.c_str(), change.aside.c_str()) != 0) fail(change.name, errno);
+    change.moved = true;
+  }
+
+  std::vector<Change> changes_;
+};
+
+void FileBatch::add(AtomicFile file) { groups_.push_back({std::move(file), {}, {}}); }
+
+void FileBatch::addBeside(AtomicFile file) {
+  POINSOT_EXPECT(!groups_.empty());
+  groups_.back().beside.push_back(std::move(file));
+}
+
+void FileBatch::removeBeside(path file) {
+  POINSOT_EXPECT(!groups_.empty());
+  groups_.back().removed.push_back(std::move(file));
+}
+
+void FileBatch::writeBeside(const path& target, std::string_view text) {
+  AtomicFile file(target);
+  file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  addBeside(std::move(file));
+}
+
+void FileBatch::publish(Group& group, Changes& changes) {
+  for (const path& file : group.removed) changes.putAside(file);
+  for (const AtomicFile& file : std::views::reverse(group.beside)) changes.putAside(file.target());
+  changes.replace(group.main);
+  for (AtomicFile& file : group.beside) changes.replace(file);
+}
+
+void FileBatch::commit() {
+  std::set<path> folders;
+  std::size_t most = 0;
+  const auto finish = [&](AtomicFile& file) {
+    file.finish(Durability::kSynced);
+    folders.insert(folderOf(file.target()));
+  };
+  for (Group& group : groups_) {
+    finish(group.main);
+    for (AtomicFile& file : group.beside) finish(file);
+    most += 1 + 2 * group.beside.size() + group.removed.size();
+  }
+  Changes changes(most);
+  for (Group& group : groups_) publish(group, changes);
+  for (const path& folder : folders) syncFolderOf(folder / ".");
+  changes.keep();
+}
+
+}  // namespace poinsot::output

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/file_batch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scratch_folder.h"
+
+namespace poinsot::output {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class FileBatchTest : public ScratchFolder {
+ protected:
+  AtomicFile written(const std::string& name, std::string_view text) const {
+    AtomicFile file(in(name));
+    file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return file;
+  }
+
+  std::string text(const std::string& name) const {
+    const Bytes bytes = content(in(name));
+    return {bytes.begin(), bytes.end()};
+  }
+
+  /// A film with captions and a manifest, as a run writes them.
+  void fill(FileBatch& batch) const {
+    batch.add(written("film.mp4", "new film"));
+    batch.writeBeside(in("film.srt"), "new captions");
+    batch.removeBeside(in("film.vtt"));
+    batch.add(written("manifest.json", "new manifest"));
+  }
+};
+
+TEST_F(FileBatchTest, AllAppearTogether) {
+  FileBatch batch;
+  EXPECT_TRUE(batch.empty());
+  fill(batch);
+  EXPECT_FALSE(batch.empty());
+  EXPECT_FALSE(std::filesystem::exists(in("film.mp4")));
+  batch.commit();
+  EXPECT_THAT(names(), ElementsAre("film.mp4", "film.srt", "manifest.json"));
+  EXPECT_EQ(text("film.srt"), "new captions");
+}
+
+TEST_F(FileBatchTest, OldOnesAreReplacedAndRemoved) {
+  for (const char* name : {"film.mp4", "film.srt", "film.vtt", "manifest.json"}) save(name, "old");
+  FileBatch batch;
+  fill(batch);
+  batch.commit();
+  EXPECT_THAT(names(), ElementsAre("film.mp4", "film.srt", "manifest.json"));
+  EXPECT_EQ(text("film.mp4"), "new film");
+  EXPECT_EQ(text("manifest.json"), "new manifest");
+}
+
+TEST_F(FileBatchTest, WithoutCommitNothingChanges) {
+  save("film.mp4", "old");
+  {
+    FileBatch batch;
+    fill(batch);
+  }
+  EXPECT_THAT(names(), ElementsAre("film.mp4"));
+  EXPECT_EQ(text("film.mp4"), "old");
+}
+
+// A folder in the place of any of the files stands in for every reason why a name cannot be given.
+TEST_F(FileBatchTest, AFailureAtAnyNameTakesAllBack) {
+  const std::vector<std::string> all{"film.mp4", "film.srt", "film.vtt", "manifest.json"};
+  for (const std::string& blocked : all) {
+    for (const std::string& name : all) save(name, "old " + name);
+    std::filesystem::remove(in(blocked));
+    std::filesystem::create_directories(in(blocked) / "inside");
+    const std::string message = messageOf(core::ErrorKind::kIo, [&] {
+      FileBatch batch;
+      fill(batch);
+      batch.commit();
+    });
+    EXPECT_THAT(message, HasSubstr(blocked + ": cannot be given its name: Is a directory"));
+    EXPECT_EQ(names(), all);
+    EXPECT_TRUE(std::filesystem::is_directory(in(blocked) / "inside"));
+    std::filesystem::remove_all(in(blocked));
+    for (const std::string& name : all) EXPECT_EQ(text(name), name == blocked ? "" : "old " + name) << blocked;
+  }
+}
+
+TEST_F(FileBatchTest, AFailureWhereNothingWasLeavesNothing) {
+  std::filesystem::create_directories(in("manifest.json"));
+  EXPECT_NE(messageOf(core::ErrorKind::kIo,
+                      [&] {
+                        FileBatch batch;
+                        fill(batch);
+                        batch.commit();
+                      }),
+            "");
+  EXPECT_THAT(names(), ElementsAre("manifest.json"));
+}
+
+// A second name of the old file is a link to it, so whoever reads that one goes on reading the old content.
+TEST_F(FileBatchTest, OtherNamesOfAnOldFileKeepIt) {
+  save("film.mp4", "old");
+  std::filesystem::create_hard_link(in("film.mp4"), in("mine.mp4"));
+  FileBatch batch;
+  batch.add(written("film.mp4", "new"));
+  batch.commit();
+  EXPECT_EQ(text("mine.mp4"), "old");
+  EXPECT_EQ(text("film.mp4"), "new");
+}
+
+TEST_F(FileBatchTest, NeedsAFileToBeBeside) {
+  FileBatch batch;
+  EXPECT_THROW(batch.writeBeside(in("film.srt"), ""), std::logic_error);
+  EXPECT_THROW(batch.removeBeside(in("film.srt")), std::logic_error);
+}
+
+}  // namespace
+}  // namespace poinsot::output
