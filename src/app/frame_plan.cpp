@@ -55,6 +55,12 @@ std::vector<FrameRange> segmentsOf(const FrameRange& frames, std::int64_t segmen
   return segments;
 }
 
+std::int64_t framesIn(const std::vector<FrameRange>& ranges) {
+  std::int64_t frames = 0;
+  for (const FrameRange& range : ranges) frames += range.count();
+  return frames;
+}
+
 Shard parseShard(std::string_view text) {
   const auto slash = text.find('/');
   const auto k = parseFrameNumber(text.substr(0, slash));

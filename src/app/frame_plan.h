@@ -34,6 +34,9 @@ FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>
 /// The segments that hold `frames`, in order; the first and the last may be cut short by the range.
 std::vector<FrameRange> segmentsOf(const FrameRange& frames, std::int64_t segmentFrames = kSegmentFrames);
 
+/// Returns how many frames the ranges have together.
+std::int64_t framesIn(const std::vector<FrameRange>& ranges);
+
 /// Which part of the work a process does: the k-th of n, from 1.
 struct Shard {
   int k = 1, n = 1;

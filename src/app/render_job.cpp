@@ -61,7 +61,7 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
       listener_(std::move(listener)),
       start_(std::chrono::steady_clock::now()),
       folder_(request_.target.path, useOf(request_)),
-      segments_(segmentsOf(request_.shard.value_or(Shard()), segmentsOf(request_.frames, request_.segmentFrames))),
+      segments_(request_.segments()),
       waiting_(segments_.begin(), segments_.end()) {
   POINSOT_EXPECT(request_.jobs > 0);
   if (request_.trace) trace_.emplace(*request_.trace, folder_.path());
@@ -184,7 +184,7 @@ void RenderJob::countWritten(const FrameRange& segment) {
   if (written_bytes_ <= static_cast<double>(limits[kOutput])) return;
   throw core::Error(core::ErrorKind::kLimit,
                     fmt::format("{:.0f} bytes are written after {} of {} frames; a run may write {}; {}",
-                                written_bytes_, segmentFramesDone_, request_.frames.count(),
+                                written_bytes_, segmentFramesDone_, framesIn(segments_),
                                 limitText(kOutput, limits[kOutput]), howToRaise(kOutput)));
 }
 

@@ -31,6 +31,11 @@ struct RenderRequest {
   std::optional<std::filesystem::path> trace = {};     ///< TraceFile of it
   std::optional<JobFile> job = {};                     ///< jobFileOf() this, of a film and a sequence
   double worker_bytes = 0;  ///< that a worker is estimated to take (memory.h), for messages
+
+  /// Returns the segments that this render makes: all, or its shard's.
+  std::vector<FrameRange> segments() const {
+    return segmentsOf(shard.value_or(Shard()), segmentsOf(frames, segmentFrames));
+  }
 };
 
 }  // namespace poinsot::app

@@ -23,13 +23,6 @@ std::int64_t taskMemory(double worker_bytes) {
   return static_cast<std::int64_t>(kStep_MiB * std::ceil(needed_MiB / kStep_MiB));
 }
 
-/// Frames of the first shard, which has the most segments.
-std::int64_t framesOfFirst(int shards, const std::vector<FrameRange>& segments) {
-  std::int64_t frames = 0;
-  for (const FrameRange& segment : segmentsOf(Shard{1, shards}, segments)) frames += segment.count();
-  return frames;
-}
-
 }  // namespace
 
 Division divisionOf(const DivisionRequest& request, const FrameRange& frames,
@@ -44,8 +37,8 @@ Division divisionOf(const DivisionRequest& request, const FrameRange& frames,
   const double wanted = std::ceil(static_cast<double>(frames.count()) * division.frame_s / taskWork_s);
   const auto most = static_cast<int>(segments.size());
   division.shards = std::min(most, request.shards.value_or(static_cast<int>(std::clamp(wanted, 1.0, kMostTasks))));
-  division.task_s =
-      static_cast<double>(framesOfFirst(division.shards, segments)) * division.frame_s / request.cpus;
+  const std::int64_t most_frames = framesIn(segmentsOf(Shard{1, division.shards}, segments));
+  division.task_s = static_cast<double>(most_frames) * division.frame_s / request.cpus;
   return division;
 }
 

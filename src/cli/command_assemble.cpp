@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
-#include "app/assembly.h"
 #include "app/subtitles.h"
 #include "app/work_folder.h"
+#include "app/work_left.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -39,6 +40,11 @@ int assemble(const AssembleOptions& options) {
   const auto output = app::parseTarget(options.output), film = filmTarget(options, output);
   const auto folder = app::workFolderOf(output.path);
   const auto job = app::readJobFile(folder, output);
+  // Shards of a finished film leave nothing to join.
+  if (options.film.empty() && !std::filesystem::exists(folder) && app::isReadyFilm(output)) {
+    if (!options.quiet) writeErr(fmt::format("poinsot: {} is complete\n", core::printable(options.output)));
+    return kDone;
+  }
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: there are no segments of it here", core::printable(options.output)));

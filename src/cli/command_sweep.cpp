@@ -43,7 +43,7 @@ void checkWords(const SweepOptions& options) {
     return;
   }
   if (!options.frames.empty() || !options.format.empty() || parts.resume || parts.keep || !parts.shard.empty() ||
-      !parts.manifest.empty())
+      parts.shardsLeft > 0 || !parts.manifest.empty())
     refuse("--frames, --format, --resume, --keep, --shard and --manifest are for films; one picture has --time");
   if (options.asked.map && (options.asked.columns > 0 || !options.asked.labels.empty()))
     refuse("--columns and --label are for a grid, not for --map");

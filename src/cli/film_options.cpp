@@ -71,16 +71,24 @@ void addPartsOptions(CLI::App& command, PartsOptions& parts) {
                   "only the segments of the k-th of n processes; then join them with assemble")
       ->type_name("k/n")
       ->check(notEmpty());
+  command
+      .add_option("--shards-left", parts.shardsLeft,
+                  "make nothing: print which of n shards have segments to make, such as 2,7-9; exit code 0 if the "
+                  "output is complete, else 1")
+      ->type_name("n")
+      ->check(CLI::Range(1, app::kMostShards));
 }
 
 void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
   if (!parts.shard.empty()) app::parseShard(parts.shard);
-  if (!parts.shard.empty() && !parts.manifest.empty())
+  const bool shards = !parts.shard.empty() || parts.shardsLeft > 0;
+  if (!parts.shard.empty() && parts.shardsLeft > 0) refuse("--shards-left: is of all shards; give no --shard");
+  if (shards && !parts.manifest.empty())
     refuse("--manifest: tells of a whole film, and a shard makes a part of one");
-  if (target.stream && (!parts.shard.empty() || !parts.manifest.empty() || parts.resume || parts.keep))
+  if (target.stream && (shards || !parts.manifest.empty() || parts.resume || parts.keep))
     refuse("-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
   if (target.kind != app::OutputKind::kPicture) return;
-  if (!parts.shard.empty()) refuse("--shard: one picture is made by one process");
+  if (shards) refuse("--shard: one picture is made by one process");
   if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -12,13 +13,14 @@
 #include "app/job_identity.h"
 #include "app/memory.h"
 #include "app/progress.h"
-#include "app/scene_composer.h"
 #include "app/subtitles.h"
 #include "app/sweep_cells.h"
 #include "app/temporary_folder.h"
 #include "cli/choice_notes.h"
 #include "cli/console.h"
+#include "cli/dry_run.h"
 #include "cli/exit_code.h"
+#include "cli/shard_run.h"
 #include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -66,29 +68,9 @@ void prepareFolder(const app::OutputTarget& target) {
   if (target.kind == OutputKind::kSequence) output::PngSequence(output::FramePattern(target.path.string()));
 }
 
-int describePrinted(const app::RenderRequest& request, const scene::Output& output) {
-  const auto [width_mm, dpi] = *request.form.print;
-  writeOut(fmt::format("{}: {:.4g} x {:.4g} mm at {:.4g} dpi, {}x{} pixels\n",
-                       core::printable(request.target.path.string()), width_mm,
-                       width_mm * output.height / output.width, dpi, output.width, output.height));
-  return kDone;
-}
-
-int describe(const app::RenderRequest& request, const scene::Scene& scene) {
-  app::composerOf(request.scene, scene);  // what the motion lacks is found here
-  if (request.form.print) return describePrinted(request, scene.output);
-  const auto segments = app::segmentsOf(request.frames, request.segmentFrames).size();
-  writeOut(fmt::format("{}: {} frame{} ({}-{}), {}x{}, {} frames/s, {} segment{}\n",
-                       core::printable(request.target.path.string()), request.frames.count(),
-                       request.frames.count() == 1 ? "" : "s", request.frames.first, request.frames.last,
-                       scene.output.width, scene.output.height, core::toString(scene.time.fps), segments,
-                       segments == 1 ? "" : "s"));
-  return kDone;
-}
-
-app::ProgressStyle styleOf(const RenderOptions& options, const app::FrameRange& frames) {
+app::ProgressStyle styleOf(const RenderOptions& options, std::int64_t frames) {
   // One frame is over before a bar says anything.
-  const bool silent = options.quiet || (frames.count() == 1 && options.progress == "auto");
+  const bool silent = options.quiet || (frames == 1 && options.progress == "auto");
   return app::progressStyle(silent ? "none" : options.progress, errIsTerminal());
 }
 
@@ -103,14 +85,15 @@ class LineEnd {
   app::Progress& progress_;
 };
 
-void sayHowToGoOn(std::int64_t kept, std::int64_t total) {
-  writeErr(fmt::format("poinsot: {} of {} frames are kept; the same command with --resume goes on from there\n",
-                       kept, total));
+void sayHowToGoOn(std::int64_t kept, std::int64_t total, bool shard) {
+  writeErr(fmt::format("poinsot: {} of {} frames are kept; the same command{} goes on from there\n", kept, total,
+                       shard ? "" : " with --resume"));
 }
 
 app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequest request) {
-  const std::int64_t total = request.frames.count();
-  app::Progress progress(styleOf(options, request.frames), request.frames.count(), errColumns(), writeControl);
+  const std::int64_t total = app::framesIn(request.segments());
+  const bool shard = request.shard.has_value();
+  app::Progress progress(styleOf(options, total), total, errColumns(), writeControl);
   const LineEnd lineEnd(progress);
   app::RenderJob job(std::move(request), [&](std::int64_t done, std::int64_t reused, double elapsed_s) {
     progress.update(done, reused, elapsed_s);
@@ -119,14 +102,15 @@ app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequ
     return job.run();
   } catch (...) {
     progress.end();
-    if (job.framesKept() > 0 && !options.quiet) sayHowToGoOn(job.framesKept(), total);
+    if (job.framesKept() > 0 && !options.quiet) sayHowToGoOn(job.framesKept(), total, shard);
     throw;
   }
 }
 
 /// What is refused for want of memory is refused here, before anything is made.
 int workersOf(const RenderOptions& options, const app::RenderRequest& request, const scene::Scene& scene) {
-  const auto segments = static_cast<int>(app::segmentsOf(request.frames, request.segmentFrames).size());
+  // A shard may have none, where there are more shards than segments.
+  const int segments = std::max(1, static_cast<int>(request.segments().size()));
   return workerCount(options, segments, request.worker_bytes, {scene.output.width, scene.output.height},
                      request.scene.allowance.limits);
 }
@@ -158,6 +142,11 @@ std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Sc
 
 bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
+}
+
+std::string completeText(const PartsOptions& parts, const app::OutputTarget& target) {
+  return fmt::format("{} is complete: nothing is left to make for shard {}", core::printable(target.path.string()),
+                     parts.shard);
 }
 
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
@@ -218,23 +207,30 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
                             parts.keep};
   const int cells = render.scene.sweep ? app::SweepGrid(render.scene).cells : 1;
   render.worker_bytes = app::workerMemory_bytes(target, scene, form, cells);
-  render.jobs = workersOf(options, render, scene);
-  if (!parts.shard.empty()) {
-    render.shard = app::parseShard(parts.shard);
+  if (!parts.shard.empty()) render.shard = app::parseShard(parts.shard);
+  if (parts.shardsLeft > 0) render.shard = app::Shard{1, parts.shardsLeft};
+  if (render.shard) {
     render.reproducible = true;  // the machines of a cluster differ
+    render.job = app::jobFileOf(render, scene);
   }
+  if (parts.shardsLeft > 0) return listShardsLeft(render);  // wherever that is run, it need not have room to draw
+  if (!options.dryRun && isShardOfFinishedFilm(render)) {
+    if (!options.quiet) writeErr("poinsot: " + completeText(parts, target) + "\n");
+    return kDone;
+  }
+  render.jobs = workersOf(options, render, scene);
   if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
   checkTrace(options, target);
   if (!options.quiet && options.progress != "json")
     writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
-             sharedSubtitlesNote(target, scene, frames));
+             sharedSubtitlesNote(target, scene, frames) + shaderCacheNote(render));
+  if (isMadeInParts(target) && !render.job) render.job = app::jobFileOf(render, scene);
   if (options.dryRun) return describe(render, scene);
   std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;
   prepareFolder(render.target);
   if (!parts.manifest.empty()) render.manifest = parts.manifest;
   if (!options.trace.empty()) render.trace = options.trace;
-  if (isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
   if (!options.quiet && options.progress != "json")

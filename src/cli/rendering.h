@@ -14,6 +14,7 @@ struct PartsOptions {
   bool resume = false, keep = false;
   std::int64_t segmentFrames = app::kSegmentFrames;
   std::string shard, manifest;
+  int shardsLeft = 0;  ///< only tells which of so many shards have work left
 };
 
 /// What it touches. @param target  where it was named; else `out` is made.

@@ -121,20 +121,20 @@ class Segments : public testing::Test {
 TEST_F(Segments, AllAreDone) {
   const RunResult told = status();
   EXPECT_EQ(told.exitCode, 0);
-  EXPECT_EQ(told.out, "t.mp4: 6 segments: 6 done\n");
+  EXPECT_EQ(told.out, "t.mp4: complete; 6 segments: 6 done\n");
 }
 
 TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
   std::string bytes = bytesOf(segment());
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(segment(), std::ios::binary) << bytes;
+  std::filesystem::remove(folder_ / "t.mp4");
   const RunResult told = status();
   EXPECT_EQ(told.exitCode, 1);
   EXPECT_EQ(told.out, "t.mp4: 6 segments: 5 done, 1 corrupt\ncorrupt: frames 3-5\n");
   const RunResult joined = run(folder_, {"assemble", "t.mp4"});
   EXPECT_EQ(joined.exitCode, 4);
   EXPECT_THAT(joined.err, HasSubstr("t.mp4: frames 3-5 are damaged"));
-  std::filesystem::remove(folder_ / "t.mp4");
   const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
   EXPECT_THAT(again.err, HasSubstr("15 of them were there already"));
   EXPECT_EQ(filesOf(folder_.path()), undisturbed(kFilm));
@@ -142,7 +142,7 @@ TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
 
 TEST_F(Segments, AMissingOneIsAGapThatIsNotJoinedOver) {
   std::filesystem::remove(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json");
-  EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
+  EXPECT_EQ(status().out, "t.mp4: complete; 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
   const std::string before = bytesOf(folder_ / "t.mp4");
   const RunResult joined = run(folder_, {"assemble", "t.mp4", "--quiet"});
   EXPECT_EQ(joined.exitCode, 4);
@@ -153,7 +153,7 @@ TEST_F(Segments, AMissingOneIsAGapThatIsNotJoinedOver) {
 // What no render of this program leaves there: rubbish in place of a record, or of the job.
 TEST_F(Segments, RubbishIsNoRecord) {
   std::ofstream(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json") << "{\"frames\": [3, ";
-  EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
+  EXPECT_EQ(status().out, "t.mp4: complete; 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
   std::ofstream(folder_ / ".t.mp4.poinsot/job.json") << "[]";
   EXPECT_EQ(run(folder_, {"assemble", "t.mp4"}).exitCode, 4);
 }

@@ -3,11 +3,16 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "faults/tiny_film.h"
 
 namespace poinsot::faults {
 namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
@@ -33,7 +38,8 @@ class Shards : public testing::TestWithParam<int> {
       const std::string shard = std::to_string(k) + "/" + std::to_string(GetParam());
       const RunResult made = run(folder, renderArguments(output, {"--shard", shard}));
       ASSERT_EQ(made.exitCode, 0) << made.err;
-      EXPECT_EQ(run(folder, {"status", output.name}).exitCode, k == 1 ? 0 : 1) << k;
+      // A sequence is ready with its last frame; a film has still to be joined.
+      EXPECT_EQ(run(folder, {"status", output.name}).exitCode, k == 1 && !output.isFilm() ? 0 : 1) << k;
     }
     const RunResult joined = run(folder, {"assemble", output.name});
     ASSERT_EQ(joined.exitCode, 0) << joined.err;
@@ -71,6 +77,112 @@ TEST(Shards, TellWhichHaveWorkLeft) {
   EXPECT_EQ(run(folder, renderArguments(kFilm, {"--shard", "6/5"})).exitCode, 2);
   EXPECT_EQ(run(folder, renderArguments(kFilm, {"--shard", "0/5"})).exitCode, 2);
   EXPECT_EQ(run(folder, renderArguments(kFilm, {"--shard", "1"})).exitCode, 2);
+}
+
+TEST(Shards, AreToldWhenOnlyTheJoiningIsLeft) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  ASSERT_EQ(run(folder, renderArguments(kFilm, {"--shard", "1/1"})).exitCode, 0);
+  const RunResult made = run(folder, {"status", "t.mp4"});
+  EXPECT_EQ(made.exitCode, 1);
+  EXPECT_EQ(made.out, "t.mp4: 6 segments: 6 done\nmade, not joined: poinsot assemble t.mp4\n");
+  const RunResult json = run(folder, {"status", "t.mp4", "--json"});
+  EXPECT_EQ(json.exitCode, 1);
+  const auto told = nlohmann::json::parse(json.out);
+  EXPECT_EQ(told.at("complete"), false);
+  EXPECT_EQ(told.at("joined"), false);
+  EXPECT_EQ(told.at("done").size(), 6u);
+  EXPECT_EQ(told.at("shards_to_run"), "");
+  const RunResult shards = run(folder, {"status", "t.mp4", "--shards"});
+  EXPECT_EQ(shards.exitCode, 1);
+  EXPECT_EQ(shards.out, "\n");
+}
+
+TEST(Shards, MakeNothingOfAFinishedFilmAndLeaveItComplete) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  ASSERT_EQ(run(folder, renderArguments(kFilm, {"--reproducible"})).exitCode, 0);
+  const auto before = namesIn(folder.path());
+  const auto written = std::filesystem::last_write_time(folder / "t.mp4");
+  for (const std::string shard : {"1/2", "2/2"}) {
+    const RunResult made = run(folder, renderArguments(kFilm, {"--shard", shard, "--progress", "plain"}));
+    EXPECT_EQ(made.exitCode, 0);
+    EXPECT_EQ(made.err, "poinsot: t.mp4 is complete: nothing is left to make for shard " + shard + "\n");
+    EXPECT_EQ(namesIn(folder.path()), before);
+    EXPECT_EQ(run(folder, {"status", "t.mp4"}).out, "t.mp4: complete\n");
+  }
+  EXPECT_EQ(run(folder, {"assemble", "t.mp4"}).err, "poinsot: t.mp4 is complete\n");
+  EXPECT_EQ(run(folder, {"assemble", "t.mp4"}).exitCode, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "t.mp4"), written);
+  EXPECT_EQ(filesOf(folder.path()), reproducible(kFilm));
+}
+
+/// What a run with --progress=json reports at its end.
+nlohmann::json lastProgress(const RunResult& run) {
+  const std::string& lines = run.err;
+  const std::size_t at = lines.rfind("{\"event\"");
+  return at == std::string::npos ? nlohmann::json() : nlohmann::json::parse(lines.substr(at));
+}
+
+// 18 frames in segments of 3: of four shards, the first two have two segments each and the others one.
+TEST(Shards, ReportProgressAndEstimatesOfTheirOwnFrames) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  for (const auto& [shard, frames] : {std::pair<std::string, int>{"1/4", 6}, {"3/4", 3}}) {
+    const std::string own = std::to_string(frames);
+    const auto words = renderArguments(kFilm, {"--shard", shard});
+    auto dry = words;
+    dry.push_back("--dry-run");
+    EXPECT_THAT(run(folder, dry).out, StartsWith("t.mp4, shard " + shard + ": " + own + " of 18 frames (0-17), "));
+    EXPECT_THAT(run(folder, dry).out, EndsWith(", 0 frames are there already\n"));
+    const auto last = lastProgress(run(folder, words));
+    EXPECT_EQ(last.at("total"), frames);
+    EXPECT_EQ(last.at("done"), frames);
+    EXPECT_EQ(last.at("left_s"), 0);
+    EXPECT_THAT(run(folder, dry).out, EndsWith(", " + own + " frames are there already\n"));
+  }
+  const RunResult bar = run(folder, renderArguments(kFilm, {"--shard", "3/4", "--progress", "plain"}));
+  EXPECT_THAT(bar.err, HasSubstr("3 of 3 frames (100 %)"));
+}
+
+TEST(Shards, ArePrintedThatHaveWorkLeftForThisScene) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const auto left = [&](const std::vector<std::string>& more = {}) {
+    auto words = renderArguments(kFilm, {"--shards-left", "4"});
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult told = run(folder, words);
+    return std::to_string(told.exitCode) + " " + told.out;
+  };
+  EXPECT_EQ(left(), "1 1-4\n");
+  EXPECT_TRUE(filesOf(folder.path()).empty());
+  ASSERT_EQ(run(folder, renderArguments(kFilm, {"--shard", "1/2"})).exitCode, 0);
+  EXPECT_EQ(left(), "1 2,4\n") << "segments 1, 3 and 5 are those of shards 1 and 3 of 4";
+  ASSERT_EQ(run(folder, renderArguments(kFilm, {"--shard", "2/2"})).exitCode, 0);
+  EXPECT_EQ(left(), "1 \n");
+  EXPECT_EQ(left({"-D", "show.L=true"}), "1 1-4\n") << "of another scene";
+  ASSERT_EQ(run(folder, {"assemble", "t.mp4"}).exitCode, 0);
+  EXPECT_EQ(left(), "0 ");
+  EXPECT_EQ(left({"-D", "show.L=true"}), "1 1-4\n") << "the film is of another scene";
+}
+
+// Each task of a cluster compiles for seconds where that is so.
+TEST(Shards, NoteThatTheyCannotKeepCompiledShaders) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const auto said = [&](const std::vector<std::string>& environment, const std::vector<std::string>& more) {
+    auto words = renderArguments(kFilm, more);
+    words.push_back("--dry-run");
+    return run(folder, words, Stdout::kFile, environment).err;
+  };
+  const std::vector<std::string> none{"HOME=", "XDG_CACHE_HOME=", "POINSOT_CACHE="}, plain{"--progress", "plain"},
+      shard{"--progress", "plain", "--shard", "1/2"};
+  const auto note = HasSubstr("note: each shard compiles its shaders anew");
+  EXPECT_THAT(said(none, shard), note);
+  EXPECT_THAT(said({"HOME=/proc/nowhere", "XDG_CACHE_HOME=", "POINSOT_CACHE="}, shard), note);
+  EXPECT_EQ(said(none, plain), "");
+  EXPECT_EQ(said({"HOME=", "XDG_CACHE_HOME=", "POINSOT_CACHE=off"}, shard), "");
+  EXPECT_EQ(said({"HOME=" + folder.path().string(), "XDG_CACHE_HOME=", "POINSOT_CACHE="}, shard), "");
 }
 
 // Two at once, as on two machines with one disk.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/render_request.h"
+
+/// What `render` and `sweep` say and decide besides where they make one shard of many.
+namespace poinsot::cli {
+
+/// Prints which of the n shards of request.shard have segments to make: "2,7-9". An empty line if only the joining
+/// is left. @returns kDone if the output is complete, else kNo.
+int listShardsLeft(const app::RenderRequest& request);
+
+/// Returns whether the film of this shard is there already, so that nothing is left to make.
+bool isShardOfFinishedFilm(const app::RenderRequest& request);
+
+/// Returns a line if the shard cannot keep its compiled shaders for the next one; else an empty string.
+std::string shaderCacheNote(const app::RenderRequest& request);
+
+}  // namespace poinsot::cli
