@@ -55,10 +55,10 @@ std::string recipe(const Submission& submission, const std::string& variables, c
 
 constexpr const char* kHeader = R"MAKE({what}#
 #   make -f SCRIPT -j {jobs}
-#   poinsot status {output}
+#   {status}
 #
-# Where a task fails, the same command goes on with the segment where it stopped. What is newer than the scene and the
-# files that it names is not made again.
+# Where a task or the joining fails, the same command goes on with the segment where it stopped. What is newer than the
+# scene and the files that it names is not made again.
 SHELL := /bin/bash
 equals := =
 )MAKE";
@@ -66,7 +66,7 @@ equals := =
 std::string header(const Submission& submission) {
   return fmt::format(kHeader, fmt::arg("what", whatText(submission, " of make, and then joined")),
                      fmt::arg("jobs", std::max(2, 8 / submission.division.cpus)),
-                     fmt::arg("output", core::shellWord(outputFile(submission).string())));
+                     fmt::arg("status", statusCommand(submission)));
 }
 
 /// Names of the marks: an empty file for each shard that is done, named by its number.
@@ -87,16 +87,16 @@ std::string shardRule(const Submission& submission) {
                 {"mkdir -p -- " + folder, shardCommand(submission, "$shard"), "touch -- " + folder + "/$shard"});
 }
 
-/// The marks go with the last of the film. Being secondary, they are not missed while the film is newer than the
-/// scene. Of a sequence a mark stands for all frames.
+/// The marks go before the joining: if that fails, the tasks see again whether their segments are still there,
+/// which takes each a second. Being secondary, they are not missed while the film is newer than the scene; so a
+/// film that did not have to be made again is touched. Of a sequence a mark stands for all frames.
 std::string joinRule(const Submission& submission) {
   const bool film = submission.output.kind == OutputKind::kFilm;
   const std::filesystem::path folder = tasksFolderOf(submission);
   const std::filesystem::path target = film ? submission.output.path : folder / "all";
-  Lines lines{joinCommand(submission),
-              fmt::format("rm -f -- {}/{{1..{}}}", core::shellWord(folder.string()), submission.division.shards)};
-  lines.push_back(film ? "rmdir --ignore-fail-on-non-empty -- " + core::shellWord(folder.string())
-                       : "touch -- " + core::shellWord(target.string()));
+  Lines lines{fmt::format("rm -f -- {}/{{1..{}}}", core::shellWord(folder.string()), submission.division.shards),
+              joinCommand(submission), "touch -- " + core::shellWord(target.string())};
+  if (film) lines.push_back("rmdir --ignore-fail-on-non-empty -- " + core::shellWord(folder.string()));
   const std::string name = makeName(submission, target);
   return ".PRECIOUS: " + name + "\n.SECONDARY: $(shards)\n\n" + name + ": $(shards)\n" +
          recipe(submission, "", lines) + "\n";

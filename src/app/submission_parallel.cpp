@@ -17,11 +17,11 @@ constexpr const char* kScript = R"BASH(#!/bin/bash
 #   bash SCRIPT                             on this machine
 #   bash SCRIPT --sshloginfile NODES        on the machines that a file names
 #   bash SCRIPT --jobs 8                    eight tasks at a time on each; all options of parallel work
-#   poinsot status {output}
+#   {status}
 #
 # A task that fails is tried again up to {retries} times, and goes on with the segment where it stopped. If one fails for
-# good, no more are begun and nothing is joined; the same command goes on from there.
-# What became of each task is told in {said}/joblog.
+# good, no more are begun and nothing is joined; the same command goes on from there, and makes nothing if the film is
+# there. What became of each task is told in {said}/joblog.
 set -eo pipefail
 
 task() {{
@@ -42,8 +42,7 @@ parallel --env task --env POINSOT --jobs {percent}% --retries {tries} --halt soo
 std::string parallelScript(const Submission& submission) {
   const Division& division = submission.division;
   return fmt::format(kScript, fmt::arg("what", whatText(submission, " of GNU parallel, and then joined")),
-                     fmt::arg("output", core::shellWord(outputFile(submission).string())),
-                     fmt::arg("retries", submission.retries),
+                     fmt::arg("status", statusCommand(submission)), fmt::arg("retries", submission.retries),
                      fmt::arg("said", core::shellWord(tasksFolderOf(submission).string())),
                      fmt::arg("indented", placeText(submission, "  ")),
                      fmt::arg("shard", shardCommand(submission, "$1")), fmt::arg("place", placeText(submission)),

@@ -26,67 +26,94 @@ std::string saidFolder(const Submission& submission) {
   return folder;
 }
 
+/// What Slurm and those who read its lists by blanks can hold: "poinsot_film.mp4".
+std::string jobName(const Submission& submission) {
+  std::string name = "poinsot_" + submission.output.path.filename().string();
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) <= 0x20 || c == 0x7f || c == '=') c = '_';
+  return name;
+}
+
 /// A task's number within the array goes with the number of the whole: one task has that as $SLURM_JOB_ID, and a
-/// requeue by it would be one of all tasks.
+/// requeue by it would be one of all tasks. Failures are counted in a file, since SLURM_RESTART_COUNT also has the
+/// requeues of Slurm itself, by preemption or for a lost node.
 constexpr const char* kScript = R"BASH(#!/bin/bash
 {what}#
-#   bash SCRIPT                               submits both jobs
-#   squeue --me                               what waits, what runs
-#   poinsot status {output}
-#   bash SCRIPT "$(poinsot status {output} --shards)"
-#                                             again, only the tasks that have work left
+#   bash SCRIPT         submits the tasks that have work left, and the job that joins; nothing if the film is there
+#   bash SCRIPT 2,7-9   submits these tasks, and the job that joins
+#   squeue --me
+#   {status}
 #
-# A task that fails, or is about to run out of time, goes back into the queue up to {retries} times, and on with the
-# segment where it stopped; so does one whose node was lost. If one fails for good, nothing is joined.
+# A task that fails, or is about to run out of time, goes back into the queue, and on with the segment where it
+# stopped, up to {retries} times at one segment. Preemption and lost nodes are not counted. If a task fails for good,
+# nothing is joined. Whenever there is no film, mend what was wrong and run this script again.
 # What the tasks say is kept in {said}.
 set -eo pipefail
 
-tasks=${{1-1-{shards}}}  # all, unless the first word of the command says which
 options=()  # of yours for sbatch: --account=physics --partition=short
 
 {place}said={said}
 
+# Prints how both jobs begin: with the program's own name, because sbatch --export=NONE drops $POINSOT.
+place() {{
+  printf '#!/bin/bash\ncd -- %q || exit 4\npoinsot=%q said=%q\n' "$PWD" "$poinsot" "$said"
+}}
+
 task() {{
+  place
   cat <<'TASK'
-#!/bin/bash
+render=({shard})
 late=
 trap 'late=yes; kill -TERM "$!"' USR1  # Slurm says so a minute before the time is over
-{place}{shard} &
-render=$!
-wait "$render"
+"${{render[@]}}" &
+wait "$!"
 code=$?
-[[ $late ]] && wait "$render"
+[[ $late ]] && wait "$!"
 # 0: done. 2: the scene is wrong, and would be again. 129, 130, 143: somebody stopped it.
 [[ $code =~ ^(0|2|129|130|143)$ && ! $late ]] && exit "$code"
-again=$((${{SLURM_RESTART_COUNT:-0}} + 1))
-((again <= {retries})) || exit "$code"
-echo "poinsot: exit code $code: back into the queue, attempt $((again + 1))" >&2
+# Each failure adds how far the task is by then: equal lines are failures at one segment.
+failures=$said/${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID.failures
+far=$("${{render[@]}}" --dry-run 2>/dev/null)
+printf '%s\n' "$far" >>"$failures" || exit "$code"
+count=$(grep -cFxe "$far" -- "$failures")
+((count <= {retries})) || exit "$code"
+echo "poinsot: exit code $code: back into the queue, failure $count at this segment" >&2
 scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID" && sleep 600  # Slurm ends it here
 exit "$code"
 TASK
 }}
 
 join() {{
+  place
   cat <<'JOIN'
-#!/bin/bash
-{place}exec {join}
+exec {join}
 JOIN
 }}
 
+# Submits the job that it reads; prints its number.
+submit() {{
+  local job
+  job=$(sbatch --parsable --job-name={name} --ntasks=1 --mem-per-cpu={memory}M --time={minutes} \
+    --open-mode=append "$@" "${{options[@]}}") && echo "${{job%%;*}}"  # some say on which cluster, too
+}}
+
+tasks=$1
 if [[ -z $tasks ]]; then
-  echo 'poinsot: no task has work left' >&2
-  exit 0
+  tasks=$({left}) && exit  # the film is there
+  code=$?
+  ((code == 1)) || exit "$code"
 fi
 mkdir -p -- "$said"
 log=${{said//%/%%}}  # a % means something in Slurm's names of files
-array=$(task | sbatch --parsable --job-name={name} --array="$tasks" --requeue --ntasks=1 --cpus-per-task={cpus} \
-  --mem-per-cpu={memory}M --time={minutes} --signal=B:USR1@60 --open-mode=append --output="$log/%A_%a.txt" \
-  "${{options[@]}}")
-array=${{array%%;*}}  # some say on which cluster, too
-film=$(join | sbatch --parsable --job-name={name} --dependency="afterok:$array" --kill-on-invalid-dep=yes \
-  --ntasks=1 --mem-per-cpu={memory}M --time={minutes} --open-mode=append --output="$log/%j_join.txt" \
-  "${{options[@]}}")
-echo "poinsot: tasks: job $array; then joined: job ${{film%%;*}}"
+after=()
+if [[ $tasks ]]; then
+  array=$(task | submit --array="$tasks" --requeue --cpus-per-task={cpus} --signal=B:USR1@60 \
+    --output="$log/%A_%a.txt")
+  after=(--dependency="afterok:$array" --kill-on-invalid-dep=yes)
+  echo "poinsot: tasks $tasks: job $array"
+fi
+film=$(join | submit "${{after[@]}}" --output="$log/%j_join.txt")
+echo "poinsot: joined by job $film"
 )BASH";
 
 }  // namespace
@@ -97,14 +124,12 @@ std::string slurmScript(const Submission& submission) {
       kScript,
       fmt::arg("what",
                whatText(submission, " of a Slurm job array; a job that waits for them joins what they made")),
-      fmt::arg("output", core::shellWord(outputFile(submission).string())),
-      fmt::arg("retries", submission.retries), fmt::arg("said", core::shellWord(saidFolder(submission))),
-      fmt::arg("shards", division.shards), fmt::arg("place", placeText(submission)),
+      fmt::arg("status", statusCommand(submission)), fmt::arg("retries", submission.retries),
+      fmt::arg("said", core::shellWord(saidFolder(submission))), fmt::arg("place", placeText(submission)),
       fmt::arg("shard", shardCommand(submission, "$SLURM_ARRAY_TASK_ID")),
-      fmt::arg("join", joinCommand(submission)),
-      fmt::arg("name", core::shellWord("poinsot " + submission.output.path.filename().string())),
-      fmt::arg("cpus", division.cpus), fmt::arg("memory", division.memory),
-      fmt::arg("minutes", limit_min(division)));
+      fmt::arg("left", leftCommand(submission)), fmt::arg("join", joinCommand(submission)),
+      fmt::arg("name", core::shellWord(jobName(submission))), fmt::arg("cpus", division.cpus),
+      fmt::arg("memory", division.memory), fmt::arg("minutes", limit_min(division)));
 }
 
 }  // namespace poinsot::app

@@ -22,8 +22,9 @@ std::string durationText(double seconds) {
 
 }  // namespace
 
-std::filesystem::path outputFile(const Submission& submission) {
-  return (submission.folder / submission.output.path).lexically_normal();
+std::string statusCommand(const Submission& submission) {
+  const auto output = (submission.folder / submission.output.path).lexically_normal();
+  return core::shellWords({submission.program.string(), "status", output.string()});
 }
 
 std::string whatText(const Submission& submission, const std::string& how) {
@@ -50,6 +51,11 @@ std::string placeText(const Submission& submission, const std::string& indent) {
 
 std::string shardCommand(const Submission& submission, const std::string& shard) {
   return fmt::format("\"$poinsot\" {} --shard \"{}/{}\"", core::shellWords(submission.render), shard,
+                     submission.division.shards);
+}
+
+std::string leftCommand(const Submission& submission) {
+  return fmt::format("\"$poinsot\" {} --shards-left {}", core::shellWords(submission.render),
                      submission.division.shards);
 }
 

@@ -9,8 +9,8 @@
 /// What the scripts of all engines have in common.
 namespace poinsot::app {
 
-/// The output, for commands that are run elsewhere.
-std::filesystem::path outputFile(const Submission& submission);
+/// The command that tells how far it is, to be run anywhere, with no poinsot on the PATH.
+std::string statusCommand(const Submission& submission);
 
 /// Comment lines: what is made, of how many parts, from which estimate.
 std::string whatText(const Submission& submission, const std::string& how);
@@ -23,6 +23,9 @@ std::string placeText(const Submission& submission, const std::string& indent = 
 
 /// The command of a shard, without `shard`, which a shell expands.
 std::string shardCommand(const Submission& submission, const std::string& shard);
+
+/// The command that prints which shards have work left.
+std::string leftCommand(const Submission& submission);
 
 /// The command that joins them.
 std::string joinCommand(const Submission& submission);

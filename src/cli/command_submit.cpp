@@ -152,7 +152,7 @@ void addDivisionOptions(CLI::App& command, SubmitOptions& options) {
   command.add_option("-j,--jobs", options.jobs, "CPUs of a task (default: 1)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--retries", options.retries, "how often a task that fails is tried again (default: 3)")
+  command.add_option("--retries", options.retries, "how often a task that fails is tried again, in Slurm at one segment (default: 3)")
       ->type_name("N")
       ->check(CLI::Range(0, 100));
   command.add_flag("--keep", options.keep, "keep the segments when the film is ready");
@@ -172,7 +172,8 @@ void addSubmit(CLI::App& program, Action& chosen) {
   addDivisionOptions(*command, *options);
   command->footer(
       "Nothing is started: the script is text to read, change and run. The film has the bytes that render\n"
-      "--reproducible gives on one machine; -D with a range is that of a sweep.\n"
+      "--reproducible gives on one machine; -D with a range is that of a sweep. Where a task or the joining has\n"
+      "failed, running the same script again submits what is left, and nothing if the film is there.\n"
       "Examples:\n"
       "  poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash football.sh\n"
       "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "

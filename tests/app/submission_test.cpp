@@ -87,8 +87,8 @@ TEST(Scripts, AreOfTheirLanguageWhateverTheNames) {
 
 TEST(Scripts, SlurmIsToldWhatATaskNeeds) {
   const std::string script = slurmScript(tiny());
-  EXPECT_THAT(script, AllOf(HasSubstr("tasks=${1-1-3} "), HasSubstr("--cpus-per-task=2 "), HasSubstr("--requeue"),
-                            HasSubstr("--mem-per-cpu=768M --time=11 ")));
+  EXPECT_THAT(script, AllOf(HasSubstr(" --shards-left 3) && exit "), HasSubstr("--cpus-per-task=2 "),
+                            HasSubstr("--requeue"), HasSubstr("--mem-per-cpu=768M --time=11 ")));
   EXPECT_THAT(script, AllOf(HasSubstr("--dependency=\"afterok:$array\" --kill-on-invalid-dep=yes"),
                             HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/3\"")));
 }

@@ -1,66 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scripts of submit, run with stand-ins for Slurm and for the program. What real ones do is in tests/faults.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "cli/program_run.h"
-#include "support/shell_run.h"
+#include "cli/submit_fixture.h"
 
 namespace poinsot {
 namespace {
 
-using testing::ElementsAre;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr const char* kHostile = "a film's $HOME `id` {} #1 \"100%A\"\n!";
-
-/// A folder with a scene and stand-ins beside it.
-class Submit : public testing::Test {
+/// With stand-ins for the program and for Slurm.
+class SubmitWords : public Submit {
  protected:
-  Submit() {
-    std::filesystem::create_directory(home());
-    std::ofstream(home() / "-it's.toml") << kGoodScene;
-    // Says what it was told, each word in a line, control characters as bash has them.
-    executable("poinsot", "for word; do printf '%q\\n' \"$word\"; done >>\"${0%/*}/words\"\n");
-    // Runs its script at once, for each number of an array, and gives it a number.
+  SubmitWords() {
+    // Says what it was told, each word in a line, control characters as bash has them. All shards have work left.
+    executable("poinsot",
+               "[[ $* == *' --shards-left '* ]] && { echo \"1-${@: -1}\"; exit 1; }\n"
+               "for word; do printf '%q\\n' \"$word\"; done >>\"${0%/*}/words\"\n");
+    // Runs its script at once, for each number of an array, and gives it a number. The variables of the shell are
+    // not handed on, as with --export=NONE.
     executable("sbatch",
                "here=${0%/*}\n"
                "printf '%q\\n' \"$@\" >>\"$here/asked\"\n"
                "cat >\"$here/job\"\n"
                "for word; do [[ $word == --array=1-* ]] && last=${word#--array=1-}; done\n"
                "for ((k = 1; k <= ${last:-1}; ++k)); do\n"
-               "  cd / && SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=$k bash \"$here/job\" >&2 || exit 1\n"
+               "  cd / && env -i SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=$k bash \"$here/job\" >&2 || exit 1\n"
                "done\n"
                "echo '7;cluster'\n");
   }
-
-  std::filesystem::path home() const { return scratch_ / kHostile; }
-
-  void executable(const std::string& name, const std::string& script) const {
-    scratch_.put(name, "#!/bin/bash\n" + script);
-    std::filesystem::permissions(scratch_ / name, std::filesystem::perms::owner_all);
-  }
-
-  ShellResult shell(const std::string& script) const {
-    const std::string here = scratch_.path().string();
-    return runShell(home(), "PATH=" + here + ":$PATH\n" + script, {"POINSOT=" + here + "/poinsot"});
-  }
-
-  /// The lines that a stand-in has left.
-  std::string left(const std::string& name) const {
-    const std::string text = bytesOf(scratch_ / name);
-    std::filesystem::remove(scratch_ / name);
-    return text;
-  }
-
-  ScratchFolder scratch_;
 };
 
-constexpr const char* kPrint = POINSOT_PROGRAM " submit ./-it\\'s.toml ";
-
-TEST_F(Submit, EachTaskIsToldAllThatRenderWouldBe) {
+TEST_F(SubmitWords, EachTaskIsToldAllThatRenderWouldBe) {
   const ShellResult printed =
       shell(std::string(kPrint) +
             "-o $'a \\'$x\\n.mp4' -D 'time.duration=2 s' -D 'show.title=\"it'\\''s\"' "
@@ -69,7 +43,7 @@ TEST_F(Submit, EachTaskIsToldAllThatRenderWouldBe) {
   ASSERT_EQ(printed.exitCode, 0) << printed.out;
   const ShellResult submitted = shell("cd / && bash \"$OLDPWD/../script\"");
   ASSERT_EQ(submitted.exitCode, 0) << submitted.out;
-  EXPECT_THAT(submitted.out, HasSubstr("poinsot: tasks: job 7; then joined: job 7\n"));
+  EXPECT_THAT(submitted.out, HasSubstr("poinsot: tasks 1-2: job 7\n"));
   const auto render = [](int k) {
     return "render\n./-it\\'s.toml\n-o\n$'a \\'$x\\n.mp4'\n-q\npreview\n-D\ntime.duration=2\\ s\n-D\n"
            "show.title=\\\"it\\'s\\\"\n--fps\n30\n--frames\n0-59\n--force\n--segment\n20\n-j\n3\n--shard\n" +
@@ -79,60 +53,86 @@ TEST_F(Submit, EachTaskIsToldAllThatRenderWouldBe) {
   const std::string asked = left("asked");
   EXPECT_THAT(asked, HasSubstr("--array=1-2\n"));
   EXPECT_THAT(asked, HasSubstr("--dependency=afterok:7\n"));
+  EXPECT_THAT(asked, HasSubstr("--job-name=poinsot_a_\\'\\$x_.mp4\n"));  // sacct reads its lists by blanks
   EXPECT_TRUE(std::filesystem::is_directory(home() / "a '$x\n.mp4.tasks"));
 }
 
-TEST_F(Submit, OnlyTheTasksThatAreNamedAreSubmittedAgain) {
-  ASSERT_EQ(shell(std::string(kPrint) + "-o f.mp4 --shards 4 >../script").exitCode, 0);
-  ASSERT_EQ(shell("bash ../script 1-3").exitCode, 0);
-  EXPECT_THAT(left("asked"), HasSubstr("--array=1-3\n"));
-  const ShellResult none = shell("bash ../script ''");
-  EXPECT_EQ(none.exitCode, 0);
-  EXPECT_THAT(none.out, HasSubstr("no task has work left"));
-  EXPECT_FALSE(std::filesystem::exists(scratch_ / "asked"));
-}
-
-/// Runs one task of a printed script with a program that ends with that code.
+/// Runs attempts at one task of a printed script with a program that ends as told.
 class SubmitTask : public Submit {
  protected:
-  ShellResult task(const std::string& program, int restarts) {
+  SubmitTask() {
     executable("sbatch", "[[ -e ${0%/*}/job ]] && cat >/dev/null || cat >\"${0%/*}/job\"\necho 7\n");
     executable("scontrol", "echo \"$@\" >>\"${0%/*}/asked\"; kill $PPID\n");
-    executable("poinsot", program);
-    EXPECT_EQ(shell(std::string(kPrint) + "-o f.mp4 --retries 2 >../script && bash ../script").exitCode, 0);
+    EXPECT_EQ(shell(std::string(kPrint) + "-o f.mp4 --retries 2 >../script && bash ../script 1").exitCode, 0);
+  }
+
+  /// @param program  its script; told --dry-run it prints the frames that are there
+  /// @param restarts  how often Slurm has put the task into the queue, whatever for
+  ShellResult attempt(const std::string& program, int restarts, int framesThere = 0) {
+    executable("poinsot", "[[ $* == *' --dry-run' ]] && { echo 'f.mp4, shard 1/1: " + std::to_string(framesThere) +
+                              " frames are there already'; exit; }\n" + program);
     return shell("export SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=1 SLURM_JOB_ID=9 SLURM_RESTART_COUNT=" +
                  std::to_string(restarts) + "\nbash ../job");
   }
 
-  std::string requeues() const { return std::filesystem::exists(scratch_ / "asked") ? left("asked") : ""; }
+  bool isRequeued() const {
+    const std::string asked = left("asked");
+    EXPECT_THAT(asked, AnyOf("", "requeue 7_1\n"));
+    return !asked.empty();
+  }
+
+  void expectFailsForGood(const ShellResult& result, int code) const {
+    EXPECT_EQ(result.exitCode, code) << result.out;
+    EXPECT_FALSE(isRequeued()) << result.out;
+  }
 };
 
 TEST_F(SubmitTask, ThatFailsGoesBackIntoTheQueueSoManyTimes) {
-  for (const int restarts : {0, 1}) {
-    task("exit 3\n", restarts);
-    EXPECT_EQ(requeues(), "requeue 7_1\n") << restarts;
+  for (int restarts = 0; restarts < 2; ++restarts) {
+    attempt("exit 3\n", restarts);
+    EXPECT_TRUE(isRequeued()) << restarts;
   }
-  EXPECT_EQ(task("exit 3\n", 2).exitCode, 3);
-  EXPECT_THAT(requeues(), IsEmpty());
+  expectFailsForGood(attempt("exit 3\n", 2), 3);
+}
+
+// SLURM_RESTART_COUNT has them, too: a task that was preempted again and again has not failed once.
+TEST_F(SubmitTask, ThatWasPreemptedHasAllItsRetriesLeft) {
+  constexpr int kPreempted = 20;
+  for (int failures = 0; failures < 2; ++failures) {
+    attempt("exit 3\n", kPreempted + failures);
+    EXPECT_TRUE(isRequeued()) << failures;
+  }
+  expectFailsForGood(attempt("exit 3\n", kPreempted + 2), 3);
+}
+
+TEST_F(SubmitTask, ThatGotOnByASegmentHasAllItsRetriesAgain) {
+  for (int k = 0; k < 10; ++k) {
+    attempt("exit 3\n", k, 30 * (k / 2));  // two failures at each segment
+    EXPECT_TRUE(isRequeued()) << k;
+  }
+  expectFailsForGood(attempt("exit 3\n", 10, 30 * 4), 3);
+}
+
+TEST_F(SubmitTask, WhoseFailuresCannotBeCountedFailsForGood) {
+  std::filesystem::remove_all(home() / "f.mp4.tasks");
+  expectFailsForGood(attempt("exit 3\n", 0), 3);
 }
 
 TEST_F(SubmitTask, ThatIsDoneOrWouldFailAgainOrWasStoppedDoesNot) {
-  for (const int code : {0, 2, 129, 130, 143}) {
-    EXPECT_EQ(task("exit " + std::to_string(code) + "\n", 0).exitCode, code);
-    EXPECT_THAT(requeues(), IsEmpty()) << code;
-  }
+  for (const int code : {0, 2, 129, 130, 143})
+    expectFailsForGood(attempt("exit " + std::to_string(code) + "\n", 0), code);
 }
 
 // What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back.
 // It is sent as early as can be here, when the task has hardly gone on from starting the program.
 TEST_F(SubmitTask, WhoseTimeIsOverStopsAndComesBack) {
-  task(
+  attempt(
       "trap 'sleep 0.2; echo stopped >\"${0%/*}/stopped\"; exit 143' TERM\n"
       "kill -USR1 $PPID\n"
       "for ((k = 0; k < 100; ++k)); do sleep 0.1; done\n",
       0);
   EXPECT_EQ(left("stopped"), "stopped\n");
-  EXPECT_EQ(requeues(), "requeue 7_1\n");
+  EXPECT_TRUE(isRequeued());
 }
 
 TEST_F(Submit, TheSameWordsPrintTheSameScript) {

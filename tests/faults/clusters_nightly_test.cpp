@@ -26,7 +26,7 @@ TEST_F(SlurmNightly, ATaskThatFailsForGoodJoinsNothingAndIsSubmittedAgainAlone) 
   EXPECT_EQ(film_.shell("$poinsot status film.mp4 --shards").out, "2\n");
   film_.repair();
   const Watch watch;
-  submit("bash \"$script\" \"$($poinsot status film.mp4 --shards)\"");
+  submit("bash \"$script\"");
   waitForTheEnd();
   std::printf("[ measured ] Slurm %.1f s for one task and the joining\n", watch.seconds());
   expectTheBytesOfALocalRun();
@@ -38,14 +38,43 @@ TEST_F(SlurmNightly, ALostNodeLosesNoFrame) {
   film_.writeScript("slurm");
   film_.hangShard(2);
   submit("bash \"$script\"");
-  ASSERT_TRUE(film_.waitUntilDied(30)) << said();
-  ASSERT_TRUE(cluster_->waitUntil("[[ $(squeue -h -t RUNNING -o %K) == 2 ]]", 30)) << cluster_->run("squeue").out;
+  waitUntilItHangs();
   const ShellResult lost =
       cluster_->run("scontrol update State=DOWN Reason=lost NodeName=$(squeue -h -t RUNNING -o %N)");
   ASSERT_EQ(lost.exitCode, 0) << lost.out;
   waitForTheEnd();
   expectTheBytesOfALocalRun();
   EXPECT_THAT(cluster_->restarts(SubmittedFilm::kTasks), ElementsAre(0, 1, 0));
+}
+
+// A requeue by an administrator is what preemption does. Slurm counts three restarts of a task that may have one.
+TEST_F(SlurmNightly, PreemptionTakesNoRetryFromATaskThatFails) {
+  film_.writeScript("slurm", "--retries 1");
+  film_.hangShard(2);
+  submit("bash \"$script\"");
+  waitUntilItHangs();
+  film_.hangShard(2);
+  ASSERT_EQ(cluster_->run("scontrol requeue $(squeue -h -t RUNNING -o %F)_2").exitCode, 0);
+  waitUntilItHangs();
+  film_.breakShard(2, true);
+  ASSERT_EQ(cluster_->run("scontrol requeue $(squeue -h -t RUNNING -o %F)_2").exitCode, 0);
+  waitForTheEnd();
+  EXPECT_TRUE(film_.died());
+  expectTheBytesOfALocalRun();
+  EXPECT_THAT(cluster_->restarts(SubmittedFilm::kTasks), ElementsAre(0, 3, 0));
+  EXPECT_EQ(film_.shell("cat film.mp4.tasks/*.failures | wc -l").out, "1\n");
+}
+
+TEST_F(SlurmNightly, AFilmOfWhichNoTaskEverBeganIsSubmittedWhole) {
+  film_.writeScript("slurm");
+  film_.put("tiny.toml", std::string(kTinyScene) + "wrong = 1\n");
+  submit("bash \"$script\" 1-3");
+  waitForTheEnd();
+  EXPECT_FALSE(film_.hasFilm());
+  film_.put("tiny.toml", kTinyScene);
+  EXPECT_THAT(submit("bash \"$script\""), HasSubstr("poinsot: tasks 1-3: job "));
+  waitForTheEnd();
+  expectTheBytesOfALocalRun();
 }
 
 /// The block of shell of the page, there to be copied, that has those words in it.

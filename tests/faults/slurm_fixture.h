@@ -19,10 +19,18 @@ class Slurm : public testing::Test {
     cluster_ = std::make_unique<SlurmCluster>();
   }
 
-  /// Runs the commands, which submit jobs.
-  void submit(const std::string& commands) {
+  /// Runs the commands, which submit jobs. @returns what they say
+  std::string submit(const std::string& commands) {
     const ShellResult submitted = film_.shell(commands, cluster_->environment(film_.broken()));
-    ASSERT_EQ(submitted.exitCode, 0) << submitted.out;
+    EXPECT_EQ(submitted.exitCode, 0) << submitted.out;
+    return submitted.out;
+  }
+
+  /// Waits until a task's program stands still.
+  void waitUntilItHangs() {
+    ASSERT_TRUE(film_.waitUntilDied(30)) << said();
+    ASSERT_TRUE(cluster_->waitUntil("[[ $(squeue -h -t RUNNING -o %K) == 2 ]]", 30))
+        << cluster_->run("squeue").out;
   }
 
   void waitForTheEnd() {

@@ -12,6 +12,7 @@ SubmittedFilm::SubmittedFilm(const std::string& folder) : folder_(scratch_ / fol
       "dying",
       "#!/bin/bash\n"
       "here=$(dirname -- \"$0\")\n"
+      "[[ $1 == assemble ]] && rm -- \"$here/nojoin\" 2>/dev/null && exit 4\n"
       "case $* in *\" --shard $(cat -- \"$here/shard\" 2>/dev/null)/\"*)\n"
       "  if [[ -e $here/hang ]]; then\n"
       "    rm -- \"$here/hang\" \"$here/shard\"\n"
@@ -45,12 +46,16 @@ ShellResult SubmittedFilm::shell(const std::string& commands, const std::vector<
 }
 
 void SubmittedFilm::breakShard(int k, bool onlyOnce) const {
+  std::filesystem::remove(scratch_ / "died");
   scratch_.put("shard", std::to_string(k));
   scratch_.put("at", onlyOnce ? "3" : "1");  // a segment and its record are a rename each
   if (onlyOnce) scratch_.put("once", "");
 }
 
+void SubmittedFilm::breakJoining() const { scratch_.put("nojoin", ""); }
+
 void SubmittedFilm::hangShard(int k) const {
+  std::filesystem::remove(scratch_ / "died");
   scratch_.put("shard", std::to_string(k));
   scratch_.put("hang", "");
 }

@@ -46,10 +46,12 @@ class SubmittedFilm {
   /// From now on the render of that shard dies by SIGKILL, all its processes: once, while it makes its second
   /// segment, or always, with its first.
   void breakShard(int k, bool onlyOnce) const;
+  /// The next joining fails.
+  void breakJoining() const;
   /// From now on that shard's program stands still, once, as on a node that is lost; died() once it does.
   void hangShard(int k) const;
   void repair() const;
-  /// Whether one died or stands still so far.
+  /// Whether one died or stands still since the last call of breakShard() or hangShard().
   bool died() const;
   bool waitUntilDied(double most_s) const;
   /// Lets a script run the program that dies.
