@@ -87,9 +87,9 @@ std::string shardRule(const Submission& submission) {
                 {"mkdir -p -- " + folder, shardCommand(submission, "$shard"), "touch -- " + folder + "/$shard"});
 }
 
-/// The marks go before the joining: if that fails, the tasks see again whether their segments are still there,
-/// which takes each a second. Being secondary, they are not missed while the film is newer than the scene; so a
-/// film that did not have to be made again is touched. Of a sequence a mark stands for all frames.
+/// Removes the marks before the joining. If the joining fails, each task then looks again whether its segments are
+/// still there, which takes a second. Marks are secondary: they are not missed while the film is newer than the
+/// scene, so a film that did not have to be made again is touched. The mark of a sequence stands for all frames.
 std::string joinRule(const Submission& submission) {
   const bool film = submission.output.kind == OutputKind::kFilm;
   const std::filesystem::path folder = tasksFolderOf(submission);

@@ -26,7 +26,7 @@ std::string saidFolder(const Submission& submission) {
   return folder;
 }
 
-/// What Slurm and those who read its lists by blanks can hold: "poinsot_film.mp4".
+/// Returns "poinsot_film.mp4", without blanks and equals signs: sacct -c splits its records there, and stops.
 std::string jobName(const Submission& submission) {
   std::string name = "poinsot_" + submission.output.path.filename().string();
   for (char& c : name)

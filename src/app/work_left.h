@@ -8,7 +8,7 @@
 
 namespace poinsot::app {
 
-/// What is left to do of an output that is made in parts.
+/// Work that remains of an output made in parts.
 struct WorkLeft {
   std::vector<int> shards;  ///< numbers, from 1, of the shards that have a segment to make
   bool joining = false;     ///< the film does not stand whole under its name; never of a sequence
@@ -16,13 +16,13 @@ struct WorkLeft {
   bool none() const { return shards.empty() && !joining; }
 };
 
-/// Returns the work that is left when it is divided into `shards`. A finished film needs no segments.
+/// Returns the work that remains if the segments are divided among `shards`. A finished film needs no segments.
 WorkLeft workLeft(const JobFile& job, const JobStatus& status, int shards, const OutputTarget& output);
 
 /// Returns "2,7-9", as the --array of Slurm takes it.
 std::string shardsText(const std::vector<int>& shards);
 
-/// Returns whether a film is ready of which no job is left to compare it with.
+/// Returns whether a film of this program stands there. Use isFinished() if its job is known.
 bool isReadyFilm(const OutputTarget& output);
 
 }  // namespace poinsot::app

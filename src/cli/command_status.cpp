@@ -58,7 +58,7 @@ std::string jsonText(const StatusOptions& options, const Standing& standing) {
   return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// What to run, a line each.
+/// Returns the line that says what to run next; empty if that is the render itself, or nothing.
 std::string leftText(const StatusOptions& options, const Standing& standing) {
   const auto& [job, status, left] = standing;
   if (status.complete() && left.joining)

@@ -152,7 +152,9 @@ void addDivisionOptions(CLI::App& command, SubmitOptions& options) {
   command.add_option("-j,--jobs", options.jobs, "CPUs of a task (default: 1)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--retries", options.retries, "how often a task that fails is tried again, in Slurm at one segment (default: 3)")
+  command
+      .add_option("--retries", options.retries,
+                  "how often a task that fails is tried again, in Slurm at one segment (default: 3)")
       ->type_name("N")
       ->check(CLI::Range(0, 100));
   command.add_flag("--keep", options.keep, "keep the segments when the film is ready");

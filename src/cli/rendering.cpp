@@ -109,7 +109,7 @@ app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequ
 
 /// What is refused for want of memory is refused here, before anything is made.
 int workersOf(const RenderOptions& options, const app::RenderRequest& request, const scene::Scene& scene) {
-  // A shard may have none, where there are more shards than segments.
+  // A shard has none if there are more shards than segments.
   const int segments = std::max(1, static_cast<int>(request.segments().size()));
   return workerCount(options, segments, request.worker_bytes, {scene.output.width, scene.output.height},
                      request.scene.allowance.limits);
@@ -213,7 +213,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
     render.reproducible = true;  // the machines of a cluster differ
     render.job = app::jobFileOf(render, scene);
   }
-  if (parts.shardsLeft > 0) return listShardsLeft(render);  // wherever that is run, it need not have room to draw
+  if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
   if (!options.dryRun && isShardOfFinishedFilm(render)) {
     if (!options.quiet) writeErr("poinsot: " + completeText(parts, target) + "\n");
     return kDone;

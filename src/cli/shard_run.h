@@ -5,7 +5,7 @@
 
 #include "app/render_request.h"
 
-/// What `render` and `sweep` say and decide besides where they make one shard of many.
+/// Decisions and messages of `render` and `sweep` that concern shards only.
 namespace poinsot::cli {
 
 /// Prints which of the n shards of request.shard have segments to make: "2,7-9". An empty line if only the joining

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a script of submit submits when it is run again: Slurm is a stand-in, the program is the real one.
+// Scripts of submit that are run again: Slurm is a stand-in, the program is the real one.
 #include <gmock/gmock.h>
 
 #include "cli/submit_fixture.h"

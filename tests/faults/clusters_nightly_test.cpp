@@ -47,7 +47,7 @@ TEST_F(SlurmNightly, ALostNodeLosesNoFrame) {
   EXPECT_THAT(cluster_->restarts(SubmittedFilm::kTasks), ElementsAre(0, 1, 0));
 }
 
-// A requeue by an administrator is what preemption does. Slurm counts three restarts of a task that may have one.
+// Preemption requeues a task as scontrol does. Slurm counts three restarts of this task, which has one retry.
 TEST_F(SlurmNightly, PreemptionTakesNoRetryFromATaskThatFails) {
   film_.writeScript("slurm", "--retries 1");
   film_.hangShard(2);

@@ -117,7 +117,7 @@ TEST(Shards, MakeNothingOfAFinishedFilmAndLeaveItComplete) {
   EXPECT_EQ(filesOf(folder.path()), reproducible(kFilm));
 }
 
-/// What a run with --progress=json reports at its end.
+/// Returns the last report of a run with --progress=json.
 nlohmann::json lastProgress(const RunResult& run) {
   const std::string& lines = run.err;
   const std::size_t at = lines.rfind("{\"event\"");
@@ -166,7 +166,7 @@ TEST(Shards, ArePrintedThatHaveWorkLeftForThisScene) {
   EXPECT_EQ(left({"-D", "show.L=true"}), "1 1-4\n") << "the film is of another scene";
 }
 
-// Each task of a cluster compiles for seconds where that is so.
+// Without a cache each task of a cluster compiles for seconds.
 TEST(Shards, NoteThatTheyCannotKeepCompiledShaders) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
