@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstring>
 #include <ranges>
-#include <set>
 #include <utility>
 
 #include "core/error.h"
@@ -108,11 +107,18 @@ class FileBatch::Changes {
   std::vector<Change> changes_;
 };
 
-void FileBatch::add(AtomicFile file) { groups_.push_back({std::move(file), {}, {}}); }
+// At once, so that the descriptors of many files are not open together.
+AtomicFile FileBatch::finished(AtomicFile file) {
+  file.finish(Durability::kSynced);
+  folders_.insert(folderOf(file.target()));
+  return file;
+}
+
+void FileBatch::add(AtomicFile file) { groups_.push_back({finished(std::move(file)), {}, {}}); }
 
 void FileBatch::addBeside(AtomicFile file) {
   POINSOT_EXPECT(!groups_.empty());
-  groups_.back().beside.push_back(std::move(file));
+  groups_.back().beside.push_back(finished(std::move(file)));
 }
 
 void FileBatch::removeBeside(path file) {
@@ -134,20 +140,11 @@ void FileBatch::publish(Group& group, Changes& changes) {
 }
 
 void FileBatch::commit() {
-  std::set<path> folders;
   std::size_t most = 0;
-  const auto finish = [&](AtomicFile& file) {
-    file.finish(Durability::kSynced);
-    folders.insert(folderOf(file.target()));
-  };
-  for (Group& group : groups_) {
-    finish(group.main);
-    for (AtomicFile& file : group.beside) finish(file);
-    most += 1 + 2 * group.beside.size() + group.removed.size();
-  }
+  for (const Group& group : groups_) most += 1 + 2 * group.beside.size() + group.removed.size();
   Changes changes(most);
   for (Group& group : groups_) publish(group, changes);
-  for (const path& folder : folders) syncFolderOf(folder / ".");
+  for (const path& folder : folders_) syncFolderOf(folder / ".");
   changes.keep();
 }
 

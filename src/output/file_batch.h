@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,7 @@ class FileBatch {
   /// Without commit(), no name has changed and no temporary file is left.
   ~FileBatch() = default;
 
+  /// Syncs and closes a file, which takes its name by commit(). @throws core::Error(kIo), as addBeside().
   void add(AtomicFile file);
   /// Adds a file that rests on the last one of add(). @pre there is one.
   void addBeside(AtomicFile file);
@@ -42,9 +44,11 @@ class FileBatch {
     std::vector<std::filesystem::path> removed;
   };
   class Changes;  // those of commit(), which can be taken back
+  AtomicFile finished(AtomicFile file);
   void publish(Group& group, Changes& changes);
 
   std::vector<Group> groups_;
+  std::set<std::filesystem::path> folders_;  // of the new files
 };
 
 }  // namespace poinsot::output

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <string>
 #include <vector>
@@ -109,6 +110,23 @@ TEST_F(FileBatchTest, OtherNamesOfAnOldFileKeepIt) {
   batch.commit();
   EXPECT_EQ(text("mine.mp4"), "old");
   EXPECT_EQ(text("film.mp4"), "new");
+}
+
+// A suite may have more references than a process may have files open.
+TEST_F(FileBatchTest, HoldsMoreFilesThanMayBeOpen) {
+  constexpr int kFiles = 20;
+  rlimit usual{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
+  const rlimit few{kFiles + 12, usual.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  FileBatch batch;
+  for (int i = 0; i < kFiles; ++i) {
+    batch.add(written("a" + std::to_string(i), "new"));
+    batch.writeBeside(in("b" + std::to_string(i)), "new");
+  }
+  batch.commit();
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_EQ(names().size(), 2 * kFiles);
 }
 
 TEST_F(FileBatchTest, NeedsAFileToBeBeside) {
