@@ -117,6 +117,10 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
   if (const int code = writeAll(descriptor_, bytes); code != 0) fail(target_, "cannot be written", code);
 }
 
+void AtomicFile::write(std::string_view text) {
+  write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
 void AtomicFile::close() {
   // On Linux the descriptor is gone even when close fails, so there is no second try; after EINTR nothing is lost.
   const int descriptor = std::exchange(descriptor_, -1);
@@ -154,7 +158,9 @@ void writeFileAtomically(const std::filesystem::path& target, std::span<const st
 }
 
 void writeFileAtomically(const std::filesystem::path& target, std::string_view text) {
-  writeFileAtomically(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  AtomicFile file(target);
+  file.write(text);
+  file.commit();
 }
 
 void syncFile(const std::filesystem::path& file) { syncPath(file, 0, "cannot be synced"); }

@@ -27,6 +27,7 @@ class AtomicFile {
   AtomicFile& operator=(AtomicFile&&) = delete;
 
   void write(std::span<const std::uint8_t> bytes);
+  void write(std::string_view text);
   /// Replaces the target. At most once; nothing may be written afterwards. If it throws, what was there before is
   /// there again.
   void commit(Durability durability = Durability::kSynced);

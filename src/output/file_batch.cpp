@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <ranges>
 #include <utility>
 
 #include "core/error.h"
@@ -48,7 +47,8 @@ class FileBatch::Changes {
   Changes& operator=(const Changes&) = delete;
 
   ~Changes() {
-    for (const Change& change : std::views::reverse(changes_)) {
+    for (; !changes_.empty(); changes_.pop_back()) {
+      const Change& change = changes_.back();
       if (change.renamed) ::unlink(change.name.c_str());
       if (change.moved || (change.linked && change.renamed))
         std::rename(change.aside.c_str(), change.name.c_str());
@@ -128,13 +128,13 @@ void FileBatch::removeBeside(path file) {
 
 void FileBatch::writeBeside(const path& target, std::string_view text) {
   AtomicFile file(target);
-  file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  file.write(text);
   addBeside(std::move(file));
 }
 
 void FileBatch::publish(Group& group, Changes& changes) {
   for (const path& file : group.removed) changes.putAside(file);
-  for (const AtomicFile& file : std::views::reverse(group.beside)) changes.putAside(file.target());
+  for (auto file = group.beside.rbegin(); file != group.beside.rend(); ++file) changes.putAside(file->target());
   changes.replace(group.main);
   for (AtomicFile& file : group.beside) changes.replace(file);
 }
