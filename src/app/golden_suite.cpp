@@ -283,10 +283,10 @@ class Run {
   void draw() {
     std::vector<RenderRequest> requests;
     for (const Drawing& drawing : drawings_) requests.push_back(drawing.request);
-    const auto failures = makeStills(requests, jobsThatFit(requests), [](std::size_t, const auto&) {});
+    const auto made = makeStills(requests, jobsThatFit(requests), [](std::size_t, const auto&) {});
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       const std::size_t place = drawings_[i].place;
-      if (failures[i]) fail(place, *failures[i]);
+      if (made[i].failure) fail(place, *made[i].failure);
       outcomes_[place].origin.scene = drawings_[i].scene;
     }
   }

@@ -123,6 +123,7 @@ void RenderJob::startWorkers() {
   job.segmentFrames = request_.segmentFrames;
   job.resume = request_.resume || request_.shard;
   if (request_.job) job.job = request_.job->job;
+  job.digestsPixels = request_.digestsPixels;
   job.trace = trace_.has_value();
   job.expected_bytes = request_.worker_bytes;
   if (count > 1) gl::preload(request_.backend);
@@ -154,6 +155,7 @@ void RenderJob::takeReports() {
 void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   if (const auto* done = std::get_if<FrameDone>(&report)) {
     summary_.reused += done->reused ? 1 : 0;
+    summary_.pixels = done->pixels;
     listener_(++framesDone_, summary_.reused, elapsed_s());
   }
   if (const auto* done = std::get_if<SegmentDone>(&report)) {

@@ -30,7 +30,8 @@ struct RenderRequest {
   std::optional<std::filesystem::path> manifest = {};  ///< of a film or a sequence
   std::optional<std::filesystem::path> trace = {};     ///< TraceFile of it
   std::optional<JobFile> job = {};                     ///< jobFileOf() this, of a film and a sequence
-  double worker_bytes = 0;  ///< that a worker is estimated to take (memory.h), for messages
+  bool digestsPixels = false;  ///< of a still: whether the worker reports the pixelDigest()
+  double worker_bytes = 0;     ///< that a worker is estimated to take (memory.h), for messages
 
   /// Returns the segments that this render makes: all, or its shard's.
   std::vector<FrameRange> segments() const {

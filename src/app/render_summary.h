@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "app/statistics.h"
 
@@ -12,6 +13,7 @@ struct RenderSummary {
   Statistics spent;
   double wall_s = 0;
   std::int64_t reused = 0;  ///< frames that were there already
+  std::string pixels;       ///< pixelDigest() of a still, where the request asks for it
 };
 
 }  // namespace poinsot::app

@@ -13,18 +13,18 @@ namespace {
 class Batch {
  public:
   Batch(const std::vector<RenderRequest>& requests, const StillListener& listener)
-      : requests_(requests), listener_(listener), failures_(requests.size()) {}
+      : requests_(requests), listener_(listener), made_(requests.size()) {}
   ~Batch() {
     for (const Running& each : running_) each.job->askToStop();
   }
   Batch(const Batch&) = delete;
 
-  std::vector<std::optional<core::Error>> make(std::size_t jobs) {
+  std::vector<MadeStill> make(std::size_t jobs) {
     for (std::size_t next = 0; next < requests_.size() || !running_.empty();) {
       while (next < requests_.size() && running_.size() < jobs) begin(next++);
       if (!running_.empty()) await();
     }
-    return std::move(failures_);
+    return std::move(made_);
   }
 
  private:
@@ -48,7 +48,7 @@ class Batch {
     std::erase_if(running_, [&](const Running& each) {
       const bool well = attempt(each.index, [&] {
         each.job->takeReports();
-        if (!each.job->isMaking()) each.job->end();
+        if (!each.job->isMaking()) made_[each.index].pixels = each.job->end().pixels;
       });
       if (well && !each.job->isMaking()) listener_(each.index, std::nullopt);
       return !well || !each.job->isMaking();
@@ -62,7 +62,7 @@ class Batch {
       work();
       return true;
     } catch (const core::Error& error) {
-      failures_[index] = error;
+      made_[index].failure = error;
       listener_(index, error);
       return false;
     }
@@ -70,14 +70,14 @@ class Batch {
 
   const std::vector<RenderRequest>& requests_;
   const StillListener& listener_;
-  std::vector<std::optional<core::Error>> failures_;
+  std::vector<MadeStill> made_;
   std::vector<Running> running_;
 };
 
 }  // namespace
 
-std::vector<std::optional<core::Error>> makeStills(const std::vector<RenderRequest>& requests, int jobs,
-                                                   const StillListener& listener) {
+std::vector<MadeStill> makeStills(const std::vector<RenderRequest>& requests, int jobs,
+                                  const StillListener& listener) {
   for (const RenderRequest& request : requests) POINSOT_EXPECT(request.frames.count() == 1);
   return Batch(requests, listener).make(static_cast<std::size_t>(std::max(jobs, 1)));
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/render_job.h"
@@ -13,12 +14,18 @@ namespace poinsot::app {
 /// Called after each picture with its place in the batch and what went wrong, if something did.
 using StillListener = std::function<void(std::size_t index, const std::optional<core::Error>& failure)>;
 
+/// Result of making one of the pictures.
+struct MadeStill {
+  std::optional<core::Error> failure;
+  std::string pixels;  ///< RenderSummary::pixels
+};
+
 /// Makes pictures of several scenes, `jobs` workers at a time. One that fails stops no other. The order in which
 /// they are done is open, the pictures are not.
 /// @pre every request is of one frame.
-/// @returns of each request what went wrong, if something did.
+/// @returns the result of each request.
 /// @throws Interrupted
-std::vector<std::optional<core::Error>> makeStills(const std::vector<RenderRequest>& requests, int jobs,
-                                                   const StillListener& listener);
+std::vector<MadeStill> makeStills(const std::vector<RenderRequest>& requests, int jobs,
+                                  const StillListener& listener);
 
 }  // namespace poinsot::app

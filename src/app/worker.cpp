@@ -11,6 +11,7 @@
 
 #include "app/interrupt.h"
 #include "app/job_identity.h"
+#include "app/pixel_digest.h"
 #include "app/sandbox.h"
 #include "app/scene_composer.h"
 #include "app/scene_frames.h"
@@ -40,8 +41,9 @@ void reportSpans(core::StepLedger& steps, int reports) {
 /// Makes segments, and keeps the account of it.
 class SegmentMaker {
  public:
-  SegmentMaker(int reports, FrameSource& source, core::StepLedger& steps, const SegmentKeeper* keeper)
-      : reports_(reports), source_(source), steps_(steps), keeper_(keeper) {}
+  SegmentMaker(int reports, FrameSource& source, core::StepLedger& steps, const SegmentKeeper* keeper,
+               bool digestsPixels)
+      : reports_(reports), source_(source), steps_(steps), keeper_(keeper), digestsPixels_(digestsPixels) {}
 
   void make(const FrameRange& segment, output::FrameSink& sink) {
     std::vector<std::string> digests;
@@ -50,9 +52,10 @@ class SegmentMaker {
       steps_.setFrame(k);
       if (keeper_) digests.push_back(core::toHex(source_.digest(k)));
       const bool there = sink.has(k);
-      if (!there) makeFrame(k, sink);
+      FrameDone done{k, there};
+      if (!there) done.pixels = makeFrame(k, sink);
       reportSpans(steps_, reports_);
-      report(reports_, FrameDone{k, there});
+      report(reports_, done);
     }
     steps_.setFrame(std::nullopt);
     sink.finish();
@@ -70,16 +73,19 @@ class SegmentMaker {
   }
 
  private:
-  void makeFrame(std::int64_t k, output::FrameSink& sink) {
+  /// Returns the digest of its pixels, if it is asked for.
+  std::string makeFrame(std::int64_t k, output::FrameSink& sink) {
     const image::Frame frame = source_.frame(k);
     if (frames_++ == 0) first_ = steps_.times();  // told apart from the other frames
     sink.write(frame, k);
+    return digestsPixels_ ? pixelDigest(frame.picture) : "";
   }
 
   int reports_;
   FrameSource& source_;
   core::StepLedger& steps_;
   const SegmentKeeper* keeper_;
+  bool digestsPixels_;
   core::StepTimes first_;
   std::int64_t frames_ = 0;
 };
@@ -115,8 +121,8 @@ void work(LineReader& jobs, int reports) {
                      output::figureMedium(job.target.path), settings, &steps);
   const bool keeps = !job.job.empty();
   const SegmentKeeper keeper(job, context->renderer());
-  Statistics spent =
-      makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, steps), steps, keeps ? &keeper : nullptr);
+  Statistics spent = makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, steps), steps,
+                                  keeps ? &keeper : nullptr, job.digestsPixels);
   spent.cpu_s = core::processCpu_s();
   spent.peakMemory_bytes = processPeakMemory_bytes();
   report(reports, WorkerFinished{spent});
@@ -147,8 +153,8 @@ int workTellingFailures(int jobs, int reports) {
 }  // namespace
 
 Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
-                        core::StepLedger& steps, const SegmentKeeper* keeper) {
-  SegmentMaker maker(reports, source, steps, keeper);
+                        core::StepLedger& steps, const SegmentKeeper* keeper, bool digestsPixels) {
+  SegmentMaker maker(reports, source, steps, keeper, digestsPixels);
   while (const auto line = jobs.wait()) {
     const FrameRange segment = segmentFromLine(*line);
     const std::int64_t begin_ns = core::monotonic_ns();

@@ -18,10 +18,12 @@ using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const FrameRa
 
 /// Makes segments as they come in, one after the other, and reports each frame and segment, until no more come.
 /// Those that the keeper has, and frames that a sink has, are not made again; without a keeper nothing is taken
-/// down. `steps` is what the source and the sinks enter their time into; its spans are reported as they come.
+/// down. With `digestsPixels` each report of a frame has its pixelDigest(). `steps` is what the source and the
+/// sinks enter their time into; its spans are reported as they come.
 /// @throws core::Error of the source or a sink; Interrupted.
 Statistics makeSegments(LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
-                        core::StepLedger& steps, const SegmentKeeper* keeper = nullptr);
+                        core::StepLedger& steps, const SegmentKeeper* keeper = nullptr,
+                        bool digestsPixels = false);
 
 /// The life of a worker process: reads its job and segments from `jobs`, reports to `reports`. Opens the one GL
 /// context of this process.

@@ -137,6 +137,7 @@ std::string toLine(const WorkerJob& job) {
       {"job", job.job},
       {"trace", job.trace},
       {"expected_bytes", job.expected_bytes},
+      {"digests_pixels", job.digestsPixels},
       {"form", toJson(job.form)}}
       .dump();
 }
@@ -157,7 +158,8 @@ WorkerJob jobFromLine(std::string_view line) {
           json.at("resume").get<bool>(),
           json.at("job").get<std::string>(),
           json.at("trace").get<bool>(),
-          json.at("expected_bytes").get<double>()};
+          json.at("expected_bytes").get<double>(),
+          json.at("digests_pixels").get<bool>()};
 }
 
 std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
@@ -167,7 +169,7 @@ FrameRange segmentFromLine(std::string_view line) { return rangeOf(Json::parse(l
 std::string toLine(const WorkerReport& report) {
   const Json json = std::visit(
       Overloaded{[](const FrameDone& done) {
-                   return Json{{"frame", done.k}, {"reused", done.reused}};
+                   return Json{{"frame", done.k}, {"reused", done.reused}, {"pixels", done.pixels}};
                  },
                  [](const SegmentDone& done) {
                    return Json{{"segment", toJson(done.frames)}};
@@ -188,7 +190,8 @@ std::string toLine(const WorkerReport& report) {
 WorkerReport reportFromLine(std::string_view line) {
   const Json json = Json::parse(line);
   if (json.contains("frame"))
-    return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>()};
+    return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>(),
+                     json.at("pixels").get<std::string>()};
   if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
   if (json.contains("spans")) return SpansDone{spansOf(json.at("spans"))};
   if (json.contains("finished")) return WorkerFinished{statisticsOf(json.at("finished"))};

@@ -33,15 +33,17 @@ struct WorkerJob {
   int rasterThreads = 0;  ///< llvmpipe's; 0 rasterises in the worker itself
   PictureForm form = {};
   std::int64_t segmentFrames = kSegmentFrames;
-  bool resume = false;        ///< what is there and is the same is not made again
-  std::string job = {};       ///< jobDigest() of a film or a sequence, of the scene as the render read it
-  bool trace = false;         ///< reports spans
-  double expected_bytes = 0;  ///< of memory (memory.h)
+  bool resume = false;         ///< what is there and is the same is not made again
+  std::string job = {};        ///< jobDigest() of a film or a sequence, of the scene as the render read it
+  bool trace = false;          ///< reports spans
+  double expected_bytes = 0;   ///< of memory (memory.h)
+  bool digestsPixels = false;  ///< reports the pixelDigest() of each frame
 };
 
 struct FrameDone {
   std::int64_t k = 0;
-  bool reused = false;  ///< it was there, and is what would have been made
+  bool reused = false;      ///< it was there, and is what would have been made
+  std::string pixels = {};  ///< pixelDigest() of what was drawn, where the job asks for it
 };
 /// Every file of the segment is complete under its name.
 struct SegmentDone {

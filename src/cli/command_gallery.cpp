@@ -189,9 +189,9 @@ class Gallery {
       if (failure) writeError(fmt::format("{}: {}", target, failure->what()));
       if (!failure) say(options_, target + " is ready");
     };
-    failures_ = app::makeStills(requests, workers(), listener);
-    for (const auto& failure : failures_)
-      if (failure) fail(failure->kind());
+    made_ = app::makeStills(requests, workers(), listener);
+    for (const app::MadeStill& still : made_)
+      if (still.failure) fail(still.failure->kind());
   }
 
   /// As many as have memory while each makes the largest picture.
@@ -207,7 +207,7 @@ class Gallery {
   void makeSheet() const {
     std::vector<app::SheetEntry> entries;
     for (std::size_t i = 0; i < items_.size(); ++i)
-      if (!failures_[i]) entries.push_back({items_[i].name, image::readPng(items_[i].request.target.path)});
+      if (!made_[i].failure) entries.push_back({items_[i].name, image::readPng(items_[i].request.target.path)});
     if (entries.empty()) return;
     output::writeFileAtomically(sheet(), image::encodePng(app::contactSheet(entries)));
     say(options_, core::printable(sheet().native()) + " is ready");
@@ -217,7 +217,7 @@ class Gallery {
   scene::Allowance allowance_;
   fs::path folder_;
   std::vector<Item> items_;
-  std::vector<std::optional<core::Error>> failures_;
+  std::vector<app::MadeStill> made_;
   int exitCode_ = kDone;
 };
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "app/job_identity.h"
+#include "app/pixel_digest.h"
 #include "app/worker_protocol.h"
 #include "core/file_handle.h"
 #include "support/scratch_folder.h"
@@ -63,7 +64,7 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   source.steps.trace();
   const auto spent = makeSegments(
       lines, reports.write.get(), source,
-      [&](const FrameRange&) { return std::make_unique<RecordingSink>(written); }, source.steps);
+      [&](const FrameRange&) { return std::make_unique<RecordingSink>(written); }, source.steps, nullptr, true);
   EXPECT_EQ(written, (Written{{3, 3}, {4, 4}, {0, -1}, {60, 60}, {0, -1}}));
   EXPECT_EQ(spent.frames, 3);
   EXPECT_EQ(spent.workers, 1);
@@ -76,7 +77,10 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   std::vector<std::int64_t> frames, segmentStarts, tracedSegments;
   while (const auto line = told.wait()) {
     const auto report = reportFromLine(*line);
-    if (const auto* done = std::get_if<FrameDone>(&report)) frames.push_back(done->k);
+    if (const auto* done = std::get_if<FrameDone>(&report)) {
+      frames.push_back(done->k);
+      EXPECT_EQ(done->pixels, pixelDigest(GreySource().frame(done->k).picture));
+    }
     if (const auto* done = std::get_if<SegmentDone>(&report)) segmentStarts.push_back(done->frames.first);
     if (const auto* done = std::get_if<SpansDone>(&report))
       for (const core::Span& span : done->spans) tracedSegments.push_back(span.frame.value());
