@@ -10,6 +10,9 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "output/atomic_file.h"
+#include "output/target_check.h"
+#include "scene/problem.h"
 
 namespace poinsot::app {
 namespace {
@@ -29,6 +32,116 @@ std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const st
   }
   return renderers;
 }
+
+/// Whether the file system takes a folder's name in other letters for the same folder.
+bool ignoresCase(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path there = fs::absolute(folder).lexically_normal();
+  while (!fs::exists(there, ignored) || there.filename().empty()) {
+    if (!there.has_relative_path()) return false;
+    there = there.parent_path();
+  }
+  std::string other = there.filename();
+  for (char& c : other)
+    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) c = static_cast<char>(c ^ ('a' ^ 'A'));
+  return other != there.filename().native() && fs::equivalent(there, there.parent_path() / other, ignored);
+}
+
+/// A file of a suite, and its use.
+struct SuiteFile {
+  fs::path file;
+  const GoldenCase* of;
+  const char* use;
+};
+
+std::string textOf(const SuiteFile& file) {
+  return fmt::format("{} of test '{}' (line {})", file.use, file.of->test.name, file.of->test.at.line);
+}
+
+/// Returns the message about two uses of one file, with the change to make.
+std::string sharedText(const SuiteFile& first, const SuiteFile& second) {
+  const std::string file = core::printable(second.file.native());
+  if (first.of == second.of)
+    return fmt::format("test.image: {} would be {} and {}; give the image the extension of its format", file,
+                       first.use, textOf(second));
+  if (first.of->test.name == second.of->test.name)
+    return fmt::format("test.times: {} would be {} at two times; give each time once", file, textOf(second));
+  return fmt::format("test.name: {} would be {} and {}; choose other names or times", file, textOf(first),
+                     textOf(second));
+}
+
+/// The files of a suite, of which each has one use.
+class FileUses {
+ public:
+  FileUses(const fs::path& references, const fs::path& output)
+      : references_(references),
+        output_(output),
+        ignoresCase_(app::ignoresCase(references) || app::ignoresCase(output)) {}
+
+  /// Adds the files that a run keeps: references, and images and masks, which tests may share.
+  void addKept(const GoldenCase& one) {
+    const fs::path usual = usualFile(references_, one.reference());
+    addReference(one, usual);
+    if (!one.variant().empty()) addReference(one, fileFor(one.variant(), usual));
+    if (!one.test.image.empty()) addInput({one.actual, &one, "the image"});
+    if (!one.test.rule.mask.empty()) addInput({one.test.rule.mask, &one, "the mask"});
+  }
+
+  /// Adds the files that a run writes.
+  void addWritten(const GoldenCase& one) {
+    if (!one.test.scene.empty()) write({one.actual, &one, "the new picture"});
+    write({one.fileIn(output_, kMapEnding), &one, "FLIP's map"});
+    write({one.fileIn(output_, kDifferenceEnding), &one, "the difference"});
+  }
+
+ private:
+  using Files = std::map<fs::path, SuiteFile>;
+
+  void addReference(const GoldenCase& one, const fs::path& picture) {
+    add(referenceFiles_, {picture, &one, "the reference"});
+    add(referenceFiles_, {descriptionOf(picture), &one, "the description"});
+  }
+
+  void addInput(const SuiteFile& file) {
+    std::error_code ignored;
+    inputs_.try_emplace(keyOf(fs::weakly_canonical(file.file, ignored)), file);
+  }
+
+  void write(const SuiteFile& file) {
+    expectKept(referenceFiles_, file);
+    expectKept(inputs_, file);
+    add(written_, file);
+  }
+
+  void add(Files& files, const SuiteFile& file) const {
+    const auto [first, isFree] = files.try_emplace(keyOf(file.file), file);
+    if (!isFree) throw scene::SceneErrors({{file.of->test.at, sharedText(first->second, file), "", 0, 0}});
+  }
+
+  void expectKept(const Files& files, const SuiteFile& written) const {
+    const auto kept = files.find(keyOf(written.file));
+    if (kept == files.end()) return;
+    throw core::Error(
+        core::ErrorKind::kUsage,
+        fmt::format("-o {}: {} would be {} and is {}; choose another folder", core::printable(output_.native()),
+                    core::printable(written.file.native()), textOf(written), textOf(kept->second)));
+  }
+
+  /// Returns a key that is equal for two paths of one file. The file may be missing, or a link to be replaced.
+  fs::path keyOf(const fs::path& file) const {
+    const fs::path whole = fs::absolute(file).lexically_normal();
+    const auto [folder, isNew] = folders_.try_emplace(whole.parent_path());
+    std::error_code ignored;
+    if (isNew) folder->second = fs::weakly_canonical(folder->first, ignored);
+    const fs::path key = folder->second / whole.filename();
+    return ignoresCase_ ? fs::path(core::lowered(key.native())) : key;
+  }
+
+  const fs::path &references_, &output_;
+  bool ignoresCase_;
+  mutable std::map<fs::path, fs::path> folders_;  // with links followed
+  Files referenceFiles_, inputs_, written_;
+};
 
 }  // namespace
 
@@ -52,38 +165,31 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
   }
 }
 
-void expectReferencesKept(const std::vector<GoldenCase>& cases, const fs::path& references,
-                          const fs::path& output) {
+void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                      const fs::path& output) {
   std::error_code ignored;
-  std::set<fs::path> approved;
-  for (const GoldenCase& one : cases)
-    approved.insert(fs::weakly_canonical(references / (one.name + one.actual.extension().native()), ignored));
-  bool replaces = fs::equivalent(output, references, ignored);
-  for (const GoldenCase& one : cases) {
-    for (const std::string_view ending : {kMapEnding, kDifferenceEnding})
-      replaces = replaces || approved.contains(fs::weakly_canonical(one.fileIn(output, ending), ignored));
-    replaces =
-        replaces || (!one.test.scene.empty() && approved.contains(fs::weakly_canonical(one.actual, ignored)));
-  }
-  if (replaces)
+  if (fs::equivalent(output, manifest.references, ignored))
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("-o {}: contains the approved references; choose another folder",
                                   core::printable(output.native())));
+  FileUses uses(manifest.references, output);
+  for (const GoldenCase& one : cases)
+    if (!one.test.isUnmatched) uses.addKept(one);
+  for (const GoldenCase& one : cases)
+    if (!one.test.isUnmatched) uses.addWritten(one);
 }
 
-void expectImagesKept(const std::vector<GoldenCase>& cases, const fs::path& output) {
+void expectReferencesWritable(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
   std::error_code ignored;
-  std::map<fs::path, const GoldenCase*> images;
-  for (const GoldenCase& one : cases)
-    if (one.test.scene.empty() && !one.test.isUnmatched) images[fs::weakly_canonical(one.actual, ignored)] = &one;
-  for (const GoldenCase& one : cases)
-    for (const std::string_view ending : {kMapEnding, kDifferenceEnding})
-      if (const auto image = images.find(fs::weakly_canonical(one.fileIn(output, ending), ignored));
-          image != images.end())
-        throw core::Error(core::ErrorKind::kUsage,
-                          fmt::format("-o {}: a map of '{}' would replace the image {}; choose another folder",
-                                      core::printable(output.native()), one.name,
-                                      core::printable(image->second->actual.native())));
+  for (const GoldenCase& one : cases) {
+    if (one.test.isUnmatched) continue;
+    const fs::path usual = usualFile(manifest.references, one.reference());
+    fs::path folder = output::folderOf(usual);
+    if (fs::exists(folder, ignored))
+      for (const fs::path& file : {usual, descriptionOf(usual)}) output::checkTarget(file, true);
+    while (!fs::exists(folder, ignored)) folder = output::folderOf(folder);
+    output::checkFolderOf(folder / usual.filename());
+  }
 }
 
 }  // namespace poinsot::app

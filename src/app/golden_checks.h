@@ -16,12 +16,16 @@ namespace poinsot::app {
 void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& request,
                          const std::string& approveBy);
 
-/// Checks that nothing that a run writes into `output` replaces a reference. @throws core::Error(kUsage)
-void expectReferencesKept(const std::vector<GoldenCase>& cases, const std::filesystem::path& references,
-                          const std::filesystem::path& output);
+/// Checks that no two files of a suite are one: references and their descriptions, images and masks, new pictures
+/// and maps. Folders are compared with their links followed. Letters in capitals or not are the same where the
+/// file system of the references or of `output` takes them so.
+/// @param cases  all of the manifest
+/// @throws scene::SceneErrors with both tests and their lines; (kUsage) where another `output` helps.
+void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                      const std::filesystem::path& output);
 
-/// Checks that no map that a run writes into `output` replaces an image that is compared.
-/// @throws core::Error(kUsage)
-void expectImagesKept(const std::vector<GoldenCase>& cases, const std::filesystem::path& output);
+/// Checks that references of the cases could be written, before anything is drawn.
+/// @throws core::Error(kIo) with the path and the reason.
+void expectReferencesWritable(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases);
 
 }  // namespace poinsot::app

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <set>
 #include <system_error>
 
 #include "app/golden_files.h"
@@ -232,6 +231,7 @@ class Reader {
     const char* key = isImage ? "test.image" : "test.scene";
     const fs::path& folder = isImage ? images_ : folder_;
     test.file = path;
+    test.at = locationOf(node.place);
     if (test.name.empty()) test.name = "*";
     test.namePattern = test.name;
     if (!isName(filledIn(test.name, "x"))) return refuseName(test.name, node);  // whether a file matches or not
@@ -271,33 +271,11 @@ class Reader {
   void add(GoldenTest test, const std::string& file, const Node& node) {
     test.name = filledIn(test.name, file);
     if (!isName(test.name)) return refuseName(test.name, node);
-    if (!names_.insert(test.name).second)
-      return problems_.add(node.place, fmt::format("test.name: {} is the name of another test", test.name));
-    if (claimFiles(test, node)) manifest_.tests.push_back(std::move(test));
-  }
-
-  /// Reserves the references of a test and the files that a run writes for it. Reports the first that another
-  /// test has.
-  bool claimFiles(const GoldenTest& test, const Node& node) {
-    const auto claim = [&](std::map<std::string, std::string>& claimed, const std::string& file,
-                           const char* what) {
-      const std::string use = fmt::format("{} of test '{}'", what, test.name);
-      const auto [taken, isFree] = claimed.try_emplace(file, use);
-      if (!isFree && taken->second == use)
-        problems_.add(node.place,
-                      fmt::format("test.times: {} would be {} at two times; give each time once", file, use));
-      else if (!isFree)
-        problems_.add(node.place, fmt::format("test.name: {} would be {} and {}; choose other names or times",
-                                              file, taken->second, use));
-      return isFree;
-    };
-    for (const std::string& name : caseNames(test)) {
-      if (!claim(references_, name + ".png", "the reference")) return false;
-      if (!test.scene.empty() && !claim(written_, name + ".png", "the new picture")) return false;
-      if (!claim(written_, fmt::format("{}{}", name, kMapEnding), "FLIP's map")) return false;
-      if (!claim(written_, fmt::format("{}{}", name, kDifferenceEnding), "the difference")) return false;
-    }
-    return true;
+    const auto [first, isNew] = names_.try_emplace(test.name, test.at.line);
+    if (!isNew)
+      return problems_.add(node.place, fmt::format("test.name: {} is the name of another test, that of line {}",
+                                                   test.name, first->second));
+    manifest_.tests.push_back(std::move(test));
   }
 
   scene::Source source_;
@@ -305,18 +283,10 @@ class Reader {
   const scene::Allowance& allowance_;
   scene::Problems problems_;
   GoldenManifest manifest_;
-  std::set<std::string> names_;
-  std::map<std::string, std::string> references_, written_;  ///< use of each file, by its name
+  std::map<std::string, int> names_;  ///< of tests, and the lines of their [[test]]
 };
 
 }  // namespace
-
-std::vector<std::string> caseNames(const GoldenTest& test) {
-  if (test.times_s.size() <= 1) return {test.name};
-  std::vector<std::string> names;
-  for (const double t_s : test.times_s) names.push_back(fmt::format("{}_t{}", test.name, t_s));
-  return names;
-}
 
 GoldenManifest parseGoldenManifest(std::string text, const fs::path& file, const scene::Allowance& allowance,
                                    const fs::path& images) {

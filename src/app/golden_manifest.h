@@ -24,18 +24,13 @@ struct GoldenTest {
   std::vector<double> times_s;  ///< film times; empty: the scene's time.still
   std::optional<image::PixelSize> size;
   std::optional<int> height;           ///< in place of the size: the width keeps the scene's proportion
+  core::SourceLocation at;             ///< its [[test]] in the manifest
   core::SourceLocation heightAt;       ///< where the manifest says so
   core::SourceLocation timesAt;        ///< and of the times
   std::vector<std::string> overrides;  ///< "key=value"
   std::string variant;                 ///< of an image: what made it, where references differ by that
   PictureRule rule;
 };
-
-/// Endings of the files that a run writes beside the picture of a case: FLIP's map and the difference.
-inline constexpr std::string_view kMapEnding = ".flip.png", kDifferenceEnding = ".difference.png";
-
-/// Returns the names of a test's pictures: its own, or with several times one for each ("racket_t1.5").
-std::vector<std::string> caseNames(const GoldenTest& test);
 
 /// A golden.toml.
 struct GoldenManifest {

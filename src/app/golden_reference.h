@@ -28,6 +28,10 @@ struct GoldenReference {
 /// What a NAME.json says: a text that is missing is empty. Nothing where it is no JSON object.
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 
+/// Returns the origin that the NAME.json of a picture describes; an empty one without that file.
+/// @throws core::Error(kIo) for a NAME.json that is none of ours.
+GoldenOrigin describedOrigin(const std::filesystem::path& picture);
+
 /// Whether a picture was approved beside the usual one of a test: its description says for which renderer.
 bool isApprovedBeside(const std::filesystem::path& picture, const std::filesystem::path& usual);
 
@@ -37,18 +41,5 @@ std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, c
 
 /// Which of them a picture is compared with: those of its own renderer, if there are any, else all.
 std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& references, const std::string& renderer);
-
-/// What approving did.
-struct Approval {
-  std::filesystem::path place;
-  std::vector<std::filesystem::path> removed;
-};
-
-/// Makes `picture` the reference of its renderer. Those of other renderers stay with `beside`, and, where its own
-/// was there already, if they are of the same scene; else they are removed: nobody looked at what they should be
-/// now.
-/// @throws core::Error(kIo); (kUsage) if the file of a renderer is that of another.
-Approval approve(const std::filesystem::path& picture, const GoldenOrigin& origin,
-                 const std::filesystem::path& folder, const GoldenName& name, bool beside);
 
 }  // namespace poinsot::app

@@ -38,6 +38,11 @@ fs::path usualFile(const fs::path& folder, const GoldenName& name) {
   return folder / (name.name + name.extension);
 }
 
+fs::path fileFor(const std::string& renderer, const fs::path& usual) {
+  return usual.parent_path() /
+         fmt::format("{}@{}{}", usual.stem().native(), slugOf(renderer), usual.extension().native());
+}
+
 std::vector<fs::path> filesIn(const fs::path& folder, bool links) {
   std::vector<fs::path> files;
   std::error_code ignored;  // no folder has no files

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ inline constexpr std::size_t kMostDescription = std::size_t{64} << 10;
 struct GoldenName {
   std::string name;       ///< of the case; may have folders: "axes/ticks"
   std::string extension;  ///< of its pictures: ".png", ".mp4"
+  /// Stems "ticks@x" that are those of other tests, and not of this one's reference for a renderer x.
+  std::set<std::string> taken = {};
 };
 
 /// A stem in two, at its last @.
@@ -35,6 +38,9 @@ std::filesystem::path descriptionOf(const std::filesystem::path& picture);
 
 /// Returns the usual file of a test, which is not for one renderer only.
 std::filesystem::path usualFile(const std::filesystem::path& folder, const GoldenName& name);
+
+/// Returns the file of a test's reference for one renderer only. @param usual  usualFile()
+std::filesystem::path fileFor(const std::string& renderer, const std::filesystem::path& usual);
 
 /// Returns the regular files and the links of a folder, sorted; none if there is no folder.
 /// @param links  whether links are meant, and regular files are not

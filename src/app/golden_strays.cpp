@@ -29,7 +29,7 @@ struct StrayFile {
   bool isMissing = false;  ///< a pattern of images would make it, if its image were there
 };
 
-/// Whether a JSON file is a description that approve() wrote.
+/// Whether a JSON file is a description that GoldenApproval wrote.
 bool isDescription(const fs::path& file) try {
   const auto json = parseJson(core::readRegularFile(file, kMostDescription, core::ErrorKind::kIo));
   return json.is_object() && json.size() == 3 && json.contains("renderer") && json.contains("software") &&
@@ -78,7 +78,7 @@ class StrayFinder {
       strays_.push_back(
           {file, fmt::format("lies beside {} but was not approved: approve it by --update --beside, or "
                              "remove {}",
-                             core::printable(besides.filename().native()), core::printable(file.native()))});
+                             core::printable(besides.filename().native()), withDescription(file))});
     else if (const GoldenTest* const pattern = patternOf(file))
       strays_.push_back(
           {file,
@@ -105,12 +105,15 @@ class StrayFinder {
     return nullptr;
   }
 
-  /// A picture, and its description if there is one.
-  static std::string withDescription(const fs::path& file) {
+  /// Returns a picture, and its description if there is one that is not also of a test's reference.
+  std::string withDescription(const fs::path& file) const {
     std::error_code ignored;
     const fs::path json = descriptionOf(file);
     const std::string picture = core::printable(file.native());
-    return fs::exists(json, ignored) ? fmt::format("{} and {}", picture, core::printable(json.native())) : picture;
+    const bool isShared = std::ranges::find(usual_, json, descriptionOf) != usual_.end();
+    return !isShared && fs::exists(json, ignored)
+               ? fmt::format("{} and {}", picture, core::printable(json.native()))
+               : picture;
   }
 
   fs::path root_;

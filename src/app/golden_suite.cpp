@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -14,6 +15,7 @@
 #include "app/job_identity.h"
 #include "app/memory.h"
 #include "app/parallel.h"
+#include "app/pixel_digest.h"
 #include "app/still_batch.h"
 #include "app/sweep_cells.h"
 #include "core/text.h"
@@ -29,15 +31,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns the names of a test's pictures: its own, or with several times one for each ("racket_t1.5").
+std::vector<std::string> caseNames(const GoldenTest& test) {
+  if (test.times_s.size() <= 1) return {test.name};
+  std::vector<std::string> names;
+  for (const double t_s : test.times_s) names.push_back(fmt::format("{}_t{}", test.name, t_s));
+  return names;
+}
+
 /// The test itself, or one for each of its times.
 std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) {
   std::vector<GoldenCase> cases;
   for (const std::string& name : caseNames(test)) {
     const std::size_t i = cases.size();
     const auto time_s = i < test.times_s.size() ? std::optional(test.times_s[i]) : std::nullopt;
-    cases.push_back({name, test, time_s, test.scene.empty() ? test.image : output / (name + ".png")});
+    cases.push_back({name, test, time_s, test.scene.empty() ? test.image : output / (name + ".png"), {}});
   }
   return cases;
+}
+
+/// Marks the names NAME@X of other cases in the case NAME, whose references for a renderer X they are not.
+void giveTakenStems(std::vector<GoldenCase>& cases) {
+  std::map<std::string, GoldenCase*> byName;
+  for (GoldenCase& one : cases) byName[one.name] = &one;
+  for (const GoldenCase& one : cases)
+    if (const auto other = byName.find(splitStem(one.name).name); other != byName.end())
+      if (other->second != &one) other->second->taken.insert(fs::path(one.name).filename());
 }
 
 /// The first few, each once.
@@ -119,18 +138,27 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
                        golden.reproducible};
   const image::PixelSize size = *render.scene.size;
   const int cells = render.scene.sweep ? SweepGrid(render.scene).cells : 1;
+  render.digestsPixels = true;
   render.worker_bytes = workerMemory_bytes(size, std::nullopt) + cells * meshMemory_bytes(scene);
   expectWithinMemory(std::max(render.worker_bytes, compareMemory_bytes(size)), pictureText(size),
                      golden.allowance.limits);
   return {place, std::move(render), digest};
 }
 
-/// @throws core::Error(kIo) if a picture, or a film's first one, cannot be read.
-void expectReadable(const fs::path& picture) {
-  if (output::isFilm(picture))
-    output::FilmReader(picture).next();
-  else
-    image::readPngAsStored(picture);
+/// Returns a picture's digest. @throws core::Error(kIo) if it, or a film's first one, cannot be read.
+std::string pixelsOf(const fs::path& picture) {
+  const bool isFilm = output::isFilm(picture);
+  if (isFilm) output::FilmReader(picture).next();
+  return pixelDigestOf(picture, isFilm);
+}
+
+/// Checks that the new picture of a case, which was read, is what its scene drew.
+void expectDrawn(const fs::path& picture, const std::string& read, const std::string& drawn) {
+  if (read != drawn)
+    throw core::Error(core::ErrorKind::kIo,
+                      fmt::format("{}: is not the picture that was drawn there; let no other program write to it, "
+                                  "and run again",
+                                  core::printable(picture.native())));
 }
 
 /// Origin of a picture: texts in its file, and the variant that the user names.
@@ -143,9 +171,8 @@ GoldenOrigin originOf(const GoldenCase& one, const std::string& scene) {
   return origin;
 }
 
-/// Whether expectReadable() accepts a picture.
 bool isReadable(const fs::path& picture) try {
-  expectReadable(picture);
+  pixelsOf(picture);
   return true;
 } catch (const core::Error&) {
   return false;
@@ -288,6 +315,7 @@ class Run {
       const std::size_t place = drawings_[i].place;
       if (made[i].failure) fail(place, *made[i].failure);
       outcomes_[place].origin.scene = drawings_[i].scene;
+      outcomes_[place].pixels = made[i].pixels;
     }
   }
 
@@ -307,7 +335,9 @@ class Run {
     if (failed_.contains(place)) return showApproved(place);
     const auto start = std::chrono::steady_clock::now();
     try {
-      expectReadable(cases_[place].actual);  // what is wrong with it is said of it
+      const std::string pixels = pixelsOf(cases_[place].actual);  // what is wrong with it is said of it
+      if (!cases_[place].test.scene.empty()) expectDrawn(cases_[place].actual, pixels, outcome.pixels);
+      outcome.pixels = pixels;
       outcome.origin = originOf(cases_[place], outcome.origin.scene);
       Comparing(cases_[place], manifest_.references, request_).into(outcome);
     } catch (const core::Error& error) {
@@ -343,6 +373,7 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
       if (!request.variant.empty()) one.test.variant = request.variant;
       all.push_back(std::move(one));
     }
+  giveTakenStems(all);
   return request.only.empty() ? all : chosen(all, request.only);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/golden_manifest.h"
@@ -12,18 +13,22 @@
 
 namespace poinsot::app {
 
+/// Endings of the files that a run writes beside the picture of a case: FLIP's map and the difference.
+inline constexpr std::string_view kMapEnding = ".flip.png", kDifferenceEnding = ".difference.png";
+
 /// One picture to compare.
 struct GoldenCase {
   std::string name;  ///< of the test, with the time where there are several: "racket_t1.5"
   GoldenTest test;
   std::optional<double> time_s;
   std::filesystem::path actual;  ///< where the new picture is
+  std::set<std::string> taken;   ///< stems NAME@X of other tests that begin with this name
 
   /// A file that a run writes into its output folder. @param ending  kMapEnding or kDifferenceEnding
   std::filesystem::path fileIn(const std::filesystem::path& output, std::string_view ending) const {
     return output / (name + std::string(ending));
   }
-  GoldenName reference() const { return {name, actual.extension()}; }
+  GoldenName reference() const { return {name, actual.extension(), taken}; }
   /// Variant that the user names for an image; empty without one, and for a scene.
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };

@@ -34,6 +34,7 @@ struct Outcome {
   std::filesystem::path reference;        ///< the nearest of those approved; empty if none
   bool referenceIsOwn = true;             ///< whether that was approved for what made the new picture
   std::filesystem::path actual;           ///< the new picture; empty if there is none
+  std::string pixels;                     ///< pixelDigest() of the new picture of a suite; empty if there is none
   std::filesystem::path map, difference;  ///< files that were written of it; empty if none
   GoldenOrigin origin;                    ///< of the new picture
   PictureRule rule;                       ///< that it was held to

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "app/picture_form.h"
 #include "core/error.h"
@@ -11,6 +12,8 @@
 #include "core/text.h"
 #include "core/wildcard.h"
 #include "output/atomic_file.h"
+#include "output/file_batch.h"
+#include "output/target_check.h"
 
 namespace poinsot::app {
 namespace {
@@ -38,9 +41,13 @@ void expectMeaning(const std::vector<Outcome>& outcomes, const std::vector<std::
   }
 }
 
-void copyPicture(const fs::path& from, const fs::path& to) {
+/// Copies a picture under a temporary name beside `to`.
+output::AtomicFile copyOf(const fs::path& from, const fs::path& to) {
   output::makeFolders(output::folderOf(to));
-  output::writeFileAtomically(to, core::readRegularFile(from, kMostPicture, core::ErrorKind::kIo));
+  output::checkTarget(to, true);
+  output::AtomicFile file(to);
+  file.write(core::readRegularFile(from, kMostPicture, core::ErrorKind::kIo));
+  return file;
 }
 
 /// Returns the file that a picture is copied to. @param reference  the picture, or the folder of pictures
@@ -49,6 +56,14 @@ fs::path placeOf(const Outcome& outcome, const fs::path& reference) {
 }
 
 }  // namespace
+
+void expectReplaceable(const fs::path& reference) {
+  std::error_code ignored;
+  if (fs::is_directory(reference, ignored))
+    output::expectWritableFolder(reference);
+  else
+    output::checkTarget(reference, true);
+}
 
 PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
                           const fs::path& reference, bool exact) {
@@ -59,6 +74,7 @@ PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vecto
       meant.push_back(&outcome);
   for (const Outcome* outcome : meant) expectNoLinkAbove(placeOf(*outcome, reference), reference);
   PairApproval approval;
+  output::FileBatch batch;
   for (const Outcome* outcome : meant) {
     if (!canBeApproved(*outcome)) {
       approval.complete = false;
@@ -67,9 +83,10 @@ PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vecto
       continue;
     }
     const fs::path place = placeOf(*outcome, reference);
-    copyPicture(outcome->actual, place);
+    batch.add(copyOf(outcome->actual, place));
     approval.text += fmt::format("{}: {}\n", core::printable(place.native()), approvalText(*outcome));
   }
+  batch.commit();
   if (approval.text.empty()) approval.text = "nothing to approve: all of these are identical\n";
   return approval;
 }

@@ -15,9 +15,14 @@ struct PairApproval {
   bool complete = true;
 };
 
+/// Checks that pictures of a reference can be replaced, before any are compared. @param reference  a file or
+/// folder
+/// @throws core::Error(kIo) with the path and the reason.
+void expectReplaceable(const std::filesystem::path& reference);
+
 /// Copies pictures of the test over those of the reference: of the outcomes whose names the patterns mean (* for
-/// any characters), those that are not identical. Pictures that cannot be read and those that only the reference
-/// has stay as they are, and make the approval incomplete.
+/// any characters), those that are not identical. If it throws, none is copied. Pictures that cannot be read and
+/// those that only the reference has stay as they are, and make the approval incomplete.
 /// @param reference  folder for pictures that are new
 /// @param exact  whether pictures that are only stored in another way are copied, too
 /// @throws core::Error(kUsage) for a pattern that means no outcome; core::Error(kIo), also for a

@@ -281,7 +281,10 @@ Reach reachOf(const DiffOptions& options) {
 }
 
 int diff(const DiffOptions& options) {
-  if (!options.update.empty()) expectMayApprove(options);
+  if (!options.update.empty()) {
+    expectMayApprove(options);
+    app::expectReplaceable(options.reference);
+  }
   return Diff(options).run();
 }
 

@@ -8,8 +8,10 @@
 #include <memory>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "app/diff_json.h"
+#include "app/golden_approval.h"
 #include "app/golden_checks.h"
 #include "app/golden_strays.h"
 #include "app/golden_suite.h"
@@ -97,6 +99,7 @@ class Golden {
   int run() {
     if (!options_.images.empty() && !fs::is_directory(options_.images))
       throw Error(ErrorKind::kIo, fmt::format("--images {}: no such folder", core::printable(options_.images)));
+    app::expectFilesApart(manifest_, allCases(), request_.output);
     if (options_.list) return list();
     checkOptions();
     checkPlaces();
@@ -109,6 +112,12 @@ class Golden {
   }
 
  private:
+  std::vector<app::GoldenCase> allCases() const {
+    app::GoldenRequest all = request_;
+    all.only.clear();
+    return app::casesOf(manifest_, all);
+  }
+
   int list() const {
     const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
     if (options_.json) writeOut(app::listJson(cases));
@@ -144,11 +153,9 @@ class Golden {
             core::printable(one.name)));
   }
 
-  /// New pictures may not come to lie on approved ones, nor reports on what somebody else wrote.
+  /// Checks that everything has a place where it can be written, and replaces nothing that somebody else wrote.
   void checkPlaces() const {
-    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
-    app::expectReferencesKept(cases, manifest_.references, request_.output);
-    app::expectImagesKept(cases, request_.output);
+    if (options_.update) app::expectReferencesWritable(manifest_, app::casesOf(manifest_, request_));
     if (!options_.unused) {
       output::makeFolders(request_.output);
       output::expectWritableFolder(request_.output);
@@ -238,20 +245,17 @@ class Golden {
     return head;
   }
 
-  /// Approves what is not as it was; exit 1 only where there is no picture to approve.
+  /// Approves the pictures that are not as they were: all, or none if one could not be made or read. Exit 1 then,
+  /// and for references that no test makes.
   int update() const {
     const auto isThere = [](const Outcome& o) {
       return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused &&
              o.status != OutcomeStatus::kMissing;
     };
-    std::ptrdiff_t approved = 0;
-    for (const Outcome& outcome : outcomes_)
-      if (isThere(outcome) && (app::isToApprove(outcome, options_.exact) || lacksOwn(outcome))) {
-        approve(outcome);
-        ++approved;
-      }
+    const bool allMade = std::ranges::count(outcomes_, OutcomeStatus::kError, &Outcome::status) == 0;
+    if (allMade) say(approve());
     say(linesOf(outcomes_, std::not_fn(isThere)));
-    if (approved == 0) say(fmt::format("nothing to approve: {}\n", app::countsText(outcomes_)));
+    if (!allMade) say("nothing was approved: mend what is in error, or choose the other tests with --only\n");
     return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
   }
 
@@ -268,14 +272,29 @@ class Golden {
     return fs::exists(fs::path(outcome.reference).replace_extension(".json"), ignored);
   }
 
-  void approve(const Outcome& outcome) const {
-    const app::Approval approval = app::approve(outcome.actual, outcome.origin, manifest_.references,
-                                                {outcome.name, outcome.actual.extension()}, options_.beside);
+  /// Approves them together. Returns a line for each.
+  std::string approve() const {
+    app::GoldenApproval approval(manifest_.references, options_.beside);
+    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
+    std::string lines = fmt::format("nothing to approve: {}\n", app::countsText(outcomes_));
+    bool isFirst = true;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (!app::isToApprove(outcomes_[i], options_.exact) && !lacksOwn(outcomes_[i])) continue;
+      if (std::exchange(isFirst, false)) lines.clear();
+      lines += approvalLines(outcomes_[i], approval.add(cases[i].reference(), outcomes_[i]));
+    }
+    approval.commit();
+    return lines;
+  }
+
+  std::string approvalLines(const Outcome& outcome, const app::Approval& approval) const {
+    std::string lines;
     for (const fs::path& file : approval.removed)
-      say(fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
-                      core::printable(file.native())));
-    if (!app::isToApprove(outcome, options_.exact) && outcome.referenceIsOwn) return;
-    say(fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome)));
+      lines += fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
+                           core::printable(file.native()));
+    if (app::isToApprove(outcome, options_.exact) || !outcome.referenceIsOwn)
+      lines += fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome));
+    return lines;
   }
 
   const GoldenOptions& options_;

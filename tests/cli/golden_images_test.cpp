@@ -335,6 +335,21 @@ TEST_F(GoldenImages, RulesHaveNamesAndLevels) {
       HasSubstr("test.rule: the limits: every picture would pass"));
 }
 
+// a.json is now of a.png: who follows the advice must not lose it.
+TEST_F(GoldenImages, UnusedReferencesAreNamedWithTheirOwnDescriptionsOnly) {
+  save("new/a.png", flat(90));
+  save("new/a.apng", film({10, 20}));
+  const auto suite = [&](const char* image) { manifest("[[test]]\nimage = '" + std::string(image) + "'\n"); };
+  suite("new/a.apng");
+  approve();
+  suite("new/a.png");
+  EXPECT_THAT(golden().out, HasSubstr("unused     a: approved, and no test makes it: remove ref/a.apng\n"));
+  EXPECT_THAT(golden({"--update"}).out, HasSubstr("remove ref/a.apng\n"));
+  folder_.put("ref/b.png", bytesOf(folder_ / "ref/a.png"));
+  folder_.put("ref/b.json", bytesOf(folder_ / "ref/a.json"));
+  EXPECT_THAT(golden().out, HasSubstr("remove ref/b.png and ref/b.json\n"));
+}
+
 TEST_F(GoldenImages, DescriptionsWithoutAPictureAreNamed) {
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");

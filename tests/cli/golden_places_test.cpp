@@ -83,12 +83,15 @@ TEST_F(GoldenPlaces, RejectOutputsThatWouldReplaceReferences) {
               "[[test]]\nname = 'ref/x'\nscene = 's.toml'\n");
   approve();
   const std::string approved = bytesOf(folder_ / "o/ref/x.png");
-  for (const char* output : {"o", "o/ref"}) {
+  const auto refusalOf = [&](const char* output) {
     const RunResult refused = golden({"-o", output});
     EXPECT_EQ(refused.exitCode, 2) << output;
-    EXPECT_THAT(refused.err, HasSubstr("-o " + std::string(output) +
-                                       ": contains the approved references; choose another folder"));
-  }
+    return refused.err;
+  };
+  EXPECT_THAT(refusalOf("o/ref"), HasSubstr("-o o/ref: contains the approved references; choose another folder"));
+  EXPECT_THAT(refusalOf("o"),
+              HasSubstr("-o o: o/ref/x.png would be the new picture of test 'ref/x' (line 6) and is "
+                        "the reference of test 'x' (line 3); choose another folder"));
   EXPECT_EQ(bytesOf(folder_ / "o/ref/x.png"), approved);
   for (const char* output : {".", "o/new", "o/ref/out"}) EXPECT_EQ(golden({"-o", output}).exitCode, 0) << output;
 }
@@ -98,20 +101,28 @@ TEST_F(GoldenPlaces, RejectCasesThatWriteOneFile) {
   const auto errorOf = [&](const std::string& first, const std::string& second) {
     manifest("[[test]]\nscene = 's.toml'\n" + first + (second.empty() ? "" : "[[test]]\nscene = 's.toml'\n") +
              second);
-    const RunResult result = golden({"--list"});
-    EXPECT_EQ(result.exitCode, 2) << result.out;
-    return result.err;
+    const RunResult listed = golden({"--list"});
+    const std::vector<std::vector<std::string>> alike{{}, {"--update"}, {"--unused"}, {"--list", "--only", "a"}};
+    for (const auto& words : alike) EXPECT_EQ(golden(words).err, listed.err);
+    EXPECT_EQ(listed.exitCode, 2) << listed.out;
+    EXPECT_FALSE(fs::exists(folder_ / "ref") || fs::exists(folder_ / "out"));
+    return listed.err;
   };
-  EXPECT_THAT(errorOf("name = 'a'\ntimes = [0, 1]\n", "name = 'a_t0'\n"),
-              StartsWith("golden.toml:6:1: error: test.name: a_t0.png would be the reference of test 'a' and the "
-                         "reference of test 'a_t0'; choose other names"));
-  EXPECT_THAT(errorOf("name = 'a'\ntimes = [0, 0]\n", ""),
-              StartsWith("golden.toml:2:1: error: test.times: a_t0.png would be the reference of test 'a' at two "
-                         "times; give each time once"));
+  EXPECT_THAT(
+      errorOf("name = 'a'\ntimes = [0, 1]\n", "name = 'a_t0'\n"),
+      StartsWith(
+          "golden.toml:6:1: error: test.name: ref/a_t0.png would be the reference of test 'a' (line 2) and the "
+          "reference of test 'a_t0' (line 6); choose other names"));
+  EXPECT_THAT(
+      errorOf("name = 'a'\ntimes = [0, 0]\n", ""),
+      StartsWith("golden.toml:2:1: error: test.times: ref/a_t0.png would be the reference of test 'a' (line 2) at "
+                 "two times; give each time once"));
   EXPECT_THAT(errorOf("name = 'a'\n", "name = 'a.flip'\n"),
-              HasSubstr("test.name: a.flip.png would be FLIP's map of test 'a' and the new picture of test"));
+              HasSubstr("test.name: out/golden/a.flip.png would be FLIP's map of test 'a' (line 2) and the new "
+                        "picture of test 'a.flip' (line 5); choose"));
   EXPECT_THAT(errorOf("name = 'a.difference'\n", "name = 'a'\n"), HasSubstr("a.difference.png would be"));
-  EXPECT_THAT(errorOf("name = 'a//b'\n", "name = 'a/b'\n"), HasSubstr("a/b is the name of another test"));
+  EXPECT_THAT(errorOf("name = 'a//b'\n", "name = 'a/b'\n"),
+              HasSubstr("a/b is the name of another test, that of line 2"));
 }
 
 // Images of these names lie elsewhere than maps do, unless -o says so.
@@ -120,8 +131,69 @@ TEST_F(GoldenPlaces, KeepMapsOffImages) {
   manifest("[[test]]\nimage = 'new/*.png'\n");
   approve();
   EXPECT_EQ(golden().out, "2 identical\n");
-  EXPECT_THAT(golden({"-o", "new"}).err, HasSubstr("-o new: a map of 'a' would replace the image new/a.flip.png"));
+  EXPECT_THAT(golden({"-o", "new"}).err,
+              HasSubstr("-o new: new/a.flip.png would be FLIP's map of test 'a' (line 2) and is the image of test "
+                        "'a.flip' (line 2); choose another folder"));
   EXPECT_TRUE(fs::exists(folder_ / "new/a.flip.png"));
+}
+
+TEST_F(GoldenPlaces, KeepNewPicturesOffImagesAndMasks) {
+  folder_.put("s.toml", kGoodScene);
+  save("out/golden/a.png", flat(90));
+  const std::string scene = "[[test]]\nname = 'a'\nscene = 's.toml'\n";
+  manifest(scene + "[[test]]\nname = 'b'\nimage = 'out/golden/a.png'\n");
+  EXPECT_THAT(golden().err,
+              HasSubstr("-o out/golden: out/golden/a.png would be the new picture of test 'a' (line 2) "
+                        "and is the image of test 'b' (line 5); choose another folder"));
+  EXPECT_EQ(golden({"-o", "o"}).exitCode, 1);
+  manifest(scene + "rule = {mask = 'out/golden/a.png', reason = 'x'}\n");
+  EXPECT_THAT(golden().err, HasSubstr("and is the mask of test 'a' (line 2)"));
+  EXPECT_EQ(bytesOf(folder_ / "out/golden/a.png").size(), flat(90).size());
+}
+
+// A place that cannot be written is an error before anything is drawn or compared.
+TEST_F(GoldenPlaces, AreCheckedBeforeTheWork) {
+  folder_.put("s.toml", kGoodScene);
+  const auto suite = [&] {
+    save("new/a.png", flat(90));
+    manifest("size = [64, 36]\n[[test]]\nscene = 's.toml'\n[[test]]\nimage = 'new/a.png'\n");
+  };
+  suite();
+  const auto refusalOf = [&](const std::vector<std::string>& words) {
+    const RunResult refused = poinsot(words);
+    EXPECT_EQ(refused.exitCode, 4) << refused.out;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << refused.err;
+    return refused.err;
+  };
+  for (const char* place : {"ref/a.png", "ref/a.json", "ref/s.json"}) {
+    fs::create_directories(folder_ / place);
+    EXPECT_THAT(refusalOf({"golden", "--update"}), HasSubstr(std::string(place) + ": is a folder"));
+    EXPECT_EQ(namesIn(folder_ / "ref").size(), 1U);
+    fs::remove_all(folder_ / "ref");
+  }
+  folder_.put("ref", "a file");
+  EXPECT_THAT(refusalOf({"golden", "--update"}), HasSubstr("ref: not a folder"));
+  fs::create_symlink("new/a.png", folder_ / "link.png");
+  EXPECT_THAT(refusalOf({"diff", "link.png", "s.toml", "--update", "*"}),
+              HasSubstr("link.png: is a symbolic link"));
+}
+
+// A picture in error stops the others: all that a run approves belongs together.
+TEST_F(GoldenPlaces, ApproveAllOrNothing) {
+  for (const char* name : {"new/a.png", "new/b.png"}) save(name, flat(90));
+  manifest("[[test]]\nimage = 'new/a.png'\n[[test]]\nimage = 'new/b.png'\n");
+  approve();
+  const std::string before = bytesOf(folder_ / "ref/a.png");
+  save("new/a.png", flat(120));
+  folder_.put("new/b.png", "no picture");
+  const RunResult refused = golden({"--update"});
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_THAT(refused.out,
+              AllOf(StartsWith("error      b: new/b.png: "),
+                    HasSubstr("nothing was approved: mend what is in error, or choose the other tests")));
+  EXPECT_EQ(bytesOf(folder_ / "ref/a.png"), before);
+  EXPECT_EQ(golden({"--update", "--only", "a"}).exitCode, 0);
+  EXPECT_NE(bytesOf(folder_ / "ref/a.png"), before);
 }
 
 // `new` stands twice in the path; only the folder before the last part is fixed.

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/golden_approval.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/picture_form.h"
+#include "app/pixel_digest.h"
+#include "core/error.h"
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "output/film_reader.h"
+
+namespace poinsot::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refusePlace(const fs::path& place, const std::string& owner, const std::string& renderer) {
+  throw core::Error(
+      core::ErrorKind::kUsage,
+      fmt::format("{}: is the reference of {}, and that of '{}' would have the same file name; choose "
+                  "another variant",
+                  core::printable(place.native()), owner, core::printable(renderer)));
+}
+
+/// Returns the file that a new reference takes. @throws core::Error(kUsage) if another renderer or test has it.
+fs::path placeOf(const std::vector<GoldenReference>& there, const std::string& renderer, const GoldenName& name,
+                 const fs::path& usual, bool beside) {
+  for (const GoldenReference& reference : there)
+    if (reference.origin.renderer == renderer) return reference.picture;
+  if (!beside || there.empty()) return usual;
+  const fs::path place = fileFor(renderer, usual);
+  if (name.taken.contains(place.stem()))
+    refusePlace(place, fmt::format("the test '{}'", (fs::path(name.name).parent_path() / place.stem()).native()),
+                renderer);
+  std::error_code ignored;
+  if (!fs::exists(descriptionOf(place), ignored)) return place;
+  const std::string other = describedOrigin(place).renderer;
+  if (other != renderer) refusePlace(place, fmt::format("'{}'", core::printable(other)), renderer);
+  return place;
+}
+
+/// Copies the new picture of an outcome under a temporary name.
+output::AtomicFile copyOf(const Outcome& outcome, const fs::path& place) {
+  output::AtomicFile file(place);
+  file.write(core::readRegularFile(outcome.actual, kMostPicture, core::ErrorKind::kIo));
+  if (pixelDigestOf(file.temporary(), output::isFilm(outcome.actual)) != outcome.pixels)
+    throw core::Error(
+        core::ErrorKind::kIo,
+        fmt::format("{}: is no longer the picture that was compared; nothing was approved: run again",
+                    core::printable(outcome.actual.native())));
+  return file;
+}
+
+std::string textOf(const GoldenOrigin& origin) {
+  const nlohmann::ordered_json json{
+      {"renderer", origin.renderer}, {"software", origin.software}, {"scene", origin.scene}};
+  return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Approval GoldenApproval::add(const GoldenName& name, const Outcome& outcome) {
+  const GoldenOrigin& origin = outcome.origin;
+  const fs::path usual = usualFile(references_, name);
+  expectNoLinkAbove(usual, references_);
+  output::makeFolders(usual.parent_path());
+  const auto there = referencesOf(references_, name);
+  Approval approval{placeOf(there, origin.renderer, name, usual, beside_), {}};
+  batch_.add(copyOf(outcome, approval.place));
+  batch_.writeBeside(descriptionOf(approval.place), textOf(origin));
+  if (beside_) return approval;
+  const bool isOwn =
+      std::ranges::any_of(there, [&](const GoldenReference& r) { return r.origin.renderer == origin.renderer; });
+  for (const GoldenReference& reference : there) {
+    const bool holds = isOwn && !origin.scene.empty() && reference.origin.scene == origin.scene;
+    if (reference.picture == approval.place || holds) continue;
+    batch_.removeBeside(reference.picture);
+    batch_.removeBeside(descriptionOf(reference.picture));
+    approval.removed.push_back(reference.picture);
+  }
+  return approval;
+}
+
+}  // namespace poinsot::app
