@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A library to be preloaded: makes one system call of the program on files of one folder fail, cut short, or be
 // the last thing that its processes do. Told by the environment:
-//   FAULT_CALL    open, write, fsync, close, rename or mkdir
-//   FAULT_KIND    an errno, "short" (a write takes one byte), "kill" (the process group, before the call) or
+//   FAULT_CALL    open, write, fsync, close, rename, link or mkdir
+//   FAULT_KIND    an errno, "short" (a write takes one byte), "swap" (after a rename another program puts the file
+//                 .harness-other.png of FAULT_FOLDER there), "kill" (the process group, before the call) or
 //                 "interrupt" (SIGINT to the parent, a while before the call)
 //   FAULT_AT      which call of that name, from 1, in each process; with a + after it, that and all later ones
 //   FAULT_ROLE    worker or parent: in which processes
@@ -72,7 +73,7 @@ __attribute__((constructor)) void tellWorkers() {
   });
 }
 
-enum class Strike { kNone, kFail, kShort };
+enum class Strike { kNone, kFail, kShort, kSwap };
 
 /// Whether this call, which concerns us, is the one; sets errno for a failure.
 Strike strike(const char* call) {
@@ -92,6 +93,7 @@ Strike strike(const char* call) {
     return Strike::kNone;
   }
   if (p.kind == "short") return Strike::kShort;
+  if (p.kind == "swap") return Strike::kSwap;
   errno = std::atoi(p.kind.c_str());
   return Strike::kFail;
 }
@@ -133,10 +135,20 @@ int close(int fd) {
   return next(fd);
 }
 
+int link(const char* from, const char* to) {
+  static auto* const next = real<int(const char*, const char*)>("link");
+  if (plan().call == "link" && concernsPath(to) && strike("link") == Strike::kFail) return -1;
+  return next(from, to);
+}
+
 int rename(const char* from, const char* to) {
   static auto* const next = real<int(const char*, const char*)>("rename");
-  if (plan().call == "rename" && concernsPath(to) && strike("rename") == Strike::kFail) return -1;
-  return next(from, to);
+  const Strike what = plan().call == "rename" && concernsPath(to) ? strike("rename") : Strike::kNone;
+  if (what == Strike::kFail) return -1;
+  const int result = next(from, to);
+  if (what == Strike::kSwap && (unlink(to) != 0 || link((plan().folder + "/.harness-other.png").c_str(), to) != 0))
+    abort();
+  return result;
 }
 
 int remove(const char* path) {
