@@ -48,9 +48,8 @@ struct FigureOptions {
 /// figure_alpha.h) or not.
 draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium);
 
-/// Writes the figure, whole or not at all, durable when this returns; the same bytes for the same picture. No date
-/// is written unless SOURCE_DATE_EPOCH is set. Type is real text: it can be searched and copied, its font is
-/// embedded.
+/// Writes the figure, whole or not at all, durable when this returns; the same bytes for the same picture: no date
+/// is written. Type is real text: it can be searched and copied, its font is embedded.
 /// @pre `target` has one of the three endings, `imagePart` is imagePartOf() rendered in the picture's size.
 /// @throws core::Error(kUsage) for labels that cannot be set, a width that is not positive or a name as above;
 /// core::Error(kIo) when the file cannot be written; core::Error(kEncode) when cairo fails.

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <memory>
 #include <span>
@@ -219,27 +217,12 @@ class Page {
   std::map<text::Typeface, FontPtr> fonts_;
 };
 
-/// The date that a build of fixed content asks for, as cairo wants it; empty where none does.
-/// Source: reproducible-builds.org, SOURCE_DATE_EPOCH: seconds since 1970, UTC.
-std::string askedDate() {
-  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
-  if (epoch == nullptr || *epoch == 0) return "";
-  char* end = nullptr;
-  const std::time_t seconds = std::strtoll(epoch, &end, 10);
-  std::tm utc{};
-  if (*end != 0 || gmtime_r(&seconds, &utc) == nullptr)
-    throw core::Error(
-        core::ErrorKind::kUsage,
-        fmt::format("SOURCE_DATE_EPOCH must be seconds since 1970, got '{}'", core::printable(epoch)));
-  char text[40] = "";
-  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
+/// cairo dates a PDF by the clock and the time zone when no date is set, and none cannot be set: one of fixed
+/// length is, and overwritten with blanks, which keeps every offset of the file.
+constexpr const char* kAnyDate = "1970-01-01T00:00:00Z";
 
-/// cairo dates a PDF by the clock when no date is set, and none cannot be set: the entry is overwritten with
-/// blanks, which keeps every offset of the file.
 void eraseDate(Bytes& pdf) {
-  constexpr std::string_view kEntry = "/CreationDate (D:";  // in a title the bracket would be escaped
+  constexpr std::string_view kEntry = "/CreationDate (";  // in a title the bracket would be escaped
   const auto begin = std::search(pdf.begin(), pdf.end(), kEntry.begin(), kEntry.end());
   const auto end = std::find(begin, pdf.end(), ')');
   if (end != pdf.end()) std::fill(begin, end + 1, ' ');
@@ -259,7 +242,7 @@ void setMetadata(cairo_surface_t* surface, const FigureOptions& options) {
   set(CAIRO_PDF_METADATA_TITLE, options.title);
   set(CAIRO_PDF_METADATA_SUBJECT, options.description);
   set(CAIRO_PDF_METADATA_CREATOR, creator());
-  set(CAIRO_PDF_METADATA_CREATE_DATE, askedDate());
+  set(CAIRO_PDF_METADATA_CREATE_DATE, kAnyDate);
 }
 
 }  // namespace
@@ -287,7 +270,7 @@ Bytes pdfOf(const Figure& figure) {
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
   checkEnd(bytes);
-  if (askedDate().empty()) eraseDate(bytes);
+  eraseDate(bytes);
   return bytes;
 }
 

@@ -173,11 +173,5 @@ TEST_F(Refused, MeshesOfNoKnownForm) {
   expectAll({{{"check", "s.toml"}, "expected element, property, comment or end_header, got \"vertices\""}});
 }
 
-TEST_F(Refused, ADateThatIsNone) {
-  put("s.toml", kGoodScene);
-  expectAll({{{"still", "s.toml", "-o", "a.pdf"}, "SOURCE_DATE_EPOCH must be seconds since 1970, got 'abc'"}},
-            {"SOURCE_DATE_EPOCH=abc"});
-}
-
 }  // namespace
 }  // namespace poinsot
