@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gl/shader_cache.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "core/sha256.h"
 
@@ -65,10 +67,27 @@ bool make(const fs::path& folder) {
   return ::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST;
 }
 
-bool isOursAlone(const fs::path& folder) {
+bool isOursAlone(const struct stat& facts) {
+  return facts.st_uid == ::geteuid() && (facts.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+}
+
+/// Links count as what they are, unless they are followed.
+bool isFolderOfOursAlone(const fs::path& folder, int flags) {
   struct stat facts {};
-  return ::lstat(folder.c_str(), &facts) == 0 && S_ISDIR(facts.st_mode) && facts.st_uid == ::geteuid() &&
-         (facts.st_mode & (S_IWGRP | S_IWOTH)) == 0 && ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
+  return ::fstatat(AT_FDCWD, folder.c_str(), &facts, flags) == 0 && S_ISDIR(facts.st_mode) && isOursAlone(facts) &&
+         ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
+}
+
+/// Everything beneath it. Entries come and go while other processes use the cache.
+bool holdsOurOwnOnly(const fs::path& folder) {
+  std::error_code failure;
+  fs::recursive_directory_iterator entry(folder, failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
+    struct stat facts {};
+    if (::lstat(entry->path().c_str(), &facts) != 0) continue;
+    if (!(S_ISDIR(facts.st_mode) || S_ISREG(facts.st_mode)) || !isOursAlone(facts)) return false;
+  }
+  return !failure || failure == std::errc::no_such_file_or_directory;
 }
 
 }  // namespace
@@ -77,7 +96,9 @@ fs::path shaderCacheFolder(bool reproducible) {
   const fs::path home = cacheHome();
   if (home.empty()) return {};
   fs::path folder = home / folderName(reproducible);
-  return make(folder) && isOursAlone(folder) ? folder : fs::path();
+  const bool safe = make(folder) && isFolderOfOursAlone(home, 0) &&
+                    isFolderOfOursAlone(folder, AT_SYMLINK_NOFOLLOW) && holdsOurOwnOnly(folder);
+  return safe ? folder : fs::path();
 }
 
 }  // namespace poinsot::gl

@@ -10,7 +10,8 @@ namespace poinsot::gl {
 ///
 /// It is $POINSOT_CACHE/shaders-..., else $XDG_CACHE_HOME/poinsot/..., else $HOME/.cache/poinsot/...; the name
 /// ends in a hash of the profile and of what the CPU can do, since a home folder may be shared by many machines.
-/// Code is run from there: a folder that is not this user's alone to write is not used. POINSOT_CACHE=off: none.
+/// Code is run from there: it is not used if anybody else may write to $POINSOT_CACHE (or what stands for it), to
+/// a folder or file beneath, or owns one. POINSOT_CACHE=off: none.
 std::filesystem::path shaderCacheFolder(bool reproducible);
 
 }  // namespace poinsot::gl

@@ -61,13 +61,23 @@ TEST_F(ShaderCacheTest, IsNotSharedByTheTwoProfiles) {
   EXPECT_EQ(shaderCacheFolder(true).parent_path(), native.parent_path());
 }
 
-TEST_F(ShaderCacheTest, IsNotUsedWhereOthersMayWrite) {
-  const fs::path folder = folderWith({{"HOME", home_}});
-  for (const mode_t mode : {0770, 0707}) {
-    ::chmod(folder.c_str(), mode);
-    EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path()) << std::oct << mode;
+/// The cache's home, its folder, and what Mesa makes in it.
+TEST_F(ShaderCacheTest, IsNotUsedWhereOthersMayWriteToAnyPartOfIt) {
+  const fs::path folder = folderWith({{"HOME", home_}}), mesas = folder / "mesa_shader_cache";
+  fs::create_directories(mesas / "1c");
+  scratch_.put((mesas / "1c" / "code").lexically_relative(scratch_.path()), "");
+  for (const fs::path& part : {mesas, mesas / "1c", mesas / "1c" / "code"}) ::chmod(part.c_str(), 0700);
+  for (const fs::path& part : {folder.parent_path(), folder, mesas, mesas / "1c", mesas / "1c" / "code"}) {
+    EXPECT_EQ(folderWith({{"HOME", home_}}), folder);
+    for (const mode_t mode : {0720, 0702, 0777}) {
+      ::chmod(part.c_str(), mode);
+      EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path()) << part << " " << std::oct << mode;
+    }
+    ::chmod(part.c_str(), 0700);
   }
-  ::chmod(folder.c_str(), 0700);
+  fs::create_symlink("/dev/null", mesas / "link");
+  EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());
+  fs::remove(mesas / "link");
   fs::rename(folder, scratch_ / "elsewhere");
   fs::create_symlink(scratch_ / "elsewhere", folder);
   EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());
@@ -76,8 +86,13 @@ TEST_F(ShaderCacheTest, IsNotUsedWhereOthersMayWrite) {
 TEST_F(ShaderCacheTest, IsNeitherMadeNorUsedAtSomebodyElses) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
   const fs::path folder = folderWith({{"HOME", home_}});
-  ASSERT_EQ(::chown(folder.c_str(), 65534, 65534), 0);
-  EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());
+  scratch_.put((folder / "code").lexically_relative(scratch_.path()), "");
+  for (const fs::path& part : {folder / "code", folder, folder.parent_path()}) {
+    ASSERT_EQ(::chown(part.c_str(), 65534, 65534), 0);
+    EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path()) << part;
+    ASSERT_EQ(::chown(part.c_str(), 0, 0), 0);
+    EXPECT_EQ(folderWith({{"HOME", home_}}), folder);
+  }
   fs::remove_all(scratch_ / ".cache");
   ASSERT_EQ(::chown(home_.c_str(), 65534, 65534), 0);
   EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());  // as with sudo
