@@ -164,8 +164,8 @@ class Scene:
         bits: of a sample, 8 or 16.
 
         An array (height, width, 3 or 4) of uint8 or uint16, sRGB, rows from the top; the pixels of `poinsot still`.
-        Drawn on a thread of this package's, from which the first call sets variables of the environment for Mesa, as
-        the program does. Raises UsageError, LimitError, RenderError.
+        Drawn on a thread of this package's. The first call removes Mesa's variables from the environment and sets its
+        own. Raises UsageError, LimitError, RenderError.
         """
         return self._core.picture(None if t is None else float(t), size, transparent, bits)
 

@@ -90,12 +90,6 @@ class SegmentMaker {
   std::int64_t frames_ = 0;
 };
 
-/// Mesa reads its environment once, at the first context.
-void pin(const WorkerJob& job) {
-  setenv("LP_NUM_THREADS", fmt::format("{}", job.rasterThreads).c_str(), 1);
-  gl::pinEnvironment(job.reproducible);
-}
-
 /// The scene's text came with the job; the files that it names are read again here.
 void expectSameScene(const WorkerJob& job, const scene::Scene& scene, const std::string& settings) {
   if (job.job.empty() || core::toHex(jobDigest(sceneDigest(job.scene, scene), settings)) == job.job) return;
@@ -109,7 +103,8 @@ void work(LineReader& jobs, int reports) {
   const auto line = jobs.wait();
   if (!line) return;
   const WorkerJob job = jobFromLine(*line);
-  pin(job);
+  gl::pinEnvironment(job.reproducible, job.rasterThreads);
+  unsetenv("HOME");  // its .drirc may change what EGL's driver does; nothing else reads it from here on
   beginHeap(job.expected_bytes);
   const scene::Scene scene = loadRequested(job.scene);
   const std::string settings = renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, scene);

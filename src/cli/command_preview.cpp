@@ -71,8 +71,7 @@ int preview(const PreviewOptions& options) {
   if (options.untrusted)  // the sandbox has no network
     throw core::Error(core::ErrorKind::kUsage, "--untrusted: a preview cannot be held to it; check and still can");
   app::watchInterrupts();
-  setenv("LP_NUM_THREADS", std::to_string(app::availableCpus()).c_str(), 0);
-  gl::pinEnvironment(false);
+  gl::pinEnvironment(false, app::availableCpus());
   tellMistakes(options);
   preview::PreviewServer server({.fileName = options.scene,
                                  .overrides = options.overrides,

@@ -7,25 +7,10 @@
 #include <cctype>
 
 #include "cli/exit_code.h"
+#include "cli/variables.h"
 
 namespace poinsot::cli {
 namespace {
-
-/// What the program looks at in its environment.
-struct Variable {
-  const char* name;
-  const char* help;
-};
-
-constexpr Variable kVariables[] = {
-    {"POINSOT_SCENES", "folder of the scenes that poinsot gallery shows, in place of the installed ones"},
-    {"POINSOT_CACHE",
-     "absolute path of the folder where compiled shaders are kept, or off; else XDG_CACHE_HOME/poinsot or "
-     "~/.cache/poinsot"},
-    {"POINSOT_SHADERS", "folder of shaders in place of those in the program, to work on them"},
-    {"SOURCE_DATE_EPOCH", "date of a PDF, in seconds since 1970"},
-    {"NO_COLOR", "no colour in messages on a terminal"},
-};
 
 /// Characters that roff, or a terminal's hyphenation, would take for something else.
 std::string escaped(const std::string& text) {
@@ -123,7 +108,7 @@ std::string commandList(const ProgramText& text) {
 
 std::string variableList() {
   std::string list = ".SH ENVIRONMENT\n";
-  for (const Variable& variable : kVariables) list += entry(bold(variable.name), escaped(variable.help));
+  for (const Variable& variable : variables()) list += entry(bold(variable.name), escaped(variable.help));
   return list;
 }
 

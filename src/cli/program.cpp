@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/variables.h"
 
 namespace poinsot::cli {
 
@@ -14,7 +15,10 @@ int runProgram(int argc, char** argv) {
   openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);  // a write says EPIPE in its place
   std::signal(SIGXFSZ, SIG_IGN);  // and EFBIG
-  return translatingErrors([&] { return CommandLine({argv + std::min(argc, 1), argv + argc}).run(); });
+  return translatingErrors([&] {
+    clearOtherVariables();
+    return CommandLine({argv + std::min(argc, 1), argv + argc}).run();
+  });
 }
 
 }  // namespace poinsot::cli

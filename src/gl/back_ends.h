@@ -9,11 +9,11 @@ namespace poinsot::gl {
 
 using FunctionLoader = void (*(*)(const char*))();
 
-// Internal. Fills glad's table for the current context.
-// @throws core::Error(kGraphics) when the context is older than OpenGL 3.3.
-void loadFunctions(FunctionLoader loader);
+// Internal. Fills glad's table for the current context, and expects that it draws (drawing_check.h).
+// @throws core::Error(kGraphics) when the context is older than OpenGL 3.3, or does not draw.
+void makeReady(FunctionLoader loader);
 
-// Each is made in the one file that knows its library. Current on return, functions loaded.
+// Each is made in the one file that knows its library. Current on return, and ready.
 std::unique_ptr<OffscreenContext> openOsMesaContext();
 // @throws core::Error(kGraphics)
 void openOsMesaLibrary();

@@ -82,7 +82,7 @@ class EglContext final : public OffscreenContext {
 
 std::unique_ptr<OffscreenContext> openEglContext() {
   auto context = std::make_unique<EglContext>();
-  loadFunctions(reinterpret_cast<FunctionLoader>(egl().getProcAddress));
+  makeReady(reinterpret_cast<FunctionLoader>(egl().getProcAddress));
   return context;
 }
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/environment.h"
+
+#include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <string_view>
 
 #include "gl/offscreen_context.h"
 #include "gl/shader_cache.h"
@@ -7,34 +12,44 @@
 namespace poinsot::gl {
 namespace {
 
+/// Variables that Mesa reads, by the starts of their names. The program has cleared them all; the process that a
+/// library is used in may need the rest of its environment.
+constexpr std::string_view kMesas[] = {
+    "DRAW_",                 // vertices: their code path; one of them crashes
+    "EGL_",     "__EGL_",    // which EGL, of which vendor
+    "GALLIUM_", "GALLIVM_",  // driver, CPU features and precision; layers that trace, or draw nothing
+    "GLSL_",    "NIR_",      // the shader compiler
+    "LIBGL_",                // the driver's folder
+    "LP_",                   // llvmpipe: threads, vector width, no rasterisation
+    "MESA_",                 // versions, extensions, shaders replaced, caches
+    "ST_DEBUG",              // the state tracker: wireframe
+    "TGSI_",                 // shaders of the older kind
+};
+
+bool isMesas(std::string_view name) {
+  return std::ranges::any_of(kMesas, [&](std::string_view start) { return name.starts_with(start); });
+}
+
+void pin(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
+
 void pinShaderCache(bool reproducible) {
-  for (const char* name : {"MESA_DISK_CACHE_SINGLE_FILE", "MESA_DISK_CACHE_DATABASE", "MESA_GLSL_CACHE_DIR",
-                           "MESA_GLSL_CACHE_DISABLE", "MESA_DISK_CACHE_READ_ONLY_FOZ_DBS"})
-    unsetenv(name);
   const std::filesystem::path folder = shaderCacheFolder(reproducible);
-  setenv("MESA_SHADER_CACHE_DISABLE", folder.empty() ? "true" : "false", 1);
-  setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
-  setenv("MESA_SHADER_CACHE_MAX_SIZE", "64M", 1);
+  pin("MESA_SHADER_CACHE_DISABLE", folder.empty() ? "true" : "false");
+  pin("MESA_SHADER_CACHE_DIR", folder);
+  pin("MESA_SHADER_CACHE_MAX_SIZE", "64M");
 }
 
 }  // namespace
 
-void pinEnvironment(bool reproducible) {
-  setenv("GALLIUM_DRIVER", "llvmpipe", 1);     // never softpipe by accident
-  setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);  // EGL: never a GPU by accident
-  setenv("EGL_PLATFORM", "surfaceless", 1);
-  pinShaderCache(reproducible);
-  // A worker is one process on one core; 0 lets llvmpipe rasterise in the calling thread.
-  setenv("LP_NUM_THREADS", "0", 0);
-  // These change pixels or the API; whoever set them did not mean this program.
-  for (const char* name : {"GALLIVM_PERF", "LP_PERF", "LP_NATIVE_VECTOR_WIDTH", "MESA_EXTENSION_OVERRIDE",
-                           "MESA_GL_VERSION_OVERRIDE", "MESA_GLSL_VERSION_OVERRIDE", "LP_DEBUG", "LP_RAST"})
-    unsetenv(name);
+void pinEnvironment(bool reproducible, int rasterThreads) {
+  core::clearEnvironment([](std::string_view name) { return !isMesas(name); });
+  pin("GALLIUM_DRIVER", "llvmpipe");     // never softpipe by accident
+  pin("LIBGL_ALWAYS_SOFTWARE", "true");  // EGL: never a GPU by accident
+  pin("EGL_PLATFORM", "surfaceless");
+  pin("LP_NUM_THREADS", std::to_string(rasterThreads));
   // FMA or no FMA is what moves pixels between x86 machines; SSE4.1 has none.
-  if (reproducible)
-    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
-  else
-    unsetenv("GALLIUM_OVERRIDE_CPU_CAPS");
+  if (reproducible) pin("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1");
+  pinShaderCache(reproducible);
 }
 
 }  // namespace poinsot::gl

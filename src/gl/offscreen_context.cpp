@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "gl/back_ends.h"
+#include "gl/drawing_check.h"
 #include "gl/gl_includes.h"
 
 namespace poinsot::gl {
@@ -30,10 +31,11 @@ BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)(
 std::string OffscreenContext::renderer() const { return glString(GL_RENDERER); }
 std::string OffscreenContext::version() const { return glString(GL_VERSION); }
 
-void loadFunctions(FunctionLoader loader) {
+void makeReady(FunctionLoader loader) {
   const int version = gladLoadGL(loader);
   if (version < GLAD_MAKE_VERSION(3, 3))
     throw Error(ErrorKind::kGraphics, "the back end's OpenGL is older than 3.3");
+  expectDraws();
 }
 
 std::unique_ptr<OffscreenContext> openContext(Backend backend) {

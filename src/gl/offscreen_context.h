@@ -18,7 +18,8 @@ class OffscreenContext {
   std::string version() const;                  ///< GL_VERSION
 };
 
-/// Opens a context on this thread and loads the GL functions. kAuto takes OSMesa, else EGL.
+/// Opens a context on this thread, loads the GL functions and expects that a triangle comes out as drawn. kAuto
+/// takes OSMesa, else EGL.
 /// @throws core::Error(kGraphics) saying what to install, when none works.
 std::unique_ptr<OffscreenContext> openContext(Backend backend);
 
@@ -34,9 +35,11 @@ struct BackendReport {
 };
 std::vector<BackendReport> probeBackends();
 
-/// Sets the environment variables that decide pixels (Mesa reads them once, at the first context) and clears
-/// those that would change them; says where compiled shaders are kept (gl/shader_cache.h). `reproducible` asks for
-/// the CPU-independent profile. Call before any GL.
-void pinEnvironment(bool reproducible);
+/// Clears every environment variable of Mesa's (it reads them once, at the first context), and sets those that
+/// decide pixels and where compiled shaders are kept (gl/shader_cache.h). Call before any GL, and before other
+/// threads.
+/// @param reproducible  asks for the profile that does not depend on the CPU
+/// @param rasterThreads  threads that draw beside the calling one; they change no pixel
+void pinEnvironment(bool reproducible, int rasterThreads = 0);
 
 }  // namespace poinsot::gl

@@ -73,7 +73,7 @@ void openOsMesaLibrary() { osMesa(); }
 
 std::unique_ptr<OffscreenContext> openOsMesaContext() {
   auto context = std::make_unique<OsMesaContext>();
-  loadFunctions(reinterpret_cast<FunctionLoader>(osMesa().getProcAddress));
+  makeReady(reinterpret_cast<FunctionLoader>(osMesa().getProcAddress));
   return context;
 }
 

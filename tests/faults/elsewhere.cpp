@@ -6,6 +6,7 @@
 //   ELSEWHERE_WAYS  set: x264 may choose its ways by them, and so its stream
 //   ELSEWHERE_MARK  a file to create when x264 was told
 //   ELSEWHERE_LACKS encoders that libavcodec lacks, by its own names: "libx264,gif"
+//   ELSEWHERE_SETS  a setting, "NAME=value", that comes into the environment after the program cleared it
 //   ELSEWHERE_HIDES libraries that are not to be opened at run time, by the start of their names: "libav"
 #include <dlfcn.h>
 #include <sys/time.h>
@@ -20,12 +21,19 @@
 
 namespace {
 
-const char* setting(const char* name) { return std::getenv(name); }
+/// Read when the library is loaded, since the program clears its environment.
+const struct {
+  const char* days = std::getenv("ELSEWHERE_DAYS");
+  const char* host = std::getenv("ELSEWHERE_HOST");
+  const char* assembly = std::getenv("ELSEWHERE_ASM");
+  const char* ways = std::getenv("ELSEWHERE_WAYS");
+  const char* mark = std::getenv("ELSEWHERE_MARK");
+  const char* lacks = std::getenv("ELSEWHERE_LACKS");
+  const char* sets = std::getenv("ELSEWHERE_SETS");
+  const char* hides = std::getenv("ELSEWHERE_HIDES");
+} kSettings;
 
-time_t ahead_s() {
-  const char* days = setting("ELSEWHERE_DAYS");
-  return days ? 86400 * std::atol(days) : 0;
-}
+time_t ahead_s() { return kSettings.days ? 86400 * std::atol(kSettings.days) : 0; }
 
 using FindSymbol = void*(void* library, const char* name);
 
@@ -50,18 +58,16 @@ using ParseParameter = int(void* parameters, const char* name, const char* value
 void* open(const char* library, const char* opener, void* parameters) {
   void* x264 = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
   const auto parse = reinterpret_cast<ParseParameter*>(realFindSymbol()(x264, "x264_param_parse"));
-  const char* words = setting("ELSEWHERE_ASM");
-  const char* mark = setting("ELSEWHERE_MARK");
-  if (setting("ELSEWHERE_WAYS") && parse) parse(parameters, "cpu-independent", "0");
+  const char *words = kSettings.assembly, *mark = kSettings.mark;
+  if (kSettings.ways && parse) parse(parameters, "cpu-independent", "0");
   if (words && parse && parse(parameters, "asm", words) == 0 && mark)
     if (std::FILE* file = std::fopen(mark, "w")) std::fclose(file);
   return reinterpret_cast<OpenEncoder*>(realFindSymbol()(x264, opener))(parameters);
 }
 
 bool isLacked(const char* encoder) {
-  const char* lacked = setting("ELSEWHERE_LACKS");
-  if (!lacked) return false;
-  const std::string names = std::string(",") + lacked + ',';
+  if (!kSettings.lacks) return false;
+  const std::string names = std::string(",") + kSettings.lacks + ',';
   return names.find(std::string(",") + encoder + ',') != std::string::npos;
 }
 
@@ -83,9 +89,15 @@ void* dlsym(void* library, const char* name) noexcept {
 
 void* dlopen(const char* file, int flags) noexcept {
   static const auto next = real(&dlopen, "dlopen");
-  const char* hidden = setting("ELSEWHERE_HIDES");
+  const char* hidden = kSettings.hides;
   const bool hide = hidden && file && std::strncmp(file, hidden, std::strlen(hidden)) == 0;
   return next(hide ? (std::string("/nowhere/") + file).c_str() : file, flags);
+}
+
+int setenv(const char* name, const char* value, int replace) noexcept {
+  static const auto next = real(&setenv, "setenv");
+  if (kSettings.sets) putenv(const_cast<char*>(kSettings.sets));
+  return next(name, value, replace);
 }
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {
@@ -111,17 +123,15 @@ time_t time(time_t* now) noexcept {
 
 int gethostname(char* name, size_t size) noexcept {
   static const auto next = real(&gethostname, "gethostname");
-  const char* host = setting("ELSEWHERE_HOST");
-  if (!host) return next(name, size);
-  std::snprintf(name, size, "%s", host);
+  if (!kSettings.host) return next(name, size);
+  std::snprintf(name, size, "%s", kSettings.host);
   return 0;
 }
 
 int uname(utsname* names) noexcept {
   static const auto next = real(&uname, "uname");
   const int code = next(names);
-  if (const char* host = setting("ELSEWHERE_HOST"); host && code == 0)
-    std::snprintf(names->nodename, sizeof names->nodename, "%s", host);
+  if (kSettings.host && code == 0) std::snprintf(names->nodename, sizeof names->nodename, "%s", kSettings.host);
   return code;
 }
 

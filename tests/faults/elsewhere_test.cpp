@@ -58,6 +58,30 @@ TEST(Elsewhere, ItsInstructionsEncodeTheSameStream) {
   for (const char* name : {"x264", "Lav"}) EXPECT_EQ(filmHere().find(name), std::string::npos) << name;
 }
 
+// A setting of the driver's that reaches it in spite of all: nothing is made, and nothing approved.
+TEST(Elsewhere, ADriverThatDrawsNothingIsNotBelieved) {
+  POINSOT_NOT_SANITIZED("functions are put in the place of others");
+  const std::vector<std::vector<std::string>> commands{{"render", "tiny.toml", "-o", "t.mp4", "--size", "64x36"},
+                                                       {"render", "tiny.toml", "-o", "t.mp4", "--shard", "1/2"},
+                                                       {"still", "tiny.toml", "-o", "t.png"},
+                                                       {"still", "tiny.toml", "-o", "t.pdf"},
+                                                       {"golden", "--update"}};
+  for (const auto& command : commands)
+    for (const char* setting : {"LP_NO_RAST=1", "GALLIUM_NOOP=1", "ST_DEBUG=wf"}) {
+      const ScratchFolder folder;
+      folder.put("tiny.toml", kTinyScene);
+      folder.put("golden.toml", "size = [64, 36]\n[[test]]\nscene = 'tiny.toml'\n");
+      const RunResult made = run(folder, command, Stdout::kFile,
+                                 {"LD_PRELOAD=" POINSOT_ELSEWHERE, std::string("ELSEWHERE_SETS=") + setting});
+      // An error of one case is exit code 1 of the suite, and a line of its report.
+      EXPECT_EQ(made.exitCode, command[0] == "golden" ? 1 : 3) << command[0] << ' ' << setting;
+      EXPECT_THAT(made.out + made.err, testing::HasSubstr("does not draw")) << command[0] << ' ' << setting;
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+        EXPECT_THAT(entry.path().extension(), testing::Not(testing::AnyOf(".png", ".mp4", ".pdf")))
+            << entry.path();
+    }
+}
+
 /// The film of nobody, where root may become that.
 std::string filmOfNobody() {
   const ScratchFolder folder;

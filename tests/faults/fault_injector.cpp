@@ -66,7 +66,8 @@ bool concernsDescriptor(int fd, bool alsoReaders) {
 std::atomic<long> count{0};
 bool isWorker = false;  // workers are forks of the program
 
-__attribute__((constructor)) void tellWorkers() {
+__attribute__((constructor)) void begin() {
+  plan();  // now, since the program clears its environment
   pthread_atfork(nullptr, nullptr, [] {
     isWorker = true;
     count = 0;

@@ -24,6 +24,10 @@
 
 namespace {
 
+/// Read when the library is loaded, since the program clears its environment.
+const char* const kOutside = std::getenv("PROBE_OUTSIDE");
+const char* const kNoLandlock = std::getenv("PROBE_NO_LANDLOCK");
+
 int depth = 0;  // of forks: the program, what it confines, its workers
 
 __attribute__((constructor)) void countForks() {
@@ -43,7 +47,7 @@ long execute() {
 }
 
 void tryAll() {
-  const std::string outside = std::getenv("PROBE_OUTSIDE");
+  const std::string outside = kOutside;
   tell("passwd", open("/etc/passwd", O_RDONLY));
   tell("outside", open(outside.c_str(), O_RDONLY));
   tell("overwrite", open(outside.c_str(), O_WRONLY));
@@ -80,7 +84,7 @@ extern "C" {
 int rename(const char* from, const char* to) {
   static auto* const next = real<int(const char*, const char*)>("rename");
   static int triedAt = -1;
-  if (triedAt != depth && std::getenv("PROBE_OUTSIDE")) {
+  if (triedAt != depth && kOutside) {
     triedAt = depth;
     tryAll();
   }
@@ -95,7 +99,7 @@ long syscall(long number, ...) {
   long a[6];
   for (long& value : a) value = va_arg(rest, long);
   va_end(rest);
-  if (number == SYS_landlock_create_ruleset && std::getenv("PROBE_NO_LANDLOCK")) {
+  if (number == SYS_landlock_create_ruleset && kNoLandlock) {
     errno = ENOSYS;
     return -1;
   }

@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <tuple>
 
 #include "core/error.h"
 #include "gl/framebuffer.h"
@@ -78,6 +81,32 @@ TEST_P(OffscreenContextTest, TooLargeAPictureIsAnErrorNotACrash) {
 INSTANTIATE_TEST_SUITE_P(BackEnds, OffscreenContextTest, testing::Values(Backend::kOsMesa, Backend::kEgl),
                          [](const auto& backend) { return backend.param == Backend::kEgl ? "Egl" : "OsMesa"; });
 
+/// A variable that makes Mesa succeed in everything and draw nothing, or outlines; set after it was cleared.
+class UndrawnPicture : public testing::TestWithParam<std::tuple<Backend, const char*, const char*>> {
+ protected:
+  [[noreturn]] static void openAndExit() {
+    const auto& [backend, name, value] = GetParam();
+    pinEnvironment(true);
+    setenv(name, value, 1);
+    std::fputs(messageOf([backend = backend] { openContext(backend); }).c_str(), stderr);
+    std::exit(0);
+  }
+};
+
+TEST_P(UndrawnPicture, IsAnErrorOfTheContext) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process, as Mesa reads its variables once
+  EXPECT_EXIT(openAndExit(), testing::ExitedWithCode(0), "the back end reports success but does not draw");
+}
+
+INSTANTIATE_TEST_SUITE_P(OsMesa, UndrawnPicture,
+                         testing::Values(std::tuple(Backend::kOsMesa, "LP_NO_RAST", "1"),
+                                         std::tuple(Backend::kOsMesa, "GALLIUM_NOOP", "1"),
+                                         std::tuple(Backend::kOsMesa, "ST_DEBUG", "wf")));
+INSTANTIATE_TEST_SUITE_P(Egl, UndrawnPicture,
+                         testing::Values(std::tuple(Backend::kEgl, "LP_NO_RAST", "1"),
+                                         std::tuple(Backend::kEgl, "GALLIUM_NOOP", "1"),
+                                         std::tuple(Backend::kEgl, "ST_DEBUG", "wf")));
+
 TEST(ProbeBackends, ReportsBoth) {
   const auto reports = probeBackends();
   ASSERT_EQ(reports.size(), 2u);
@@ -86,13 +115,30 @@ TEST(ProbeBackends, ReportsBoth) {
   for (const auto& report : reports) EXPECT_TRUE(report.works) << report.detail;
 }
 
-TEST(PinEnvironment, ClearsWhatChangesPixels) {
-  setenv("LP_NATIVE_VECTOR_WIDTH", "512", 1);
+TEST(PinEnvironment, ClearsWhatMesaReadsAndNothingElse) {
   setenv("GALLIUM_DRIVER", "softpipe", 1);
+  constexpr std::array kMesas{"LP_NATIVE_VECTOR_WIDTH",
+                              "LP_NO_RAST",
+                              "GALLIUM_NOOP",
+                              "ST_DEBUG",
+                              "DRAW_USE_LLVM",
+                              "MESA_GLSL",
+                              "MESA_OF_A_LATER_RELEASE",
+                              "__EGL_VENDOR_LIBRARY_DIRS"};
+  constexpr std::array kTheHosts{"FREETYPE_PROPERTIES", "STANDARD_OF_ITS_OWN"};
+  for (const char* name : kMesas) setenv(name, "1", 1);
+  for (const char* name : kTheHosts) setenv(name, "its", 1);
   pinEnvironment(true);
-  EXPECT_EQ(std::getenv("LP_NATIVE_VECTOR_WIDTH"), nullptr);
+  for (const char* name : kMesas) EXPECT_EQ(std::getenv(name), nullptr) << name;
+  for (const char* name : kTheHosts) {
+    EXPECT_STREQ(std::getenv(name), "its");
+    unsetenv(name);
+  }
   EXPECT_STREQ(std::getenv("GALLIUM_DRIVER"), "llvmpipe");
   EXPECT_STREQ(std::getenv("GALLIUM_OVERRIDE_CPU_CAPS"), "sse4.1");
+  pinEnvironment(false, 3);
+  EXPECT_EQ(std::getenv("GALLIUM_OVERRIDE_CPU_CAPS"), nullptr);
+  EXPECT_STREQ(std::getenv("LP_NUM_THREADS"), "3");
 }
 
 }  // namespace
