@@ -8,12 +8,16 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "app/abandoned_folders.h"
 #include "core/error.h"
 #include "core/text.h"
 
 namespace poinsot::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& place, const std::error_code& why) {
   throw core::Error(core::ErrorKind::kIo,
@@ -21,27 +25,37 @@ namespace {
                                 core::printable(place), why.message()));
 }
 
-}  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-  std::error_code why;
-  const std::filesystem::path place = std::filesystem::temp_directory_path(why);
-  const char* asked = std::getenv("TMPDIR");
-  if (why) refuse(asked ? asked : "/tmp", why);
+/// An empty path and errno if none can be made.
+fs::path makeFolderIn(const fs::path& place) {
+  removeAbandonedFolders(place);
   std::string name = place / "poinsot-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) refuse(place, std::error_code(errno, std::generic_category()));
-  path_ = name;
+  return ::mkdtemp(name.data()) ? fs::path(name) : fs::path();
 }
 
+fs::path makeFolder() {
+  std::error_code why;
+  const fs::path place = fs::temp_directory_path(why);
+  const char* asked = std::getenv("TMPDIR");
+  if (why) refuse(asked ? asked : "/tmp", why);
+  fs::path made = makeFolderIn(place);
+  if (made.empty()) refuse(place, std::error_code(errno, std::generic_category()));
+  return made;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() : TemporaryFolder(makeFolder()) {}
+
+TemporaryFolder::TemporaryFolder(fs::path path) : path_(std::move(path)), claim_(claimFolder(path_)) {}
+
 TemporaryFolder TemporaryFolder::inMemory() {
-  std::string name = "/dev/shm/poinsot-XXXXXX";
-  return ::mkdtemp(name.data()) ? TemporaryFolder(name) : TemporaryFolder();
+  fs::path made = makeFolderIn("/dev/shm");
+  return made.empty() ? TemporaryFolder() : TemporaryFolder(std::move(made));
 }
 
 TemporaryFolder::~TemporaryFolder() {
   try {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    removeClaimedFolder(path_);
   } catch (const std::bad_alloc&) {
     // It is under TMPDIR, where the system clears up.
   }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <utility>
+
+#include "core/file_handle.h"
 
 namespace poinsot::app {
 
-/// A folder of its own, gone with all that is in it when this object is.
+/// A folder of its own, gone with all that is in it when this object is. After a SIGKILL it is gone when the next
+/// one is made in the same place (abandoned_folders.h).
 class TemporaryFolder {
  public:
   /// Under TMPDIR. @throws core::Error(kIo) if there is no room for it.
@@ -20,9 +22,10 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit TemporaryFolder(std::filesystem::path path);
 
   std::filesystem::path path_;
+  core::FileHandle claim_;
 };
 
 }  // namespace poinsot::app
