@@ -39,14 +39,10 @@ std::vector<FrameRange> joined(const std::vector<FrameRange>& segments) {
   throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(target.native()), why));
 }
 
-/// By what a film is known again. What drew it comes after.
+/// Identifies a film: no other job has this text.
 std::string originText(const JobFile& job) {
   return fmt::format("frames {}-{} of scene sha256 {}; job sha256 {}; ", job.frames.first, job.frames.last,
                      job.scene, job.job);
-}
-
-std::vector<output::FilmText> textsOf(const JobFile& job, const std::string& renderer) {
-  return {{"title", job.title}, {"description", job.description}, {"comment", originText(job) + renderer}};
 }
 
 }  // namespace
@@ -78,9 +74,12 @@ std::string framesText(const std::vector<FrameRange>& segments, std::size_t most
   return text;
 }
 
+output::FilmState filmState(const JobFile& job, const path& target) {
+  return job.kind == OutputKind::kFilm ? output::filmState(target, originText(job)) : output::FilmState::kOther;
+}
+
 bool isFinished(const JobFile& job, const path& target) {
-  const auto film = job.kind == OutputKind::kFilm ? output::readFilmFacts(target) : std::nullopt;
-  return film && film->frames == job.frames.count() && film->comment.starts_with(originText(job));
+  return filmState(job, target) == output::FilmState::kWhole;
 }
 
 void assemble(const path& workFolder, const JobFile& job, const OutputTarget& output, const path& target) {
@@ -92,7 +91,8 @@ void assemble(const path& workFolder, const JobFile& job, const OutputTarget& ou
     files.push_back(segmentFile(workFolder, job.film.container, segment));
   const auto first = SegmentRecords(workFolder, output).find(status.segments.front());
   const bool beside = output::folderOf(target) == output::folderOf(workFolder);  // elsewhere may be another disk
-  output::joinSegments(files, target, job.film, textsOf(job, first->renderer), beside ? workFolder : path());
+  output::joinSegments(files, target, job.film, {job.title, job.description, originText(job), first->renderer},
+                       beside ? workFolder : path());
   if (!job.subtitles.empty()) writeSubtitles(job.subtitles, target);
 }
 

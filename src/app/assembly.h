@@ -25,7 +25,10 @@ JobStatus statusOf(const std::filesystem::path& workFolder, const JobFile& job, 
 /// "0-29, 60-89 and 12 more": frames of segments, neighbours joined, at most so many ranges.
 std::string framesText(const std::vector<FrameRange>& segments, std::size_t most = 8);
 
-/// Whether the film stands under its final name already, whole and of this job.
+/// Compares every byte of the film under its final name with the digest that it keeps; kOther for a sequence.
+output::FilmState filmState(const JobFile& job, const std::filesystem::path& target);
+
+/// Whether the film stands under its final name already, byte for byte as it was written, and of this job.
 bool isFinished(const JobFile& job, const std::filesystem::path& target);
 
 /// Makes the target of its segments: joins a film's under its final name, of the output or another, with its texts

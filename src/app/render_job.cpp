@@ -81,12 +81,13 @@ RenderSummary RenderJob::run() {
 }
 
 void RenderJob::begin() {
-  finished_ = isFinished();
-  if (!finished_) traced("start workers", [this] { startWorkers(); });
+  found_ = stateBefore();
+  if (!isFinished()) traced("start workers", [this] { startWorkers(); });
 }
 
 RenderSummary RenderJob::end() {
-  if (finished_) {
+  summary_.replacedDamaged = found_ == output::FilmState::kDamaged;
+  if (isFinished()) {
     summary_.reused = request_.frames.count();
     if (!request_.job->subtitles.empty()) writeSubtitles(request_.job->subtitles, request_.target.path);
   } else {
@@ -107,9 +108,9 @@ void RenderJob::traced(const char* name, const std::function<void()>& work) {
 }
 
 /// A render that was stopped while it put its things away has nothing more to make. A manifest is of the segments.
-bool RenderJob::isFinished() const {
-  return request_.resume && !request_.shard && !request_.manifest && request_.job &&
-         app::isFinished(*request_.job, request_.target.path);
+output::FilmState RenderJob::stateBefore() const {
+  const bool resumed = request_.resume && !request_.shard && !request_.manifest && request_.job;
+  return resumed ? filmState(*request_.job, request_.target.path) : output::FilmState::kOther;
 }
 
 void RenderJob::startWorkers() {

@@ -58,7 +58,8 @@ class RenderJob {
  private:
   friend void awaitReports(const std::vector<const RenderJob*>& jobs);
 
-  bool isFinished() const;
+  output::FilmState stateBefore() const;
+  bool isFinished() const { return found_ == output::FilmState::kWhole; }
   /// Calls it, and puts it into the trace as work of this process.
   void traced(const char* name, const std::function<void()>& work);
   void startWorkers();
@@ -72,7 +73,7 @@ class RenderJob {
   double elapsed_s() const;
 
   RenderRequest request_;
-  bool finished_ = false;  ///< before it began
+  output::FilmState found_ = output::FilmState::kOther;  ///< before it began
   FrameListener listener_;
   std::chrono::steady_clock::time_point start_;
   WorkFolder folder_;

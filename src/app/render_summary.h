@@ -12,8 +12,9 @@ namespace poinsot::app {
 struct RenderSummary {
   Statistics spent;
   double wall_s = 0;
-  std::int64_t reused = 0;  ///< frames that were there already
-  std::string pixels;       ///< pixelDigest() of a still, where the request asks for it
+  std::int64_t reused = 0;       ///< frames that were there already
+  bool replacedDamaged = false;  ///< whether a film of this job was there, of which bytes had changed
+  std::string pixels;            ///< pixelDigest() of a still, where the request asks for it
 };
 
 }  // namespace poinsot::app

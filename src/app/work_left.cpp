@@ -33,7 +33,7 @@ std::string shardsText(const std::vector<int>& shards) {
 }
 
 bool isReadyFilm(const OutputTarget& output) {
-  return output.kind == OutputKind::kFilm && output::isOwnFilm(output.path);
+  return output.kind == OutputKind::kFilm && output::isWholeFilm(output.path);
 }
 
 }  // namespace poinsot::app

@@ -22,7 +22,7 @@ WorkLeft workLeft(const JobFile& job, const JobStatus& status, int shards, const
 /// Returns "2,7-9", as the --array of Slurm takes it.
 std::string shardsText(const std::vector<int>& shards);
 
-/// Returns whether a film of this program stands there. Use isFinished() if its job is known.
+/// Returns whether a whole film of this program stands there. Use isFinished() if its job is known.
 bool isReadyFilm(const OutputTarget& output);
 
 }  // namespace poinsot::app

@@ -83,16 +83,23 @@ std::string plainText(const StatusOptions& options, const Standing& standing) {
                      leftText(options, standing));
 }
 
+/// Of a film whose segments are gone.
+int statusOfFilm(const StatusOptions& options, const std::filesystem::path& film) {
+  const bool whole = output::isWholeFilm(film);
+  if (options.json)
+    writeOut(nlohmann::ordered_json{{"complete", whole}}.dump() + "\n");
+  else if (!options.shards)
+    writeOut(fmt::format("{}: {}\n", core::printable(options.output),
+                         whole ? "complete" : "not as it was written; render with --resume makes it again"));
+  return whole ? kDone : kNo;
+}
+
 int status(const StatusOptions& options) {
   const auto target = app::parseTarget(options.output);
   const auto folder = app::workFolderOf(target.path);
   const auto job = app::readJobFile(folder, target);
-  if (!job && app::isReadyFilm(target)) {
-    if (!options.shards)
-      writeOut(options.json ? "{\"complete\": true}\n"
-                            : fmt::format("{}: complete\n", core::printable(options.output)));
-    return kDone;
-  }
+  if (!job && target.kind == app::OutputKind::kFilm && output::isOwnFilm(target.path))
+    return statusOfFilm(options, target.path);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: no render of it is under way here", core::printable(options.output)));

@@ -140,6 +140,12 @@ std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Sc
   return notes;
 }
 
+std::string damageNote(const app::OutputTarget& target, const app::RenderSummary& summary) {
+  if (!summary.replacedDamaged) return "";
+  return fmt::format("poinsot: note: {} was there, but not as it was written; it was made again\n",
+                     core::printable(target.path.string()));
+}
+
 bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
@@ -234,7 +240,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
   if (!options.quiet && options.progress != "json")
-    writeErr("poinsot: " + readyText(parts, target, frames, summary) + "\n");
+    writeErr(damageNote(target, summary) + "poinsot: " + readyText(parts, target, frames, summary) + "\n");
   if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
   return kDone;
 }

@@ -100,7 +100,7 @@ std::vector<Rgb> paletteOf(const std::vector<path>& segments) {
 class Animation {
  public:
   Animation(const path& target, const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size,
-            const std::vector<FilmText>& texts, const path& temporaryFolder)
+            const FilmTexts& texts, const path& temporaryFolder)
       : encoder_(open(track, pixels, size)),
         file_(target, fileFormat(track.container), *parametersOf(*encoder_), track.fps, Index::kAtStart, texts,
               temporaryFolder),
@@ -177,7 +177,7 @@ void setPalette(AVFrame& frame, const std::vector<Rgb>& palette) {
 }  // namespace
 
 void animate(const std::vector<path>& segments, const path& target, const FilmTrack& track,
-             const std::vector<FilmText>& texts, const path& temporaryFolder) {
+             const FilmTexts& texts, const path& temporaryFolder) {
   const bool gif = track.container == FilmContainer::kGif;
   std::optional<OrderedDither> dither;
   if (gif) dither.emplace(paletteOf(segments));

@@ -7,7 +7,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "output/ffmpeg_container.h"
+#include "core/error.h"
+#include "core/text.h"
 
 namespace poinsot::output {
 namespace {
@@ -17,14 +18,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
 // Keyword, then: not compressed, no language, no translated keyword.
 constexpr std::string_view kPngTextHead{"Comment\0\0\0\0\0", 12};
-constexpr int kTrailer = 0x3B, kExtension = 0x21, kImage = 0x2C, kComment = 0xFE;
-
-/// The mark in the first line, the comment in the second, then the others.
-std::string joined(const std::vector<FilmText>& texts) {
-  std::string comment, others;
-  for (const FilmText& text : texts) (text.key == "comment" ? comment : others) += text.value + "\n";
-  return ownMark() + "\n" + comment + others;
-}
+constexpr std::uint8_t kTrailer = 0x3B, kExtension = 0x21, kImage = 0x2C, kComment = 0xFE;
 
 void append(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
 
@@ -43,30 +37,19 @@ Bytes pngChunk(std::string_view type, std::string_view data) {
   return bytes;
 }
 
-AnimationEnd pngEnd(const std::string& text) {
-  Bytes bytes = pngChunk("iTXt", std::string(kPngTextHead) + text);
-  const Bytes end = pngChunk("IEND", "");
-  bytes.insert(bytes.end(), end.begin(), end.end());
-  return {end.size(), std::move(bytes)};
-}
-
-AnimationEnd gifEnd(std::string_view text) {
+/// Blocks of up to 255 bytes, up to an empty one.
+Bytes gifComment(std::string_view text) {
   Bytes bytes{kExtension, kComment};
   for (; !text.empty(); text.remove_prefix(std::min<std::size_t>(text.size(), 255))) {
     const std::string_view block = text.substr(0, 255);
     bytes.push_back(static_cast<std::uint8_t>(block.size()));
     append(bytes, block);
   }
-  bytes.insert(bytes.end(), {0, kTrailer});
-  return {1, std::move(bytes)};
+  bytes.push_back(0);
+  return bytes;
 }
 
 // ---- reading: whatever ends too early, or is not what it should be, throws std::ios_base::failure
-
-struct Found {
-  std::int64_t frames = 0;
-  std::string text;
-};
 
 class Reader {
  public:
@@ -99,46 +82,46 @@ class Reader {
   std::ifstream in_;
 };
 
-Found readPng(Reader reader) {
-  Found found;
+// Texts stand before the pictures, or, from versions before this one, at the end.
+using Texts = std::vector<std::string>;
+
+void readPng(Reader reader, Texts& texts) {
   reader.expect(reader.bytes(kPngSignature.size()) == kPngSignature);
   for (;;) {
     const std::uint32_t size = reader.bigEndian();
     const std::string type = reader.bytes(4);
-    if (type == "IEND") break;
-    if (type == "fcTL") ++found.frames;
+    if (type == "IEND" || (type == "IDAT" && !texts.empty())) return;
     if (type == "iTXt" && size >= kPngTextHead.size() && size < 100'000) {
       const std::string data = reader.bytes(size);
-      if (data.starts_with(kPngTextHead)) found.text = data.substr(kPngTextHead.size());
+      if (data.starts_with(kPngTextHead)) texts.push_back(data.substr(kPngTextHead.size()));
       reader.skip(4);
     } else {
       reader.skip(std::int64_t{size} + 4);
     }
   }
-  reader.skip(4);
-  return found;
 }
 
-/// Blocks of up to 255 bytes, up to an empty one.
 std::string gifBlocks(Reader& reader) {
   std::string data;
   while (const std::uint8_t size = reader.byte()) data += reader.bytes(size);
   return data;
 }
 
+/// Size of the table of colours that these flags of a screen or a picture announce.
+std::int64_t gifColors_bytes(std::uint8_t flags) { return (flags & 0x80) != 0 ? std::int64_t{6} << (flags & 7) : 0; }
+
 void skipGifColors(Reader& reader, std::uint8_t flags) {
-  if ((flags & 0x80) != 0) reader.skip(std::int64_t{6} << (flags & 7));
+  if (const std::int64_t bytes = gifColors_bytes(flags); bytes > 0) reader.skip(bytes);
 }
 
-Found readGif(Reader reader) {
-  Found found;
+void readGif(Reader reader, Texts& texts) {
   reader.expect(reader.bytes(6) == "GIF89a");
   const std::string screen = reader.bytes(7);
   skipGifColors(reader, static_cast<std::uint8_t>(screen[4]));
   for (int kind = reader.byte(); kind != kTrailer; kind = reader.byte()) {
     reader.expect(kind == kExtension || kind == kImage);
     if (kind == kImage) {
-      ++found.frames;
+      if (!texts.empty()) return;
       const std::string place = reader.bytes(9);
       skipGifColors(reader, static_cast<std::uint8_t>(place[8]));
       reader.skip(1);  // least size of a code
@@ -146,36 +129,55 @@ Found readGif(Reader reader) {
     } else {
       const bool comment = reader.byte() == kComment;
       const std::string data = gifBlocks(reader);
-      if (comment) found.text = data;
+      if (comment) texts.push_back(data);
     }
   }
-  return found;
 }
 
-std::optional<Found> find(const std::filesystem::path& file) try {
-  const bool png = filmContainer(file) == FilmContainer::kApng;
-  return png ? readPng(Reader(file)) : readGif(Reader(file));
-} catch (const std::ios_base::failure&) {
-  return std::nullopt;
+// ---- writing
+
+/// Where texts go: in a PNG after its header, in a GIF after its screen and colours.
+std::int64_t placeOfTexts(FileFormat format, const std::string& head) {
+  constexpr std::int64_t kPngHeader_bytes = 8 + 25, kGifScreen_bytes = 13;
+  constexpr std::size_t kGifFlags = 10;
+  if (format == FileFormat::kApng) return kPngHeader_bytes;
+  return kGifScreen_bytes + gifColors_bytes(static_cast<std::uint8_t>(head.at(kGifFlags)));
 }
 
 }  // namespace
 
-AnimationEnd animationEnd(FilmContainer container, const std::vector<FilmText>& texts) {
-  return container == FilmContainer::kApng ? pngEnd(joined(texts)) : gifEnd(joined(texts));
+bool isAnimation(FileFormat format) { return format == FileFormat::kGif || format == FileFormat::kApng; }
+
+std::string animationText(FileFormat format, const std::string& text) {
+  const Bytes bytes =
+      format == FileFormat::kApng ? pngChunk("iTXt", std::string(kPngTextHead) + text) : gifComment(text);
+  return {bytes.begin(), bytes.end()};
 }
 
-std::optional<FilmFacts> readAnimationFacts(const std::filesystem::path& file) {
-  const auto found = find(file);
-  const std::string mark = ownMark() + "\n";
-  if (!found || !found->text.starts_with(mark)) return std::nullopt;
-  const std::string rest = found->text.substr(mark.size());
-  return FilmFacts{found->frames, rest.substr(0, rest.find('\n'))};
+void insertTexts(AtomicFile& film, FileFormat format, const std::vector<std::string>& texts) {
+  constexpr std::size_t kHead = 64, kBlock = 1 << 20;
+  std::string inserted;
+  for (const std::string& text : texts) inserted += animationText(format, text);
+  const auto size = static_cast<std::int64_t>(inserted.size());
+  const std::int64_t place = placeOfTexts(format, film.readAt(0, kHead));
+  // From the end, since what follows is moved within the file.
+  for (std::int64_t end = film.size(); end > place;) {
+    const std::int64_t begin = std::max<std::int64_t>(place, end - static_cast<std::int64_t>(kBlock));
+    film.writeAt(begin + size, film.readAt(begin, static_cast<std::size_t>(end - begin)));
+    end = begin;
+  }
+  film.writeAt(place, inserted);
 }
 
-bool isOwnAnimation(const std::filesystem::path& file) {
-  const auto found = find(file);
-  return found && found->text.starts_with("poinsot ");
+std::vector<std::string> animationTexts(const std::filesystem::path& file) {
+  Texts texts;
+  try {
+    filmContainer(file) == FilmContainer::kApng ? readPng(Reader(file), texts) : readGif(Reader(file), texts);
+  } catch (const std::ios_base::failure&) {
+    if (texts.empty())
+      throw core::Error(core::ErrorKind::kIo, core::printable(file.native()) + ": cannot be read as a film");
+  }
+  return texts;
 }
 
 }  // namespace poinsot::output

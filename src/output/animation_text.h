@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texts of films that libavformat writes none into: a GIF's comment, an APNG's text chunk, both at the end.
+// The texts of films that libavformat writes none into: comments of a GIF, text chunks of an APNG, both before the
+// pictures, so that a film which was cut still has them.
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "output/film.h"
+#include "output/atomic_file.h"
+#include "output/ffmpeg_container.h"
 
 namespace poinsot::output {
 
-/// What stands in place of the last `replaced` bytes of such a file, as libavformat leaves it.
-struct AnimationEnd {
-  std::size_t replaced = 0;
-  std::vector<std::uint8_t> bytes;
-};
+/// Returns whether a file of this format takes its texts from insertTexts().
+bool isAnimation(FileFormat format);
 
-/// With our mark and the texts. @pre a container for which isMadeWhole() holds.
-AnimationEnd animationEnd(FilmContainer container, const std::vector<FilmText>& texts);
+/// Returns a text as it stands in such a file: a comment extension, a text chunk.
+std::string animationText(FileFormat format, const std::string& text);
 
-/// As readFilmFacts() of film.h, of a .gif or an .apng. @throws core::Error(kIo).
-std::optional<FilmFacts> readAnimationFacts(const std::filesystem::path& file);
+/// Puts texts into a film that libavformat has written.
+/// @throws core::Error(kIo) with the path.
+void insertTexts(AtomicFile& film, FileFormat format, const std::vector<std::string>& texts);
 
-/// Whether it bears our mark, of whatever version.
-bool isOwnAnimation(const std::filesystem::path& file);
+/// Reads the texts of a .gif or an .apng.
+/// @throws core::Error(kIo) with the path if there are none because the file is damaged, or no such film.
+std::vector<std::string> animationTexts(const std::filesystem::path& file);
 
 }  // namespace poinsot::output

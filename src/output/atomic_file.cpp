@@ -121,6 +121,31 @@ void AtomicFile::write(std::string_view text) {
   write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+void AtomicFile::writeAt(std::int64_t offset, std::string_view bytes) {
+  if (::lseek(descriptor_, offset, SEEK_SET) < 0) fail(target_, "cannot be written", errno);
+  write(bytes);
+}
+
+std::string AtomicFile::readAt(std::int64_t offset, std::size_t count) const {
+  std::string bytes(count, '\0');
+  std::size_t have = 0;
+  while (have < count) {
+    const ssize_t read = ::pread(descriptor_, bytes.data() + have, count - have, offset + static_cast<off_t>(have));
+    if (read < 0 && errno == EINTR) continue;
+    if (read < 0) fail(target_, "cannot be read again", errno);
+    if (read == 0) break;
+    have += static_cast<std::size_t>(read);
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
+std::int64_t AtomicFile::size() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) < 0) fail(target_, "cannot be read again", errno);
+  return status.st_size;
+}
+
 void AtomicFile::close() {
   // On Linux the descriptor is gone even when close fails, so there is no second try; after EINTR nothing is lost.
   const int descriptor = std::exchange(descriptor_, -1);

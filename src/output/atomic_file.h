@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace poinsot::output {
@@ -28,6 +29,10 @@ class AtomicFile {
 
   void write(std::span<const std::uint8_t> bytes);
   void write(std::string_view text);
+  void writeAt(std::int64_t offset, std::string_view bytes);
+  /// Returns up to `count` bytes; fewer at the end of the file.
+  std::string readAt(std::int64_t offset, std::size_t count) const;
+  std::int64_t size() const;
   /// Replaces the target. At most once; nothing may be written afterwards. If it throws, what was there before is
   /// there again.
   void commit(Durability durability = Durability::kSynced);

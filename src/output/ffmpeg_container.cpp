@@ -12,7 +12,9 @@
 #include "core/expect.h"
 #include "core/text.h"
 #include "core/version.h"
+#include "output/animation_text.h"
 #include "output/ffmpeg_encoder.h"
+#include "output/film_seal.h"
 
 namespace poinsot::output {
 namespace {
@@ -55,25 +57,19 @@ IoPtr openIo(ByteTarget& target) {
 struct FormatFacts {
   const char *muxer, *demuxer;
   const char *markKey, *readMarkKey;  ///< where our mark is kept: libav keeps its own in Matroska's "encoder"
+  const char *wordsKey = "description", *originKey = "comment";
 };
 
+// In a .mov, libavformat writes "comment" both as comment and as description and ignores "description". There the
+// words of the film take "comment", and its origin takes "model", beside our mark in "make".
 const FormatFacts& factsOf(FileFormat format) {
   static constexpr std::array<FormatFacts, 6> kFacts{{{"mp4", "mp4", "encoding_tool", "encoder"},
-                                                      {"mov", "mov", "make", "make"},
+                                                      {"mov", "mov", "make", "make", "comment", "model"},
                                                       {"webm", "matroska", "encoded_by", "encoded_by"},
                                                       {"gif", "gif", "encoded_by", "encoded_by"},
                                                       {"apng", "apng", "encoded_by", "encoded_by"},
                                                       {"matroska", "matroska", "encoded_by", "encoded_by"}}};
   return kFacts[static_cast<std::size_t>(format)];
-}
-
-/// Returns libavformat's name of a text. In a .mov, libavformat writes "comment" both as comment and as
-/// description and ignores "description". There the words of the film take "comment", and the origin of the film
-/// takes "model", beside our mark in "make".
-std::string tagOf(FileFormat format, const std::string& key) {
-  if (format != FileFormat::kMov) return key;
-  if (key == "description") return "comment";
-  return key == "comment" ? "model" : key;
 }
 
 bool isOfQuickTime(FileFormat format) { return format == FileFormat::kMp4 || format == FileFormat::kMov; }
@@ -91,10 +87,23 @@ void setText(AVDictionary** texts, const char* key, const std::string& value) {
 }
 
 /// Texts of ours only: with "bitexact" libav adds neither its name nor the time.
-void describe(AVFormatContext& context, FileFormat format, const std::vector<FilmText>& texts) {
+void describe(AVFormatContext& context, FileFormat format, const FilmTexts& texts) {
   context.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
-  setText(&context.metadata, factsOf(format).markKey, ownMark());
-  for (const FilmText& text : texts) setText(&context.metadata, tagOf(format, text.key).c_str(), text.value);
+  const FormatFacts& facts = factsOf(format);
+  setText(&context.metadata, facts.markKey, ownMark());
+  if (!texts.title.empty()) setText(&context.metadata, "title", texts.title);
+  if (!texts.description.empty()) setText(&context.metadata, facts.wordsKey, texts.description);
+  if (!texts.origin.empty())
+    setText(&context.metadata, facts.originKey, sealText(texts.origin) + "; " + texts.renderer);
+}
+
+/// Texts of an animation, apart, since the origin's ends with the digest.
+std::vector<std::string> textsOfAnimation(const FilmTexts& texts) {
+  std::vector<std::string> all{ownMark()};
+  for (const std::string& line : {texts.renderer, texts.title, texts.description})
+    if (!line.empty()) all.front() += "\n" + line;
+  if (!texts.origin.empty()) all.push_back(sealText(texts.origin));
+  return all;
 }
 
 void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, const core::Rational& fps) {
@@ -169,15 +178,13 @@ std::string ownMark() { return fmt::format("poinsot {}", core::version()); }
 // ---- writing
 
 TrackMuxer::TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters,
-                       const core::Rational& fps, Index index, const std::vector<FilmText>& texts)
+                       const core::Rational& fps, Index index, const FilmTexts& texts)
     : target_(std::move(target)),
       io_(openIo(target_)),
       format_(allocateFormat(factsOf(format).muxer)),
       frame_s_{static_cast<int>(fps.den), static_cast<int>(fps.num)},
       reorderDelay_(reorderDelay(parameters.codec_id)) {
   POINSOT_EXPECT(index != Index::kAtStart || !target_.file.empty());
-  if (format == FileFormat::kGif) end_ = animationEnd(FilmContainer::kGif, texts);
-  if (format == FileFormat::kApng) end_ = animationEnd(FilmContainer::kApng, texts);
   AvOptions options;
   setOptions(options, format, fps, index);
   format_->pb = io_.get();
@@ -216,22 +223,22 @@ void TrackMuxer::finish() {
   check(ffmpeg().av_write_trailer(format_.get()), "writing the index");
   ffmpeg().avio_flush(io_.get());
   check(io_->error, "writing");
-  if (!end_) return;
-  if (::lseek(target_.descriptor, -static_cast<off_t>(end_->replaced), SEEK_END) < 0)
-    check(AVERROR(errno), "writing");
-  check(AVERROR(target_.sink(end_->bytes)), "writing");
 }
 
 TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
                          const AVCodecParameters& parameters, const core::Rational& fps, Index index,
-                         const std::vector<FilmText>& texts, const std::filesystem::path& temporaryFolder)
+                         const FilmTexts& texts, const std::filesystem::path& temporaryFolder)
     : file_(target, temporaryFolder),
+      format_(format),
+      texts_(texts),
       muxer_({[this](std::span<const std::uint8_t> bytes) { return writeAll(file_.descriptor(), bytes); },
               target.native(), file_.descriptor(), file_.temporary()},
              format, parameters, fps, index, texts) {}
 
 void TrackWriter::finish() {
   muxer_.finish();
+  if (isAnimation(format_)) insertTexts(file_, format_, textsOfAnimation(texts_));
+  if (!texts_.origin.empty()) seal(file_, format_, texts_.origin);
   file_.commit();
 }
 
@@ -259,7 +266,7 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) :
 
 std::string TrackReader::mark() const { return tag(factsOf(kind_).readMarkKey); }
 
-std::string TrackReader::text(const char* key) const { return tag(tagOf(kind_, key)); }
+std::string TrackReader::comment() const { return tag(factsOf(kind_).originKey); }
 
 std::string TrackReader::tag(const std::string& name) const {
   const AVDictionaryEntry* entry = ffmpeg().av_dict_get(format_->metadata, name.c_str(), nullptr, 0);

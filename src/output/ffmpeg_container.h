@@ -3,12 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/rational.h"
-#include "output/animation_text.h"
 #include "output/atomic_file.h"
 #include "output/ffmpeg_handles.h"
 #include "output/film.h"
@@ -46,7 +44,7 @@ enum class Index {
 struct ByteTarget {
   ByteSink sink;
   std::string name;                 ///< for messages
-  int descriptor = -1;              ///< of a file: where its place is set and its end changed
+  int descriptor = -1;              ///< of a file: where its place is set
   std::filesystem::path file = {};  ///< by which it can be read again, for an index at the start
 };
 
@@ -55,7 +53,7 @@ class TrackMuxer {
  public:
   /// @throws core::Error(kIo) with the target's name, or core::BrokenPipe, as do the members below.
   TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters, const core::Rational& fps,
-             Index index, const std::vector<FilmText>& texts);
+             Index index, const FilmTexts& texts);
   TrackMuxer(const TrackMuxer&) = delete;
   TrackMuxer& operator=(const TrackMuxer&) = delete;
 
@@ -73,17 +71,17 @@ class TrackMuxer {
   IoPtr io_;
   FormatOutputPtr format_;
   AVRational frame_s_;
-  std::optional<AnimationEnd> end_;  ///< of what libavformat writes no texts into
   std::int64_t reorderDelay_;
   std::int64_t packets_ = 0;
 };
 
-/// A TrackMuxer's file, which appears under its name when finish() returns.
+/// A TrackMuxer's file, which appears under its name when finish() returns, with the digest of its bytes if the
+/// texts name its origin.
 class TrackWriter {
  public:
   /// @throws core::Error(kIo) with the path, as do the members below.
   TrackWriter(const std::filesystem::path& target, FileFormat format, const AVCodecParameters& parameters,
-              const core::Rational& fps, Index index, const std::vector<FilmText>& texts,
+              const core::Rational& fps, Index index, const FilmTexts& texts,
               const std::filesystem::path& temporaryFolder = {});
   TrackWriter(const TrackWriter&) = delete;
   TrackWriter& operator=(const TrackWriter&) = delete;
@@ -93,6 +91,8 @@ class TrackWriter {
 
  private:
   AtomicFile file_;
+  FileFormat format_;
+  FilmTexts texts_;
   TrackMuxer muxer_;
 };
 
@@ -106,8 +106,8 @@ class TrackReader {
   AVRational timeBase() const { return format_->streams[0]->time_base; }
   /// What the file names as its encoder; empty if nothing.
   std::string mark() const;
-  /// Returns the text of the file that has this key in FilmText; empty if there is none.
-  std::string text(const char* key) const;
+  /// Returns the text in which the origin is; empty if there is none.
+  std::string comment() const;
   /// False after the last packet. Times as stored, edit lists not applied.
   bool next(AVPacket& packet);
 

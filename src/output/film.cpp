@@ -16,6 +16,7 @@
 #include "output/animation_text.h"
 #include "output/ffmpeg_container.h"
 #include "output/ffmpeg_encoder.h"
+#include "output/film_seal.h"
 
 namespace poinsot::output {
 namespace {
@@ -113,10 +114,19 @@ std::int64_t append(Segment& segment, std::int64_t start, Film& film) {
   return static_cast<std::int64_t>(frames.size());
 }
 
+/// Returns the origin that a film names; empty if it names none. @throws core::Error(kIo) if it cannot be read.
+std::string originOf(const path& film, FilmContainer container) {
+  if (!isMadeWhole(container)) return originIn(TrackReader(film, fileFormat(container)).comment());
+  std::string origin;
+  for (const std::string& text : animationTexts(film))
+    if (origin.empty()) origin = originIn(text);
+  return origin;
+}
+
 }  // namespace
 
 void joinSegments(const std::vector<path>& segments, const path& target, const FilmTrack& track,
-                  const std::vector<FilmText>& texts, const path& temporaryFolder) {
+                  const FilmTexts& texts, const path& temporaryFolder) {
   POINSOT_EXPECT(!segments.empty());
   if (isMadeWhole(track.container)) return animate(segments, target, track, texts, temporaryFolder);
   const Segment first(segments.front(), track);
@@ -162,27 +172,31 @@ void FilmStream::finish() {
   parts_->film.finish();
 }
 
-std::optional<FilmFacts> readFilmFacts(const path& film) try {
+FilmState filmState(const path& film, const std::string& origin) try {
   const auto container = filmContainer(film);
-  if (!container) return std::nullopt;
-  if (isMadeWhole(*container)) return readAnimationFacts(film);
-  TrackReader reader(film, fileFormat(*container));
-  if (reader.mark() != ownMark()) return std::nullopt;
-  FilmFacts facts{0, reader.text("comment")};
-  const auto packet = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
-  while (reader.next(*packet)) ++facts.frames;
-  return facts;
+  return container ? sealState(film, fileFormat(*container), origin) : FilmState::kOther;
 } catch (const Error&) {
-  return std::nullopt;
+  return FilmState::kOther;
 }
 
-bool isOwnFilm(const path& file) try {
-  const auto container = filmContainer(file);
-  if (!container) return false;
-  if (isMadeWhole(*container)) return isOwnAnimation(file);
-  return TrackReader(file, fileFormat(*container)).mark().starts_with("poinsot ");
+bool isWholeFilm(const path& film) try {
+  const auto container = filmContainer(film);
+  const std::string origin = container ? originOf(film, *container) : "";
+  return !origin.empty() && filmState(film, origin) == FilmState::kWhole;
 } catch (const Error&) {
   return false;
+}
+
+bool isOwnFilm(const path& file) {
+  const auto container = filmContainer(file);
+  const auto isMark = [](std::string_view text) { return text.starts_with("poinsot "); };
+  if (!container) return false;
+  try {
+    if (!isMadeWhole(*container)) return isMark(TrackReader(file, fileFormat(*container)).mark());
+    return std::ranges::any_of(animationTexts(file), isMark);
+  } catch (const Error&) {
+    return bearsSeal(file);
+  }
 }
 
 }  // namespace poinsot::output

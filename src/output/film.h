@@ -15,10 +15,11 @@
 
 namespace poinsot::output {
 
-/// A text kept in the film: "title", "comment", "description", ...
-struct FilmText {
-  std::string key;
-  std::string value;
+/// Texts kept in a film.
+struct FilmTexts {
+  std::string title = {}, description = {};
+  std::string origin = {};    ///< what the film was made from; no other film has it. It is kept with the film's digest.
+  std::string renderer = {};  ///< what drew it
 };
 
 /// What a film is, besides its pictures.
@@ -36,7 +37,7 @@ struct FilmTrack {
 ///         than the first (size, encoder header); or the film cannot be written.
 /// `temporaryFolder`: as of AtomicFile.
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
-                  const FilmTrack& track, const std::vector<FilmText>& texts = {},
+                  const FilmTrack& track, const FilmTexts& texts = {},
                   const std::filesystem::path& temporaryFolder = {});
 
 /// Takes bytes in their order. @returns 0 or an errno.
@@ -63,16 +64,21 @@ class FilmStream {
   std::unique_ptr<Parts> parts_;
 };
 
-/// What a film tells of itself.
-struct FilmFacts {
-  std::int64_t frames = 0;
-  std::string comment;
+/// What stands under the name of a film.
+enum class FilmState {
+  kOther,    ///< nothing, or no film of this origin
+  kDamaged,  ///< a film of this origin, of which bytes have changed
+  kWhole,    ///< a film of this origin, byte for byte the one that was written
 };
 
-/// Of a film written by this version of the program that is there to its last frame; nothing of any other file.
-std::optional<FilmFacts> readFilmFacts(const std::filesystem::path& film);
+/// Compares every byte of a film with the digest that it keeps.
+FilmState filmState(const std::filesystem::path& film, const std::string& origin);
 
-/// Whether the file is a film written by this program. False for whatever cannot be read.
+/// Whether a film is, byte for byte, as it was written, whatever its origin.
+bool isWholeFilm(const std::filesystem::path& film);
+
+/// Returns whether the file is a film written by this program: its mark says so, or, in a film too damaged to be
+/// read, its digest. False for a file that cannot be opened.
 bool isOwnFilm(const std::filesystem::path& path);
 
 }  // namespace poinsot::output

@@ -80,7 +80,7 @@ void makeFilm(const scene::Scene& scene, FlatFrames& frames, const fs::path& fol
     writeFrames(frames, writer);
   }
   output::joinSegments({segment}, folder / "film.mp4", {output::FilmContainer::kMp4, scene.time.fps},
-                       {{"title", "film"}});
+                       {.title = "film", .origin = "frames of a test; "});
 }
 
 void makeSequence(const scene::Scene&, FlatFrames& frames, const fs::path& folder) {

@@ -47,7 +47,7 @@ class FilmTest : public ScratchFolder {
 };
 
 TEST_F(FilmTest, HasTheFactsThatFfprobeReads) {
-  joinSegments(segments({10, 10, 10, 10}), in("film.mp4"), kTrack, {{"title", "Rolling"}});
+  joinSegments(segments({10, 10, 10, 10}), in("film.mp4"), kTrack, {.title = "Rolling"});
   const auto facts = probed(in("film.mp4"));
   const std::map<std::string, std::string> expected = {{"codec_name", "h264"},
                                                        {"profile", "High"},

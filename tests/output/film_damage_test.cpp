@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// A film of which any byte has changed is never taken for the one that was written. What was written, and the bytes
+// that are changed, are known to the test; the digest is computed again by sha256sum.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "decoded_film.h"
+#include "output/ffmpeg_encoder.h"
+#include "output/film.h"
+#include "output/film_format.h"
+#include "output/video_segment.h"
+#include "scratch_folder.h"
+
+namespace poinsot::output {
+namespace {
+
+constexpr const char* kOrigin = "frames 0-5 of scene sha256 1f; job sha256 2e; ";
+
+class FilmDamage : public ScratchFolder, public testing::WithParamInterface<FilmContainer> {
+ protected:
+  void SetUp() override {
+    if (const char* missing = missingEncoder(codecsOf(GetParam()).front())) GTEST_SKIP() << "no encoder " << missing;
+    constexpr image::PixelSize kSize{48, 32};
+    const FilmFormat format{GetParam(), codecsOf(GetParam()).front()};
+    std::vector<std::filesystem::path> segments;
+    for (int first = 0; first < 6; first += 3) {
+      segments.push_back(in(fmt::format("segment_{}", first)));
+      VideoSegmentWriter segment(segments.back(), kSize, {25, 1}, format, first);
+      for (int k = first; k < first + 3; ++k) segment.write({movingDisc(kSize, k)}, k);
+      segment.finish();
+    }
+    film_ = in("film." + std::string(nameOf(GetParam())));
+    joinSegments(segments, film_, {GetParam(), {25, 1}}, {"A disc", "It moves.", kOrigin, "a test"});
+    const Bytes bytes = content(film_);
+    whole_.assign(bytes.begin(), bytes.end());
+  }
+
+  FilmState stateOf(const std::string& bytes) const {
+    save(film_.filename(), bytes);
+    return filmState(film_, kOrigin);
+  }
+
+  std::filesystem::path film_;
+  std::string whole_;
+};
+
+TEST_P(FilmDamage, IsNoneInWhatWasWritten) {
+  EXPECT_EQ(filmState(film_, kOrigin), FilmState::kWhole);
+  EXPECT_TRUE(isWholeFilm(film_));
+  EXPECT_EQ(filmState(film_, "frames 0-6 of scene sha256 1f; job sha256 2e; "), FilmState::kOther);
+  EXPECT_EQ(filmState(in("none.mp4"), kOrigin), FilmState::kOther);
+}
+
+/// CRC-32 of a PNG chunk, bit by bit (PNG, annex D).
+std::uint32_t pngCheckSum(std::string_view bytes) {
+  std::uint32_t sum = 0xffffffff;
+  for (const char byte : bytes) {
+    sum ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1) != 0 ? sum >> 1 ^ 0xedb88320 : sum >> 1;
+  }
+  return ~sum;
+}
+
+// Anyone can check a film with the tools of a shell.
+TEST_P(FilmDamage, IsToldBySha256sum) {
+  const std::string word = "film sha256 ";
+  const auto at = whole_.find(word) + word.size();
+  ASSERT_LT(at, whole_.size());
+  const std::string digits = whole_.substr(at, 64);
+  std::string blank = whole_;
+  blank.replace(at, 64, std::string(64, '0'));
+  if (GetParam() == FilmContainer::kApng) {
+    const auto chunk = blank.rfind("iTXt", at), end = at + 64;
+    const std::uint32_t sum = pngCheckSum(std::string_view(blank).substr(chunk, end - chunk));
+    for (int i = 0; i < 4; ++i) blank[end + i] = static_cast<char>(sum >> (24 - 8 * i));
+  }
+  save("blank", blank);
+  const std::string check =
+      fmt::format("cd '{}' && echo '{}  blank' | sha256sum -c --status", in("").native(), digits);
+  EXPECT_EQ(std::system(check.c_str()), 0);
+}
+
+/// Damages that happen: to disks, copies and careless writers.
+class Damages {
+ public:
+  explicit Damages(std::string whole) : whole_(std::move(whole)) {}
+
+  std::string next() {
+    std::string bytes;
+    do
+      bytes = damaged();
+    while (bytes == whole_);
+    return bytes;
+  }
+
+ private:
+  std::size_t below(std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_); }
+  char noise() { return static_cast<char>(below(256)); }
+
+  std::string damaged() {
+    std::string bytes = whole_;
+    const std::size_t at = below(bytes.size()), count = 1 + below(bytes.size() - at);
+    switch (below(7)) {
+      case 0:  // bytes flipped
+        for (std::size_t i = 1 + below(8); i > 0; --i) bytes[below(bytes.size())] = noise();
+        return bytes;
+      case 1:  // a block of zeros, as after a loss of power
+        return bytes.replace(at, count, count, '\0');
+      case 2:
+        return bytes.substr(0, at);
+      case 3:  // appended to
+        for (std::size_t i = 1 + below(512); i > 0; --i) bytes += at % 2 == 0 ? '\0' : noise();
+        return bytes;
+      case 4: {  // two blocks swapped
+        const std::size_t size = 1 + below(bytes.size() / 2), from = below(bytes.size() / 2 - size + 1),
+                          to = bytes.size() / 2 + below(bytes.size() / 2 - size + 1);
+        std::swap_ranges(bytes.begin() + static_cast<std::ptrdiff_t>(from),
+                         bytes.begin() + static_cast<std::ptrdiff_t>(from + size),
+                         bytes.begin() + static_cast<std::ptrdiff_t>(to));
+        return bytes;
+      }
+      case 5:  // a block of something else
+        for (std::size_t i = at; i < at + count; ++i) bytes[i] = noise();
+        return bytes;
+      default:  // all of it
+        for (char& byte : bytes) byte = noise();
+        return bytes;
+    }
+  }
+
+  std::string whole_;
+  std::mt19937 random_{33};
+};
+
+TEST_P(FilmDamage, IsNoticedWhateverItIs) {
+  constexpr int kDamages = 200;
+  Damages damages(whole_);
+  int noticed = 0, ours = 0;
+  for (int i = 0; i < kDamages; ++i) {
+    noticed += stateOf(damages.next()) != FilmState::kWhole && !isWholeFilm(film_) ? 1 : 0;
+    ours += isOwnFilm(film_) ? 1 : 0;
+  }
+  EXPECT_EQ(noticed, kDamages);
+  EXPECT_EQ(stateOf(whole_), FilmState::kWhole);
+  RecordProperty("ours", ours);
+}
+
+// One bit of every byte; of a larger film, of every n-th.
+TEST_P(FilmDamage, IsNoticedInEveryByte) {
+  constexpr std::size_t kMost = 12'000;
+  const std::size_t step = 1 + whole_.size() / kMost;
+  std::fstream file(film_, std::ios::binary | std::ios::in | std::ios::out);
+  const auto put = [&](std::size_t at, int byte) {
+    file.seekp(static_cast<std::streamoff>(at)).put(static_cast<char>(byte)).flush();
+  };
+  for (std::size_t i = 0; i < whole_.size(); i += step) {
+    put(i, whole_[i] ^ 1 << i % 8);
+    ASSERT_NE(filmState(film_, kOrigin), FilmState::kWhole) << "byte " << i << " of " << whole_.size();
+    put(i, whole_[i]);
+  }
+  EXPECT_EQ(filmState(film_, kOrigin), FilmState::kWhole);
+  RecordProperty("bytes", static_cast<int>(whole_.size()));
+}
+
+// Only its end is missing: the mark stands before the pictures, so that the film may be made again in its place.
+TEST_P(FilmDamage, OfAnEndLeavesItOurs) {
+  for (const double share : {0.5, 0.8, 0.99}) {
+    const auto size = static_cast<double>(whole_.size());
+    EXPECT_NE(stateOf(whole_.substr(0, static_cast<std::size_t>(share * size))), FilmState::kWhole);
+    EXPECT_TRUE(isOwnFilm(film_)) << share;
+  }
+}
+
+// A title is the user's. A digest of a film in it is taken for no seal, and is left as it is.
+TEST_P(FilmDamage, IsNotToldByTheWordsOfATitle) {
+  const std::string words = "film sha256 " + std::string(64, '0');
+  joinSegments({in("segment_0")}, film_, {GetParam(), {25, 1}}, {words, words + " again", kOrigin, "a test"});
+  EXPECT_EQ(filmState(film_, kOrigin), FilmState::kWhole);
+  const Bytes bytes = content(film_);
+  EXPECT_THAT(std::string(bytes.begin(), bytes.end()), testing::HasSubstr(words));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FilmDamage, testing::ValuesIn(filmContainers().begin(), filmContainers().end()),
+                         [](const auto& tested) { return std::string(nameOf(tested.param)); });
+
+}  // namespace
+}  // namespace poinsot::output
