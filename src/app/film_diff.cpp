@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/memory.h"
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/expect.h"
@@ -23,11 +24,30 @@ struct FramePair {
 
 DiffPicture diffPicture(output::ShownPicture&& shown) { return {std::move(shown.picture)}; }
 
+std::string filmsText(image::PixelSize size) {
+  return fmt::format("comparing films of {}x{}", size.width, size.height);
+}
+
+/// Opens a film if what its header says can be compared within the limits; no larger picture is decoded.
+output::FilmReader opened(const std::filesystem::path& film, const scene::Limits& limits) {
+  const image::PixelSize size = output::FilmReader::declaredSize(film);
+  expectWithinMemory(compareFilmsMemory_bytes(size), filmsText(size), limits);
+  const auto most_bytes = static_cast<double>(limits[scene::Limit::kMemory]);
+  return output::FilmReader(film,
+                            static_cast<std::int64_t>(std::min(1e18, largestFilmPicture_pixels(most_bytes))));
+}
+
 /// Two films that are read side by side.
 class FilmPair {
  public:
-  FilmPair(const std::filesystem::path& reference, const std::filesystem::path& test)
-      : reference_(reference), test_(test), times_(reference_.timeStep_s()), timesOfTest_(test_.timeStep_s()) {}
+  /// @throws core::Error as diffFilms().
+  FilmPair(const std::filesystem::path& reference, const std::filesystem::path& test, const scene::Limits& limits)
+      : reference_(opened(reference, limits)),
+        test_(opened(test, limits)),
+        times_(reference_.timeStep_s()),
+        timesOfTest_(test_.timeStep_s()) {
+    if (sizeMismatch().empty()) expectWithinMemory(memory_bytes(1), filmsText(reference_.size()), limits);
+  }
 
   core::Rational fps() const { return reference_.fps(); }
   const FilmTimes& times() const { return times_; }
@@ -36,6 +56,13 @@ class FilmPair {
   std::string sizeMismatch() const {
     const image::PixelSize a = reference_.size(), b = test_.size();
     return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
+  }
+
+  /// Returns how many frames may be compared at a time, up to `jobs`.
+  int jobsWithin(const scene::Limits& limits, int jobs) const {
+    const double one_bytes = memory_bytes(1), each_bytes = memory_bytes(2) - one_bytes;
+    const double left_bytes = static_cast<double>(limits[scene::Limit::kMemory]) - one_bytes;
+    return static_cast<int>(std::clamp(1 + left_bytes / each_bytes, 1.0, std::max(1.0, 1.0 * jobs)));
   }
 
   /// The next pairs, as many as there are up to `most`.
@@ -60,6 +87,13 @@ class FilmPair {
   }
 
  private:
+  double memory_bytes(int jobs) const {
+    const PixelKind kind{reference_.isTransparent() || test_.isTransparent(),
+                         reference_.isDeep() || test_.isDeep()};
+    return compareFilmsMemory_bytes(reference_.size(), kind, reference_.memory_bytes() + test_.memory_bytes(),
+                                    jobs);
+  }
+
   static std::optional<output::ShownPicture> read(output::FilmReader& film, FilmTimes& times) {
     auto shown = film.next();
     if (shown) times.add(*shown);
@@ -98,14 +132,15 @@ std::size_t FilmDiff::first() const {
 
 FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem::path& test,
                    const DiffRequest& request, int jobs) {
-  FilmPair films(reference, test);
+  FilmPair films(reference, test, request.limits);
   FilmDiff diff{films.sizeMismatch(), films.fps(), films.times(), {}};
   if (!diff.mismatch.empty()) return diff;
-  for (auto pairs = films.next(static_cast<std::size_t>(jobs)); !pairs.empty();
-       pairs = films.next(static_cast<std::size_t>(jobs))) {
+  const int together = films.jobsWithin(request.limits, jobs);
+  for (auto pairs = films.next(static_cast<std::size_t>(together)); !pairs.empty();
+       pairs = films.next(static_cast<std::size_t>(together))) {
     const std::size_t first = diff.frames.size();
     diff.frames.resize(first + pairs.size());
-    forEachIndex(pairs.size(), jobs, [&](std::size_t i) {
+    forEachIndex(pairs.size(), together, [&](std::size_t i) {
       auto& [a, b] = pairs[i];
       diff.frames[first + i] = comparePictures(std::move(a), std::move(b), request).diff;
       diff.frames[first + i].ignored = {};  // the same in all
@@ -137,7 +172,7 @@ PictureDiff summaryOf(const FilmDiff& diff) {
 void forFrames(const std::filesystem::path& reference, const std::filesystem::path& test,
                const std::vector<std::size_t>& frames, const DiffRequest& request,
                const std::function<void(std::size_t, const ComparedPictures&)>& visit) {
-  FilmPair films(reference, test);
+  FilmPair films(reference, test, request.limits);
   std::size_t next = 0;
   for (const std::size_t frame : frames) {
     POINSOT_EXPECT(frame >= next);

@@ -28,8 +28,10 @@ struct FilmDiff {
   double time_s(std::size_t frame) const { return times.start_s(frame); }
 };
 
-/// Compares every frame of two films, `jobs` at a time, and the times at which they are shown.
-/// @throws core::Error(kIo) with the film, if one cannot be read; as comparePictures().
+/// Compares every frame of two films and the times at which they are shown: `jobs` frames at a time, or as many as
+/// the limits leave memory for.
+/// @throws core::Error(kIo) with the film, if one cannot be read; (kLimit) before a picture is decoded, if its
+/// size takes more memory than it may.
 FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem::path& test,
                    const DiffRequest& request, int jobs);
 

@@ -23,6 +23,8 @@ bool hasAlpha(const image::AnyImage& picture) {
   return std::visit([](const auto& p) { return p.channels == 4; }, picture);
 }
 
+bool isDeep(const image::AnyImage& picture) { return std::holds_alternative<image::DeepImage>(picture); }
+
 std::string sizeMismatch(const DiffPicture& reference, const DiffPicture& test) {
   const image::PixelSize a = sizeOf(reference.pixels), b = sizeOf(test.pixels);
   return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
@@ -100,8 +102,9 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
   diff.storedAlike = compared.reference.stored == compared.test.stored;
   diff.mismatch = sizeMismatch(compared.reference, compared.test);
   if (!diff.mismatch.empty()) return compared;
-  const bool transparent = hasAlpha(compared.reference.pixels) || hasAlpha(compared.test.pixels);
-  expectWithinMemory(compareMemory_bytes(diff.size, transparent),
+  const image::AnyImage &a = compared.reference.pixels, &b = compared.test.pixels;
+  const PixelKind kind{hasAlpha(a) || hasAlpha(b), isDeep(a) || isDeep(b)};
+  expectWithinMemory(compareMemory_bytes(diff.size, kind),
                      fmt::format("comparing pictures of {}x{}", diff.size.width, diff.size.height),
                      request.limits);
   image::toCommonForm(compared.reference.pixels, compared.test.pixels);

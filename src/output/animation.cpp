@@ -176,8 +176,8 @@ void setPalette(AVFrame& frame, const std::vector<Rgb>& palette) {
 
 }  // namespace
 
-void animate(const std::vector<path>& segments, const path& target, const FilmTrack& track,
-             const FilmTexts& texts, const path& temporaryFolder) {
+void animate(const std::vector<path>& segments, const path& target, const FilmTrack& track, const FilmTexts& texts,
+             const path& temporaryFolder) {
   const bool gif = track.container == FilmContainer::kGif;
   std::optional<OrderedDither> dither;
   if (gif) dither.emplace(paletteOf(segments));

@@ -108,7 +108,9 @@ std::string gifBlocks(Reader& reader) {
 }
 
 /// Size of the table of colours that these flags of a screen or a picture announce.
-std::int64_t gifColors_bytes(std::uint8_t flags) { return (flags & 0x80) != 0 ? std::int64_t{6} << (flags & 7) : 0; }
+std::int64_t gifColors_bytes(std::uint8_t flags) {
+  return (flags & 0x80) != 0 ? std::int64_t{6} << (flags & 7) : 0;
+}
 
 void skipGifColors(Reader& reader, std::uint8_t flags) {
   if (const std::int64_t bytes = gifColors_bytes(flags); bytes > 0) reader.skip(bytes);

@@ -130,7 +130,8 @@ std::string AtomicFile::readAt(std::int64_t offset, std::size_t count) const {
   std::string bytes(count, '\0');
   std::size_t have = 0;
   while (have < count) {
-    const ssize_t read = ::pread(descriptor_, bytes.data() + have, count - have, offset + static_cast<off_t>(have));
+    const ssize_t read =
+        ::pread(descriptor_, bytes.data() + have, count - have, offset + static_cast<off_t>(have));
     if (read < 0 && errno == EINTR) continue;
     if (read < 0) fail(target_, "cannot be read again", errno);
     if (read == 0) break;

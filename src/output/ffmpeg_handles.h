@@ -72,9 +72,6 @@ Ptr checkAlloc(Ptr thing) {
   return thing;
 }
 
-/// Pixels of a picture that is decoded: 64 million, as of a PNG (image/png_file.h).
-inline constexpr std::int64_t kMostFilmPixels = std::int64_t{64} << 20;
-
 /// libav would wait for the writer of a pipe and read a device for ever.
 /// @throws core::Error(kIo) unless it is a regular file.
 void expectRegularFile(const std::filesystem::path& path);

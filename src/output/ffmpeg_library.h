@@ -20,13 +20,15 @@ namespace poinsot::output {
 #define POINSOT_AVUTIL_FUNCTIONS(X)                                                                         \
   X(av_crc) X(av_crc_get_table) X(av_dict_free) X(av_dict_get) X(av_dict_set) X(av_frame_alloc)             \
   X(av_frame_free) X(av_frame_get_buffer) X(av_frame_make_writable) X(av_free) X(av_freep)                  \
+  X(av_get_padded_bits_per_pixel)                                                                           \
   X(av_log_format_line) X(av_log_set_callback) X(av_malloc) X(av_mul_q) X(av_pix_fmt_desc_get)              \
   X(av_rescale_q) X(av_strdup) X(av_strerror)
 
 #define POINSOT_AVCODEC_FUNCTIONS(X)                                                                        \
   X(av_packet_alloc) X(av_packet_free) X(av_packet_make_writable) X(av_packet_unref) X(av_shrink_packet)    \
   X(avcodec_alloc_context3) X(avcodec_find_decoder) X(avcodec_find_decoder_by_name)                         \
-  X(avcodec_find_encoder_by_name) X(avcodec_free_context) X(avcodec_get_name) X(avcodec_open2)              \
+  X(avcodec_find_encoder_by_name) X(avcodec_free_context) X(avcodec_descriptor_get) X(avcodec_get_name)     \
+  X(avcodec_open2)                                                                                          \
   X(avcodec_parameters_alloc) X(avcodec_parameters_copy) X(avcodec_parameters_free)                         \
   X(avcodec_parameters_from_context) X(avcodec_parameters_to_context) X(avcodec_receive_frame)              \
   X(avcodec_receive_packet) X(avcodec_send_frame) X(avcodec_send_packet) X(avcodec_version)

@@ -18,7 +18,8 @@ namespace poinsot::output {
 /// Texts kept in a film.
 struct FilmTexts {
   std::string title = {}, description = {};
-  std::string origin = {};    ///< what the film was made from; no other film has it. It is kept with the film's digest.
+  std::string origin =
+      {};  ///< what the film was made from; no other film has it. It is kept with the film's digest.
   std::string renderer = {};  ///< what drew it
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -39,11 +40,11 @@ void checkSize(image::PixelSize size, const std::string& name) {
 }
 
 /// Looks into the streams, which decodes pictures: none that is too large.
-void findStreamFacts(AVFormatContext& format, const std::string& name) {
+void findStreamFacts(AVFormatContext& format, std::int64_t mostPixels, const std::string& name) {
   std::vector<AvOptions> options(format.nb_streams);
   std::vector<AVDictionary*> entries;
   for (AvOptions& one : options) {
-    one.set("max_pixels", fmt::format("{}", kMostFilmPixels));
+    one.set("max_pixels", fmt::format("{}", mostPixels));
     entries.push_back(std::exchange(*one.address(), nullptr));
   }
   const int code = ffmpeg().avformat_find_stream_info(&format, entries.data());
@@ -63,9 +64,12 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   // On failure the context is freed and the pointer cleared.
   checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), known, options.address()), name,
           ErrorKind::kIo);
-  FormatInputPtr format(context);
-  findStreamFacts(*context, name);
-  return format;
+  return FormatInputPtr(context);
+}
+
+int videoStreamOf(AVFormatContext& format, const std::string& name) {
+  return checkAv(ffmpeg().av_find_best_stream(&format, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0), name,
+                 ErrorKind::kIo);
 }
 
 /// libavcodec's own VP9 decoder leaves transparency out.
@@ -76,7 +80,7 @@ const AVCodec* decoderOf(const AVStream& stream) {
   return ffmpeg().avcodec_find_decoder(stream.codecpar->codec_id);
 }
 
-CodecContextPtr decoder(const AVStream& stream, const std::string& name) {
+CodecContextPtr decoder(const AVStream& stream, std::int64_t mostPixels, const std::string& name) {
   const AVCodec* codec = decoderOf(stream);
   if (codec == nullptr)
     throw Error(ErrorKind::kIo, fmt::format("{}: this FFmpeg has no decoder for {}", name,
@@ -84,7 +88,7 @@ CodecContextPtr decoder(const AVStream& stream, const std::string& name) {
   CodecContextPtr context(checkAlloc(ffmpeg().avcodec_alloc_context3(codec)));
   checkAv(ffmpeg().avcodec_parameters_to_context(context.get(), stream.codecpar), name, ErrorKind::kIo);
   context->thread_count = 1;
-  context->max_pixels = kMostFilmPixels;
+  context->max_pixels = mostPixels;
   context->err_recognition = AV_EF_EXPLODE;
   checkAv(ffmpeg().avcodec_open2(context.get(), codec, nullptr), name, ErrorKind::kIo);
   return context;
@@ -98,6 +102,21 @@ AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
   const bool alpha = (facts->flags & (AV_PIX_FMT_FLAG_ALPHA | AV_PIX_FMT_FLAG_PAL)) != 0;
   if (facts->comp[0].depth > 8) return alpha ? AV_PIX_FMT_RGBA64 : AV_PIX_FMT_RGB48;
   return alpha ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
+}
+
+bool isDeepRgb(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64; }
+
+/// How many pictures a decoder holds at most: those that others refer to, those that wait for their turn to be
+/// shown, and a few at hand. Only libavcodec's H.264 says what the film needs of the 16 that there may be; VP9
+/// and AV1 have 8 places to refer to, HEVC has 16.
+int heldPictures(const AVCodecContext& codec) {
+  const AVCodecDescriptor* facts = ffmpeg().avcodec_descriptor_get(codec.codec_id);
+  const bool alone = (facts != nullptr && (facts->props & AV_CODEC_PROP_INTRA_ONLY) != 0) ||
+                     codec.codec_id == AV_CODEC_ID_GIF || codec.codec_id == AV_CODEC_ID_APNG;
+  if (alone) return 3;  // the one before, beneath a GIF's or an APNG's
+  if (codec.codec_id == AV_CODEC_ID_H264) return codec.refs + codec.has_b_frames + 4;
+  if (codec.codec_id == AV_CODEC_ID_VP9 || codec.codec_id == AV_CODEC_ID_AV1) return 8 + 3;
+  return 16 + 1;
 }
 
 int channelsOf(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGBA || rgb == AV_PIX_FMT_RGBA64 ? 4 : 3; }
@@ -145,16 +164,18 @@ FramePtr rgbFrame(image::PixelSize size, AVPixelFormat rgb, const std::string& n
 }  // namespace
 
 struct FilmReader::Parts {
-  explicit Parts(const std::filesystem::path& film)
+  Parts(const std::filesystem::path& film, std::int64_t mostPixels)
       : name(core::printable(film.native())), format(opened(film, name)) {
-    stream = checkAv(ffmpeg().av_find_best_stream(format.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0), name,
-                     ErrorKind::kIo);
-    codec = decoder(track(), name);
+    findStreamFacts(*format, mostPixels, name);
+    stream = videoStreamOf(*format, name);
+    codec = decoder(track(), mostPixels, name);
     size = {codec->width, codec->height};
     checkSize(size, name);
   }
 
   const AVStream& track() const { return *format->streams[stream]; }
+  AVPixelFormat pixels() const { return static_cast<AVPixelFormat>(track().codecpar->format); }
+  AVPixelFormat rgb() const { return rgbFormat(pixels(), name); }
 
   /// Gives the decoder its next packet, or says that there are no more.
   void feed() {
@@ -210,8 +231,8 @@ struct FilmReader::Parts {
     const int rows = ffmpeg().sws_scale(scaler(*frame, rgb, name).get(), frame->data, frame->linesize, 0,
                                         frame->height, out->data, out->linesize);
     if (checkAv(rows, name, ErrorKind::kIo) != frame->height) throw Error(ErrorKind::kIo, name + ": lacks rows");
-    const bool deep = rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64;
-    return deep ? imageOf<std::uint16_t>(*out, channelsOf(rgb)) : imageOf<std::uint8_t>(*out, channelsOf(rgb));
+    return isDeepRgb(rgb) ? imageOf<std::uint16_t>(*out, channelsOf(rgb))
+                          : imageOf<std::uint8_t>(*out, channelsOf(rgb));
   }
 
   std::string name;
@@ -232,11 +253,32 @@ bool isPictureOrFilmName(const std::filesystem::path& file) { return image::isPn
 
 bool isFilm(const std::filesystem::path& file) { return isFilmName(file) || image::isAnimatedPng(file); }
 
-FilmReader::FilmReader(const std::filesystem::path& film) : parts_(std::make_unique<Parts>(film)) {}
+image::PixelSize FilmReader::declaredSize(const std::filesystem::path& film) {
+  const std::string name = core::printable(film.native());
+  const FormatInputPtr format = opened(film, name);
+  const AVCodecParameters& parameters = *format->streams[videoStreamOf(*format, name)]->codecpar;
+  return {parameters.width, parameters.height};
+}
+
+FilmReader::FilmReader(const std::filesystem::path& film, std::int64_t mostPixels)
+    : parts_(std::make_unique<Parts>(film, std::min(mostPixels, kMostFilmPixels))) {}
 
 FilmReader::~FilmReader() = default;
 
 image::PixelSize FilmReader::size() const { return parts_->size; }
+
+bool FilmReader::isTransparent() const { return channelsOf(parts_->rgb()) == 4; }
+
+bool FilmReader::isDeep() const { return isDeepRgb(parts_->rgb()); }
+
+// Measured, see tests/faults/film_memory_test.cpp: beside each picture, decoders keep its vectors of motion.
+double FilmReader::memory_bytes() const {
+  constexpr double kMotion_bytes = 0.6;
+  const double pixels = 1.0 * size().width * size().height;
+  const auto* facts = ffmpeg().av_pix_fmt_desc_get(parts_->pixels());
+  const double pixel_bytes = facts == nullptr ? 8 : ffmpeg().av_get_padded_bits_per_pixel(facts) / 8.0;
+  return heldPictures(*parts_->codec) * (pixel_bytes + kMotion_bytes) * pixels;
+}
 
 core::Rational FilmReader::fps() const {
   const AVRational rate =

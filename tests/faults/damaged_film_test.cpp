@@ -20,7 +20,8 @@ struct Damage {
 
 constexpr Damage kDamages[] = {
     {"a header of zeros", [](std::string& bytes) { bytes.replace(0, 8, 8, '\0'); }},
-    {"a flipped bit", [](std::string& bytes) { bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1); }},
+    {"a flipped bit",
+     [](std::string& bytes) { bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1); }},
     {"its last third missing", [](std::string& bytes) { bytes.resize(bytes.size() * 2 / 3); }},
     {"a byte appended", [](std::string& bytes) { bytes += '\0'; }},
 };
@@ -56,7 +57,8 @@ TEST_P(DamagedFilm, IsMadeAgain) {
     EXPECT_EQ(status().out, film_.name + ": not as it was written; render with --resume makes it again\n");
     const RunResult made = render({"--resume", "--progress", "plain"});
     EXPECT_EQ(made.exitCode, 0) << made.err;
-    EXPECT_THAT(made.err, HasSubstr("note: " + film_.name + " was there, but not as it was written; it was made again"));
+    EXPECT_THAT(made.err,
+                HasSubstr("note: " + film_.name + " was there, but not as it was written; it was made again"));
     EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, "));
     EXPECT_TRUE(bytes() == whole_);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film of which any byte has changed is never taken for the one that was written. What was written, and the bytes
-// that are changed, are known to the test; the digest is computed again by sha256sum.
+// A film of which any byte has changed is never taken for the one that was written. What was written, and the
+// bytes that are changed, are known to the test; the digest is computed again by sha256sum.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ constexpr const char* kOrigin = "frames 0-5 of scene sha256 1f; job sha256 2e; "
 class FilmDamage : public ScratchFolder, public testing::WithParamInterface<FilmContainer> {
  protected:
   void SetUp() override {
-    if (const char* missing = missingEncoder(codecsOf(GetParam()).front())) GTEST_SKIP() << "no encoder " << missing;
+    if (const char* missing = missingEncoder(codecsOf(GetParam()).front()))
+      GTEST_SKIP() << "no encoder " << missing;
     constexpr image::PixelSize kSize{48, 32};
     const FilmFormat format{GetParam(), codecsOf(GetParam()).front()};
     std::vector<std::filesystem::path> segments;
@@ -91,8 +92,7 @@ class Damages {
 
   std::string next() {
     std::string bytes;
-    do
-      bytes = damaged();
+    do bytes = damaged();
     while (bytes == whole_);
     return bytes;
   }

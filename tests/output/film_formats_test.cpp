@@ -208,8 +208,7 @@ TEST_P(FilmFormats, HasTheWordsOfTheFilmInTheDescription) {
                      "\xa9"
                      "des"),
             "In words.");
-  EXPECT_THAT(probed(film()).at("TAG:model"),
-              testing::MatchesRegex("of here; film sha256 [0-9a-f]+; a test"));
+  EXPECT_THAT(probed(film()).at("TAG:model"), testing::MatchesRegex("of here; film sha256 [0-9a-f]+; a test"));
 }
 
 TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {

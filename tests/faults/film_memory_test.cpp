@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Comparing films takes no more memory than it reckons, and what would take too much is refused before it is
+// taken. Films are made by ffmpeg, of every kind of pixels; what was taken is the kernel's figure.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "app/memory.h"
+#include "output/film_reader.h"
+#include "support/sanitized.h"
+#include "support/scratch_folder.h"
+#include "support/shell_run.h"
+
+namespace poinsot::faults {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kMiB = 1 << 20;
+
+struct Kind {
+  const char *name, *file, *encoder;
+  int frames = 24;  // more than any encoder here keeps
+};
+
+/// What GoogleTest and ctest print of a kind.
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+const char* const kMost =
+    "-preset ultrafast -refs 16 -bf 8 -b_strategy 0 -level 6.2";  // that H.264 has of references
+
+std::vector<Kind> allKinds() {
+  static const std::string most = std::string("-c:v libx264 -pix_fmt yuv420p ") + kMost,
+                           fine = std::string("-c:v libx264 -pix_fmt yuv444p10le ") + kMost;
+  return {{"H264", "mp4", "-c:v libx264 -preset veryfast -bf 3 -refs 3 -pix_fmt yuv420p"},
+          {"H264OfOneReference", "mp4", "-c:v libx264 -preset ultrafast -pix_fmt yuv420p", 2},
+          {"H264OfManyReferences", "mp4", most.c_str(), 40},
+          {"H264Deep", "mp4", fine.c_str(), 40},
+          {"Hevc", "mp4", "-c:v libx265 -preset medium -pix_fmt yuv420p -x265-params log-level=error"},
+          {"Vp9", "webm", "-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -pix_fmt yuv420p"},
+          {"Vp9Transparent", "webm", "-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -pix_fmt yuva420p"},
+          {"Av1", "mkv", "-c:v libaom-av1 -cpu-used 8 -usage realtime -pix_fmt yuv420p", 12},
+          {"ProRes", "mov", "-c:v prores_ks -profile:v 4444 -pix_fmt yuva444p10le", 2},
+          {"Gif", "gif", "", 4},
+          {"Apng", "apng", "-pix_fmt rgb24", 3},
+          {"ApngTransparent", "apng", "-pix_fmt rgba", 2},
+          {"Ffv1", "avi", "-c:v ffv1 -pix_fmt yuv420p", 4}};
+}
+
+/// Kinds and sizes of which a run of all tests has time for a few; the night has all, and larger.
+bool isNight() { return std::getenv("POINSOT_ALL_FILMS") != nullptr; }
+
+std::vector<Kind> kinds() {
+  const std::vector<Kind> all = allKinds();
+  return isNight() ? all : std::vector<Kind>{all[1], all[8], all[11]};
+}
+
+std::vector<image::PixelSize> sizes() {
+  if (isNight()) return {{1280, 720}, {1920, 1080}};
+  return {{320, 180}, {800, 450}};
+}
+
+std::vector<int> jobs() { return isNight() ? std::vector<int>{1, 2} : std::vector<int>{2}; }
+
+class FilmMemory : public testing::TestWithParam<Kind> {
+ protected:
+  void SetUp() override { POINSOT_NOT_SANITIZED("it takes more memory than is given"); }
+
+  /// Makes a film of moving stripes and digits, in other colours if `filter` says so.
+  std::string film(const std::string& name, image::PixelSize size, const std::string& filter) const {
+    const Kind& kind = GetParam();
+    const std::string file = fmt::format("{}.{}", name, kind.file);
+    const ShellResult made =
+        runShell(folder_.path(),
+                 fmt::format("ffmpeg -v error -y -f lavfi -i testsrc2=s={}x{}:r=10:d=9,{} {} -frames:v {} {}",
+                             size.width, size.height, filter, kind.encoder, kind.frames, file));
+    EXPECT_EQ(made.exitCode, 0) << made.out;
+    return file;
+  }
+
+  double reckoned_MiB(const std::string& first, const std::string& second, int jobs) const {
+    const output::FilmReader a(folder_ / first), b(folder_ / second);
+    const app::PixelKind kind{a.isTransparent() || b.isTransparent(), a.isDeep() || b.isDeep()};
+    return app::compareFilmsMemory_bytes(a.size(), kind, a.memory_bytes() + b.memory_bytes(), jobs) / kMiB;
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_P(FilmMemory, IsNoMoreThanIsReckoned) {
+  for (const image::PixelSize size : sizes()) {
+    const std::string a = film("a", size, "null"), b = film("b", size, "negate,fade=in:0:3:alpha=1");
+    for (const int together : jobs()) {
+      const ShellResult run =
+          runShell(folder_.path(), fmt::format("exec " POINSOT_PROGRAM " diff {} {} -j {} --max-memory 64GiB "
+                                               "--map m.png --diff-image d.png --force",
+                                               a, b, together));
+      EXPECT_EQ(run.exitCode, 1) << run.out;
+      const double reckoned = reckoned_MiB(a, b, together);
+      std::printf("%s %dx%d -j %d: peak %.0f MiB, reckoned %.0f MiB, ratio %.2f\n", GetParam().name, size.width,
+                  size.height, together, run.peak_MiB, reckoned, reckoned / run.peak_MiB);
+      EXPECT_LE(run.peak_MiB, reckoned);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FilmMemory, testing::ValuesIn(kinds()),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+/// Two frames of one colour: a small file of large pictures.
+class LargeFilm : public testing::Test {
+ protected:
+  void SetUp() override { POINSOT_NOT_SANITIZED("it takes more memory than is given"); }
+
+  void make(image::PixelSize size) const {
+    const ShellResult made =
+        runShell(folder_.path(),
+                 fmt::format("ffmpeg -v error -f lavfi -i color=black:s={}x{}:r=4:d=1 -frames:v 4 -c:v libx264 "
+                             "-preset ultrafast -pix_fmt yuv420p x.mp4",
+                             size.width, size.height));
+    ASSERT_EQ(made.exitCode, 0) << made.out;
+  }
+  ShellResult diff(const std::string& more) const {
+    return runShell(folder_.path(), "exec " POINSOT_PROGRAM " diff x.mp4 x.mp4 " + more);
+  }
+
+  ScratchFolder folder_;
+};
+
+// Measured 44 MiB: what the program takes with FFmpeg's libraries.
+TEST_F(LargeFilm, IsRefusedBeforeItsMemoryIsTaken) {
+  make({8192, 1024});
+  const ShellResult refused = diff("--max-memory 300MiB");
+  EXPECT_EQ(refused.exitCode, 2) << refused.out;
+  EXPECT_THAT(refused.out,
+              HasSubstr("comparing films of 8192x1024: about 0.4 GiB of memory, more than the 300 MiB"));
+  EXPECT_LE(refused.peak_MiB, 64);
+}
+
+// Its header says 64x64, its pictures are larger: in an MP4 the size stands in the description of the track
+// (ISO/IEC 14496-12, 12.1.3) as well as in the stream.
+TEST_F(LargeFilm, IsNotDecodedIfItsHeaderNamesASmallerOne) {
+  make({8192, 1024});
+  const ShellResult forged = runShell(folder_.path(),
+                                      R"(python3 -c "
+b = bytearray(open('x.mp4', 'rb').read())
+at = b.index(b'avc1', b.index(b'stsd')) + 28
+assert b[at:at + 4] == bytes([32, 0, 4, 0])
+b[at:at + 4] = bytes([0, 64, 0, 64])
+open('x.mp4', 'wb').write(b)
+")");
+  ASSERT_EQ(forged.exitCode, 0) << forged.out;
+  const ShellResult refused = diff("--max-memory 150MiB");
+  EXPECT_THAT(refused.exitCode, testing::AnyOf(2, 4)) << refused.out;
+  EXPECT_LE(refused.peak_MiB, 64);
+}
+
+// One pair takes 0.2 GiB, sixteen would take 2.2.
+TEST_F(LargeFilm, IsComparedByAsManyAtATimeAsThereIsMemoryFor) {
+  make({4096, 1024});
+  const ShellResult compared = diff("-j 16 --max-memory 300MiB");
+  EXPECT_EQ(compared.exitCode, 0) << compared.out;
+  EXPECT_LE(compared.peak_MiB, 300);
+}
+
+}  // namespace
+}  // namespace poinsot::faults
