@@ -68,11 +68,18 @@ void expectWritableFolder(const std::filesystem::path& folder) {
 }
 
 void appendToFile(const std::filesystem::path& target, std::string_view text) {
+  struct stat before {};
+  const bool wasThere = ::stat(target.c_str(), &before) == 0;
   const int descriptor = ::open(target.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) fail(target, "cannot be opened", errno);
-  const int failure = writeAll(descriptor, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  const int atEnd = ::close(descriptor) == 0 ? 0 : errno;
-  if (failure != 0 || atEnd != 0) fail(target, "cannot be added to", failure != 0 ? failure : atEnd);
+  const bool isFile = !wasThere || S_ISREG(before.st_mode);
+  int failure = writeAll(descriptor, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  if (failure == 0 && isFile) failure = syncDescriptor(descriptor);
+  if (::close(descriptor) < 0 && failure == 0 && errno != EINTR) failure = errno;
+  if (failure == 0) return;
+  if (!wasThere) ::unlink(target.c_str());
+  if (wasThere && isFile) untilDone([&] { return ::truncate(target.c_str(), before.st_size); });
+  fail(target, "cannot be added to", failure);
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
@@ -100,6 +107,15 @@ AtomicFile::AtomicFile(std::filesystem::path target, const std::filesystem::path
     if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) fail(target_, "cannot be created", errno);
   }
   if (descriptor_ < 0) fail(target_, "cannot be created", EEXIST);
+}
+
+AtomicFile::AtomicFile(std::filesystem::path target, std::filesystem::path temporary, int descriptor)
+    : target_(std::move(target)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+AtomicFile AtomicFile::of(std::filesystem::path complete, std::filesystem::path target) {
+  const int descriptor = ::open(complete.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) fail(target, "cannot be made", errno);
+  return {std::move(target), std::move(complete), descriptor};
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept

@@ -23,6 +23,8 @@ class AtomicFile {
   /// others find what a killed process leaves.
   /// @throws core::Error(kIo) with the target's path and the system's reason; so do all members below.
   explicit AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder = {});
+  /// Takes over a complete file that has another name on the target's file system. It is removed without commit().
+  static AtomicFile of(std::filesystem::path complete, std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&&) = delete;
@@ -44,6 +46,7 @@ class AtomicFile {
 
  private:
   friend class FileBatch;
+  AtomicFile(std::filesystem::path target, std::filesystem::path temporary, int descriptor);
   /// Syncs and closes the file, which keeps its temporary name.
   void finish(Durability durability);
   /// Gives the finished file its name.
@@ -60,7 +63,8 @@ void writeFileAtomically(const std::filesystem::path& target, std::span<const st
 
 void writeFileAtomically(const std::filesystem::path& target, std::string_view text);
 
-/// Adds text at the end of a file, which is made if it is missing. @throws core::Error(kIo).
+/// Adds text at the end of a file, which is made if it is missing, and syncs it. What was added of it is removed
+/// again if not all could be. @throws core::Error(kIo).
 void appendToFile(const std::filesystem::path& target, std::string_view text);
 
 /// @throws core::Error(kIo) with the folder if no file can be made in it.

@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "core/error.h"
@@ -30,11 +32,22 @@ mode_t kindOf(const path& file) {
   return ::lstat(file.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
-path freeNameBeside(const path& file) {
+/// A name for an old file, in a folder of the same file system.
+path freeName(const path& folder, const path& file) {
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt)
-    if (path name = temporaryName(folderOf(file), file, attempt); kindOf(name) == 0) return name;
+    if (path name = temporaryName(folder, file, attempt); kindOf(name) == 0) return name;
   fail(file, EEXIST);
+}
+
+std::span<const std::uint8_t> bytesOf(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+AtomicFile written(const path& target, std::span<const std::uint8_t> bytes, const path& temporaryFolder = {}) {
+  AtomicFile file(target, temporaryFolder);
+  file.write(bytes);
+  return file;
 }
 
 }  // namespace
@@ -49,27 +62,31 @@ class FileBatch::Changes {
   ~Changes() {
     for (; !changes_.empty(); changes_.pop_back()) {
       const Change& change = changes_.back();
-      if (change.renamed) ::unlink(change.name.c_str());
       if (change.moved || (change.linked && change.renamed))
         std::rename(change.aside.c_str(), change.name.c_str());
-      if (change.linked && !change.renamed) ::unlink(change.aside.c_str());
+      else if (change.linked)
+        ::unlink(change.aside.c_str());
+      else if (change.renamed)
+        ::unlink(change.name.c_str());
     }
   }
 
-  /// Moves the file that has this name, if any, out of the way.
-  void putAside(const path& name) {
+  /// Moves the file that has this name, if any, out of the way, into `folder`.
+  void putAside(const path& name, const path& folder) {
     const mode_t kind = kindOf(name);
     if (kind == 0) return;
     if (kind == S_IFDIR) fail(name, EISDIR);
-    move(begin(name));
+    move(begin(name, folder));
   }
+
+  void putAside(const AtomicFile& file) { putAside(file.target(), folderOf(file.temporary())); }
 
   /// Gives a file the name of its target, without an instant in which that stands for nothing: the old one has a
   /// second name before. Only where a file system knows no second names, the old one is moved.
   void replace(AtomicFile& file) {
     const mode_t kind = kindOf(file.target());
     if (kind == S_IFDIR) fail(file.target(), EISDIR);
-    Change& change = begin(file.target());
+    Change& change = begin(file.target(), folderOf(file.temporary()));
     if (kind != 0) {
       change.linked = ::link(change.name.c_str(), change.aside.c_str()) == 0;
       if (!change.linked) move(change);
@@ -94,9 +111,9 @@ class FileBatch::Changes {
   };
 
   // All memory is taken before a name changes, so that nothing can fail between a change and its record.
-  Change& begin(const path& name) {
+  Change& begin(const path& name, const path& folder) {
     POINSOT_EXPECT(changes_.size() < changes_.capacity());
-    return changes_.emplace_back(Change{name, freeNameBeside(name)});
+    return changes_.emplace_back(Change{name, freeName(folder, name)});
   }
 
   static void move(Change& change) {
@@ -116,6 +133,13 @@ AtomicFile FileBatch::finished(AtomicFile file) {
 
 void FileBatch::add(AtomicFile file) { groups_.push_back({finished(std::move(file)), {}, {}}); }
 
+void FileBatch::add(FileBatch&& others) {
+  POINSOT_EXPECT(others.appended_.empty());
+  std::ranges::move(others.groups_, std::back_inserter(groups_));
+  std::ranges::move(others.removed_, std::back_inserter(removed_));
+  folders_.merge(others.folders_);
+}
+
 void FileBatch::addBeside(AtomicFile file) {
   POINSOT_EXPECT(!groups_.empty());
   groups_.back().beside.push_back(finished(std::move(file)));
@@ -126,25 +150,54 @@ void FileBatch::removeBeside(path file) {
   groups_.back().removed.push_back(std::move(file));
 }
 
-void FileBatch::writeBeside(const path& target, std::string_view text) {
-  AtomicFile file(target);
-  file.write(text);
-  addBeside(std::move(file));
+void FileBatch::write(const path& target, std::span<const std::uint8_t> bytes) { add(written(target, bytes)); }
+
+void FileBatch::write(const path& target, std::string_view text) { write(target, bytesOf(text)); }
+
+void FileBatch::writeBeside(const path& target, std::span<const std::uint8_t> bytes, const path& temporaryFolder) {
+  addBeside(written(target, bytes, temporaryFolder));
+}
+
+void FileBatch::writeBeside(const path& target, std::string_view text, const path& temporaryFolder) {
+  writeBeside(target, bytesOf(text), temporaryFolder);
+}
+
+void FileBatch::remove(path file) {
+  folders_.insert(folderOf(file));
+  removed_.push_back(std::move(file));
+}
+
+void FileBatch::append(const path& target, std::string_view text) {
+  POINSOT_EXPECT(appended_.empty());
+  appended_ = target;
+  appendedText_ = text;
+}
+
+const path& FileBatch::contentOf(const path& target) const {
+  const auto found = std::ranges::find(groups_, target, [](const Group& group) { return group.main.target(); });
+  return found == groups_.end() ? target : found->main.temporary();
 }
 
 void FileBatch::publish(Group& group, Changes& changes) {
-  for (const path& file : group.removed) changes.putAside(file);
-  for (auto file = group.beside.rbegin(); file != group.beside.rend(); ++file) changes.putAside(file->target());
+  // An old file waits where the next run clears up what a killed one leaves, if that is on its file system.
+  const auto asideOf = [&](const path& file) {
+    return folderOf(folderOf(file) == folderOf(group.main.target()) ? group.main.temporary() : file);
+  };
+  for (const path& file : group.removed) changes.putAside(file, asideOf(file));
+  for (auto file = group.beside.rbegin(); file != group.beside.rend(); ++file) changes.putAside(*file);
   changes.replace(group.main);
   for (AtomicFile& file : group.beside) changes.replace(file);
 }
 
 void FileBatch::commit() {
-  std::size_t most = 0;
+  std::size_t most = removed_.size();
   for (const Group& group : groups_) most += 1 + 2 * group.beside.size() + group.removed.size();
   Changes changes(most);
+  for (const path& file : removed_) changes.putAside(file, folderOf(file));
   for (Group& group : groups_) publish(group, changes);
   for (const path& folder : folders_) syncFolderOf(folder / ".");
+  // Text that was added to a file that others may write to cannot be taken back later, so it comes last.
+  if (!appended_.empty()) appendToFile(appended_, appendedText_);
   changes.keep();
 }
 

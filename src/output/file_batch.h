@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,25 +20,35 @@ namespace poinsot::output {
 /// between leaves a film without captions, never a film with the captions of another.
 class FileBatch {
  public:
-  FileBatch() = default;
-  FileBatch(const FileBatch&) = delete;
-  FileBatch& operator=(const FileBatch&) = delete;
-  /// Without commit(), no name has changed and no temporary file is left.
-  ~FileBatch() = default;
-
-  /// Syncs and closes a file, which takes its name by commit(). @throws core::Error(kIo), as addBeside().
+  /// Adds a file, which is synced and closed. @throws core::Error(kIo), as do the members below.
   void add(AtomicFile file);
+  /// Adds all of another batch.
+  void add(FileBatch&& others);
   /// Adds a file that rests on the last one of add(). @pre there is one.
   void addBeside(AtomicFile file);
   /// The file will be gone, if it is there, with the last one of add() in its place. @pre there is one.
   void removeBeside(std::filesystem::path file);
-  void writeBeside(const std::filesystem::path& target, std::string_view text);
+  void write(const std::filesystem::path& target, std::span<const std::uint8_t> bytes);
+  void write(const std::filesystem::path& target, std::string_view text);
+  /// @param temporaryFolder  as of AtomicFile
+  void writeBeside(const std::filesystem::path& target, std::span<const std::uint8_t> bytes,
+                   const std::filesystem::path& temporaryFolder = {});
+  void writeBeside(const std::filesystem::path& target, std::string_view text,
+                   const std::filesystem::path& temporaryFolder = {});
+  /// The file will be gone, if it is there.
+  void remove(std::filesystem::path file);
+  /// Adds text at the end of a file, which is made if it is missing. @pre no other file is appended to.
+  void append(const std::filesystem::path& target, std::string_view text);
 
-  /// Gives all files their names. At most once. If it throws, every name stands for what it did before.
+  /// Where the content of a file of add() is until commit(); the target itself if it is none of these.
+  const std::filesystem::path& contentOf(const std::filesystem::path& target) const;
+
+  /// Gives all files their names. At most once. If it throws, every name stands for what it did before. Without
+  /// it, no name has changed and no temporary file is left.
   /// @throws core::Error(kIo) with the path that failed.
   void commit();
 
-  bool empty() const { return groups_.empty(); }
+  bool empty() const { return groups_.empty() && removed_.empty() && appended_.empty(); }
 
  private:
   struct Group {
@@ -48,7 +61,10 @@ class FileBatch {
   void publish(Group& group, Changes& changes);
 
   std::vector<Group> groups_;
-  std::set<std::filesystem::path> folders_;  // of the new files
+  std::set<std::filesystem::path> folders_;  // of the files
+  std::vector<std::filesystem::path> removed_;
+  std::filesystem::path appended_;
+  std::string appendedText_;
 };
 
 }  // namespace poinsot::output

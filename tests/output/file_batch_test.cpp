@@ -129,6 +129,58 @@ TEST_F(FileBatchTest, HoldsMoreFilesThanMayBeOpen) {
   EXPECT_EQ(names().size(), 2 * kFiles);
 }
 
+TEST_F(FileBatchTest, ShowsWhereTheContentOfANewFileIs) {
+  save("film.mp4", "old");
+  FileBatch batch;
+  batch.write(in("film.mp4"), std::string_view("new"));
+  const Bytes bytes = content(batch.contentOf(in("film.mp4")));
+  EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "new");
+  EXPECT_EQ(batch.contentOf(in("other")), in("other"));
+}
+
+TEST_F(FileBatchTest, RemovesFilesWithTheOthers) {
+  save("map.png", "old");
+  FileBatch batch;
+  batch.remove(in("map.png"));
+  EXPECT_FALSE(batch.empty());
+  batch.write(in("page.html"), std::string_view("new"));
+  batch.commit();
+  EXPECT_THAT(names(), ElementsAre("page.html"));
+}
+
+TEST_F(FileBatchTest, AddsTextOnlyIfAllElseHasItsName) {
+  save("summary.md", "mine, ");
+  const auto commit = [&] {
+    FileBatch batch;
+    batch.write(in("page.html"), std::string_view("new"));
+    batch.append(in("summary.md"), "ours");
+    batch.commit();
+  };
+  std::filesystem::create_directory(in("page.html"));
+  EXPECT_NE(messageOf(core::ErrorKind::kIo, commit), "");
+  EXPECT_EQ(text("summary.md"), "mine, ");
+  std::filesystem::remove(in("page.html"));
+  commit();
+  EXPECT_EQ(text("summary.md"), "mine, ours");
+  std::filesystem::remove(in("summary.md"));
+  std::filesystem::create_directory(in("summary.md"));
+  save("page.html", "old");
+  EXPECT_NE(messageOf(core::ErrorKind::kIo, commit), "");
+  EXPECT_EQ(text("page.html"), "old");
+}
+
+TEST_F(FileBatchTest, TakesThoseOfOthersAndFilesThatAreComplete) {
+  save("complete.tmp", "new");
+  FileBatch one, all;
+  one.add(AtomicFile::of(in("complete.tmp"), in("a.png")));
+  all.add(std::move(one));
+  all.commit();
+  EXPECT_THAT(names(), ElementsAre("a.png"));
+  save("complete.tmp", "new");
+  { const AtomicFile unused = AtomicFile::of(in("complete.tmp"), in("a.png")); }
+  EXPECT_THAT(names(), ElementsAre("a.png"));
+}
+
 TEST_F(FileBatchTest, NeedsAFileToBeBeside) {
   FileBatch batch;
   EXPECT_THROW(batch.writeBeside(in("film.srt"), ""), std::logic_error);
