@@ -121,10 +121,10 @@ class Animation {
     checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), frame_.get()), "encoding a frame");
     receive();
   }
-  void finish() {
+  AtomicFile finish() {
     checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), nullptr), "ending the film");
     receive();
-    file_.finish();
+    return file_.finish();
   }
 
  private:
@@ -176,8 +176,8 @@ void setPalette(AVFrame& frame, const std::vector<Rgb>& palette) {
 
 }  // namespace
 
-void animate(const std::vector<path>& segments, const path& target, const FilmTrack& track, const FilmTexts& texts,
-             const path& temporaryFolder) {
+AtomicFile animate(const std::vector<path>& segments, const path& target, const FilmTrack& track,
+                   const FilmTexts& texts, const path& temporaryFolder) {
   const bool gif = track.container == FilmContainer::kGif;
   std::optional<OrderedDither> dither;
   if (gif) dither.emplace(paletteOf(segments));
@@ -200,7 +200,7 @@ void animate(const std::vector<path>& segments, const path& target, const FilmTr
     }
     film->encode();
   });
-  film->finish();
+  return film->finish();
 }
 
 }  // namespace poinsot::output

@@ -235,11 +235,11 @@ TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
               target.native(), file_.descriptor(), file_.temporary()},
              format, parameters, fps, index, texts) {}
 
-void TrackWriter::finish() {
+AtomicFile TrackWriter::finish() {
   muxer_.finish();
   if (isAnimation(format_)) insertTexts(file_, format_, textsOfAnimation(texts_));
   if (!texts_.origin.empty()) seal(file_, format_, texts_.origin);
-  file_.commit();
+  return std::move(file_);
 }
 
 // ---- reading

@@ -75,8 +75,7 @@ class TrackMuxer {
   std::int64_t packets_ = 0;
 };
 
-/// A TrackMuxer's file, which appears under its name when finish() returns, with the digest of its bytes if the
-/// texts name its origin.
+/// A TrackMuxer's file, with the digest of its bytes if the texts name its origin.
 class TrackWriter {
  public:
   /// @throws core::Error(kIo) with the path, as do the members below.
@@ -87,7 +86,8 @@ class TrackWriter {
   TrackWriter& operator=(const TrackWriter&) = delete;
 
   void write(AVPacket& packet, std::int64_t frame) { muxer_.write(packet, frame); }
-  void finish();
+  /// After the last packet. @returns the complete file, which has no name yet.
+  [[nodiscard]] AtomicFile finish();
 
  private:
   AtomicFile file_;

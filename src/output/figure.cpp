@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
 #include "output/figure_parts.h"
 #include "output/figure_writers.h"
-#include "output/png_sequence.h"
+#include "output/file_batch.h"
 
 namespace poinsot::output {
 namespace {
@@ -28,14 +28,13 @@ void requireNameForLatex(const std::string& name) {
                                 core::printable(name)));
 }
 
-void write(const std::filesystem::path& target, std::string_view text) { writeFileAtomically(target, text); }
+Bytes bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
 
-// The image first: a .tex that is there can be set.
-void writeTikz(const std::filesystem::path& target, const Figure& figure) {
-  const std::filesystem::path imageFile = figureFiles(target).front();
-  const std::string tikz = tikzOf(figure, imageFile.filename().string());
-  writePng(imageFile, figure.imagePart, pngTexts(figure.options.title, figure.options.description), figure.dpi());
-  write(target, tikz);
+std::vector<Bytes> tikzContents(const std::filesystem::path& target, const Figure& figure) {
+  const std::string imageName = figureFiles(target).front().filename().string();
+  Bytes png =
+      image::encodePng(figure.imagePart, pngTexts(figure.options.title, figure.options.description), figure.dpi());
+  return {std::move(png), bytesOf(tikzOf(figure, imageName))};
 }
 
 }  // namespace
@@ -70,8 +69,9 @@ draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium) {
   return medium == FigureMedium::kTikz ? withoutType(picture) : surfacesOf(picture);
 }
 
-void writeFigure(const std::filesystem::path& target, const draw::Picture& picture, const image::Image& imagePart,
-                 const FigureOptions& options) {
+std::vector<std::vector<std::uint8_t>> figureContents(const std::filesystem::path& target,
+                                                      const draw::Picture& picture, const image::Image& imagePart,
+                                                      const FigureOptions& options) {
   const auto medium = figureMedium(target);
   POINSOT_EXPECT(medium.has_value());
   POINSOT_EXPECT(imagePart.size.width == picture.size_px.x && imagePart.size.height == picture.size_px.y);
@@ -79,14 +79,19 @@ void writeFigure(const std::filesystem::path& target, const draw::Picture& pictu
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("a figure's width must be more than 0 mm, got {} mm", options.width_mm));
   const Figure figure{picture, imagePart, options};
-  switch (*medium) {
-    case FigureMedium::kPdf:
-      return writeFileAtomically(target, pdfOf(figure));
-    case FigureMedium::kSvg:
-      return write(target, svgOf(figure));
-    case FigureMedium::kTikz:
-      return writeTikz(target, figure);
-  }
+  if (*medium == FigureMedium::kPdf) return {pdfOf(figure)};
+  if (*medium == FigureMedium::kSvg) return {bytesOf(svgOf(figure))};
+  return tikzContents(target, figure);
+}
+
+void writeFigure(const std::filesystem::path& target, const draw::Picture& picture, const image::Image& imagePart,
+                 const FigureOptions& options) {
+  const auto contents = figureContents(target, picture, imagePart, options);
+  const auto files = figureFiles(target);
+  FileBatch batch;
+  batch.write(files.front(), contents.front());
+  for (std::size_t i = 1; i < files.size(); ++i) batch.writeBeside(files[i], contents[i]);
+  batch.commit();
 }
 
 std::vector<glm::dvec2> labelAnchors(const draw::Picture& picture, FigureMedium medium,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -28,7 +29,7 @@ enum class FigureMedium {
 /// By the name's ending: .pdf, .svg, .tex.
 std::optional<FigureMedium> figureMedium(const std::filesystem::path& target);
 
-/// The files that a figure is made of, in the order they are written; the target is the last.
+/// The files that a figure is made of; each rests on the one before, and the target is the last.
 /// @throws core::Error(kUsage) for a name that LaTeX cannot load.
 std::vector<std::filesystem::path> figureFiles(const std::filesystem::path& target);
 
@@ -47,6 +48,12 @@ struct FigureOptions {
 /// What of the picture the medium takes as an image: to be rendered by the caller, transparent (with fitAlpha() of
 /// figure_alpha.h) or not.
 draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium);
+
+/// Returns the bytes of figureFiles(), in their order.
+/// @throws as writeFigure(), except for files that cannot be written.
+std::vector<std::vector<std::uint8_t>> figureContents(const std::filesystem::path& target,
+                                                      const draw::Picture& picture, const image::Image& imagePart,
+                                                      const FigureOptions& options);
 
 /// Writes the figure, whole or not at all, durable when this returns; the same bytes for the same picture: no date
 /// is written. Type is real text: it can be searched and copied, its font is embedded.

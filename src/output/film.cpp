@@ -127,6 +127,11 @@ std::string originOf(const path& film, FilmContainer container) {
 
 void joinSegments(const std::vector<path>& segments, const path& target, const FilmTrack& track,
                   const FilmTexts& texts, const path& temporaryFolder) {
+  joinedSegments(segments, target, track, texts, temporaryFolder).commit();
+}
+
+AtomicFile joinedSegments(const std::vector<path>& segments, const path& target, const FilmTrack& track,
+                          const FilmTexts& texts, const path& temporaryFolder) {
   POINSOT_EXPECT(!segments.empty());
   if (isMadeWhole(track.container)) return animate(segments, target, track, texts, temporaryFolder);
   const Segment first(segments.front(), track);
@@ -138,7 +143,7 @@ void joinSegments(const std::vector<path>& segments, const path& target, const F
     checkLike(first, segment);
     frames += append(segment, frames, film);
   }
-  film.finish();
+  return film.finish();
 }
 
 struct FilmStream::Parts {

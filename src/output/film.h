@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/rational.h"
+#include "output/atomic_file.h"
 #include "output/film_format.h"
 
 namespace poinsot::output {
@@ -40,6 +41,12 @@ struct FilmTrack {
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                   const FilmTrack& track, const FilmTexts& texts = {},
                   const std::filesystem::path& temporaryFolder = {});
+
+/// The same film, complete, for a batch to give it its name.
+[[nodiscard]] AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
+                                        const std::filesystem::path& target, const FilmTrack& track,
+                                        const std::vector<FilmText>& texts = {},
+                                        const std::filesystem::path& temporaryFolder = {});
 
 /// Takes bytes in their order. @returns 0 or an errno.
 using ByteSink = std::function<int(std::span<const std::uint8_t>)>;

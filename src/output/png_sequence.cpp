@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
 
 namespace poinsot::output {
 namespace {
@@ -37,10 +36,11 @@ std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<
 image::PngText digestText(const std::string& digest) { return {kDigestKey, digest}; }
 
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
-              const std::vector<image::PngText>& texts, double dpi, core::StepLedger* steps) {
+              const std::vector<image::PngText>& texts, double dpi, core::StepLedger* steps,
+              Durability durability) {
   const auto bytes = encoded(picture, texts, dpi, steps);
   const core::StepScope timing(steps, core::Step::kWrite);
-  writeFileAtomically(target, bytes);
+  writeFileAtomically(target, bytes, durability);
 }
 
 PngSequence::PngSequence(FramePattern pattern, SequenceOptions options)

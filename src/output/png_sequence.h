@@ -8,15 +8,17 @@
 
 #include "core/step_times.h"
 #include "image/png_file.h"
+#include "output/atomic_file.h"
 #include "output/frame_pattern.h"
 #include "output/frame_sink.h"
 
 namespace poinsot::output {
 
-/// One picture, atomic and durable; `dpi` as in encodePng. `steps`: where the time is entered. @throws
+/// Writes one picture, atomic; `dpi` as in encodePng. `steps`: where the time is entered. @throws
 /// core::Error(kIo).
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
-              const std::vector<image::PngText>& texts = {}, double dpi = 0, core::StepLedger* steps = nullptr);
+              const std::vector<image::PngText>& texts = {}, double dpi = 0, core::StepLedger* steps = nullptr,
+              Durability durability = Durability::kSynced);
 
 /// What a frame's file says of its own digest: hexadecimal.
 image::PngText digestText(const std::string& digest);

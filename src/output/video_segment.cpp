@@ -51,7 +51,7 @@ void VideoSegmentWriter::finish() {
   const core::StepScope timing(parts_->steps, core::Step::kEncode);
   parts_->encoder.drain(parts_->toFile);
   const core::StepScope writing(parts_->steps, core::Step::kWrite);
-  parts_->file.finish();
+  parts_->file.finish().commit();
 }
 
 }  // namespace poinsot::output
