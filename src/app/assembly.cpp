@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
 #include "output/film.h"
 
 namespace poinsot::app {
@@ -82,7 +81,8 @@ bool isFinished(const JobFile& job, const path& target) {
   return filmState(job, target) == output::FilmState::kWhole;
 }
 
-void assemble(const path& workFolder, const JobFile& job, const OutputTarget& output, const path& target) {
+void assemble(output::FileBatch& batch, const path& workFolder, const JobFile& job, const OutputTarget& output,
+              const path& target) {
   const JobStatus status = statusOf(workFolder, job, output);
   if (!status.complete()) refuse(target, status);
   if (job.kind != OutputKind::kFilm) return;
@@ -91,9 +91,10 @@ void assemble(const path& workFolder, const JobFile& job, const OutputTarget& ou
     files.push_back(segmentFile(workFolder, job.film.container, segment));
   const auto first = SegmentRecords(workFolder, output).find(status.segments.front());
   const bool beside = output::folderOf(target) == output::folderOf(workFolder);  // elsewhere may be another disk
-  output::joinSegments(files, target, job.film, {job.title, job.description, originText(job), first->renderer},
-                       beside ? workFolder : path());
-  if (!job.subtitles.empty()) writeSubtitles(job.subtitles, target);
+  const path temporaryFolder = beside ? workFolder : path();
+  const output::FilmTexts texts{job.title, job.description, originText(job), first->renderer};
+  batch.add(output::joinedSegments(files, target, job.film, texts, temporaryFolder));
+  addSubtitles(batch, job.subtitles, target, temporaryFolder);
 }
 
 }  // namespace poinsot::app

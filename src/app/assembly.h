@@ -6,6 +6,7 @@
 
 #include "app/job_file.h"
 #include "app/segment_record.h"
+#include "output/file_batch.h"
 
 namespace poinsot::app {
 
@@ -31,11 +32,10 @@ output::FilmState filmState(const JobFile& job, const std::filesystem::path& tar
 /// Whether the film stands under its final name already, byte for byte as it was written, and of this job.
 bool isFinished(const JobFile& job, const std::filesystem::path& target);
 
-/// Makes the target of its segments: joins a film's under its final name, of the output or another, with its texts
-/// and subtitles. The frames
-/// of a sequence have their names already.
+/// Adds to a batch what a job's segments make: a film, joined, with its texts and its subtitles, for the output's
+/// name or another. The frames of a sequence have their names already.
 /// @throws core::Error(kIo) naming the frames that are missing, stale or corrupt; or what cannot be written.
-void assemble(const std::filesystem::path& workFolder, const JobFile& job, const OutputTarget& output,
-              const std::filesystem::path& target);
+void assemble(output::FileBatch& batch, const std::filesystem::path& workFolder, const JobFile& job,
+              const OutputTarget& output, const std::filesystem::path& target);
 
 }  // namespace poinsot::app

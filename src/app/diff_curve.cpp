@@ -8,9 +8,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
 #include "output/figure_mark.h"
-#include "output/target_check.h"
 #include "stage/plot_ticks.h"
 
 namespace poinsot::app {
@@ -27,6 +25,12 @@ constexpr const char* colorOf(image::Verdict verdict) {
   return verdict == image::Verdict::kIdentical ? "#c3c9cf"
          : verdict == image::Verdict::kNear    ? "#c88a00"
                                                : "#b3261e";
+}
+
+/// What a curve begins with, and no figure of a scene does.
+std::string svgStart() {
+  return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" )",
+                     kWidth, kHeight);
 }
 
 /// A figure of each point, and the line that it must not cross.
@@ -60,11 +64,11 @@ class CurvePicture {
     }
     return output::marked(
         output::kSvgMark,
-        fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-            "font-family=\"'Source Sans 3', 'Source Sans Pro', 'Noto Sans', sans-serif\" font-size=\"13\" "
-            "fill=\"#24292f\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{2}</svg>\n",
-            kWidth, kHeight, body));
+        svgStart() +
+            fmt::format(
+                "font-family=\"'Source Sans 3', 'Source Sans Pro', 'Noto Sans', sans-serif\" font-size=\"13\" "
+                "fill=\"#24292f\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{2}</svg>\n",
+                kWidth, kHeight, body));
   }
 
  private:
@@ -189,16 +193,20 @@ std::string curveCsv(const FilmDiff& diff) {
 
 std::string curveSvg(const FilmDiff& diff, const image::NearRule& rule) { return CurvePicture(diff, rule).svg(); }
 
-void checkCurveTarget(const std::filesystem::path& file, bool force) {
-  if (!isCsv(file) && file.extension() != ".svg")
+output::FileKind curveKind(const std::filesystem::path& file) {
+  if (isCsv(file)) return output::textKind("a curve", std::string(kCsvHeader));
+  if (file.extension() != ".svg")
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("curve '{}': works: NAME.csv, NAME.svg{}", core::printable(file.native()),
                                   core::smallLettersHint(file.native(), {".csv", ".svg"})));
-  output::checkTarget(file, force || (isCsv(file) && output::beginsWith(file, kCsvHeader)));
+  return {"a curve", [](const std::filesystem::path& earlier) {
+            const auto rest = output::markedRest(earlier, output::kSvgMark);
+            return rest && rest->starts_with(svgStart());
+          }};
 }
 
-void writeCurve(const std::filesystem::path& file, const FilmDiff& diff, const image::NearRule& rule) {
-  output::writeFileAtomically(file, isCsv(file) ? curveCsv(diff) : curveSvg(diff, rule));
+std::string curveText(const std::filesystem::path& file, const FilmDiff& diff, const image::NearRule& rule) {
+  return isCsv(file) ? curveCsv(diff) : curveSvg(diff, rule);
 }
 
 }  // namespace poinsot::app

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/film_diff.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
 
@@ -18,12 +19,11 @@ std::string curveCsv(const FilmDiff& diff);
 /// frames are many, each point has the most of those that it stands for.
 std::string curveSvg(const FilmDiff& diff, const image::NearRule& rule);
 
-/// Whether a file of that name gets a curve: .csv or .svg. @throws core::Error(kUsage) if not; as
-/// output::checkTarget(), which knows a curve of an earlier run: a
-/// table by its first line.
-void checkCurveTarget(const std::filesystem::path& file, bool force);
+/// Curves of this program, in the form that the name of a file asks for: .csv or .svg.
+/// @throws core::Error(kUsage) for another name.
+output::FileKind curveKind(const std::filesystem::path& file);
 
-/// Writes it in the form that the name says.
-void writeCurve(const std::filesystem::path& file, const FilmDiff& diff, const image::NearRule& rule);
+/// The curve in the form that the name says.
+std::string curveText(const std::filesystem::path& file, const FilmDiff& diff, const image::NearRule& rule);
 
 }  // namespace poinsot::app

@@ -197,6 +197,8 @@ void embedFiles(DiffPageEntry& entry) {
     if (!picture->file.empty()) *picture = readPicture(picture->file, entry.status == "error");
 }
 
+output::FileKind reportKind() { return output::markedKind("a report", output::kHtmlMark); }
+
 std::string htmlOf(const DiffPage& page) {
   std::string html(poinsot_diff_page, poinsot_diff_page_end);
   fillIn(html, "@STYLE@", {poinsot_diff_page_css, poinsot_diff_page_css_end});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/picture_diff.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
 
@@ -76,5 +77,8 @@ void embedFiles(DiffPageEntry& entry);
 /// Returns a page of HTML that frames what changed, magnifies it and approves nothing by itself. Style, script and
 /// embedded pictures are in it; it loads the other pictures and nothing else. A comment marks it as poinsot's own.
 std::string htmlOf(const DiffPage& page);
+
+/// Pages of this program.
+output::FileKind reportKind();
 
 }  // namespace poinsot::app

@@ -42,64 +42,68 @@ std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string
   return names;
 }
 
-/// The request for one pair: places for its pictures in the folders.
-DiffRequest requestFor(const DiffRequest& request, const std::string& name) {
+/// Adds the maps of one pair; an identical one has none.
+void addPairMaps(output::FileBatch& maps, const ComparedPictures& compared, const DiffRequest& own) {
+  if (compared.diff.verdict == image::Verdict::kIdentical) return addRemovalOfMaps(maps, own);
+  for (const auto& place : {own.map, own.difference})
+    if (place && compared.diff.hasFigures) output::makeFolders(place->parent_path());
+  addMaps(maps, compared, own);
+}
+
+}  // namespace
+
+FolderNames namesInFolders(const fs::path& reference, const fs::path& test) {
+  FolderNames names;
+  const auto ours = namesIn(reference, names.linkedFolders), theirs = namesIn(test, names.linkedFolders);
+  if (ours.empty() && theirs.empty())
+    throw Error(ErrorKind::kUsage,
+                fmt::format("{} and {}: no PNG file and no film is there", core::printable(reference.native()),
+                            core::printable(test.native())));
+  std::ranges::set_intersection(ours, theirs, std::back_inserter(names.inBoth));
+  std::ranges::set_difference(ours, theirs, std::back_inserter(names.onlyInReference));
+  std::ranges::set_difference(theirs, ours, std::back_inserter(names.onlyInTest));
+  return names;
+}
+
+DiffRequest requestForPair(const DiffRequest& request, const std::string& name) {
   DiffRequest own = request;
   for (auto* place : {&own.map, &own.difference})
     if (*place) *place = **place / name;
   return own;
 }
 
-/// Identical pairs leave no picture.
-PictureDiff diffPair(const fs::path& reference, const fs::path& test, const std::string& name,
-                     const DiffRequest& request) {
-  const DiffRequest own = requestFor(request, name);
-  ComparedPictures compared = compareFiles(reference / name, test / name, own);
-  compared.diff.name = name;
-  if (compared.diff.verdict == image::Verdict::kIdentical) {
-    forgetMaps(own);
-    return std::move(compared.diff);
-  }
-  for (const auto& place : {own.map, own.difference})
-    if (place && compared.diff.hasFigures) output::makeFolders(place->parent_path());
-  writeMaps(compared, own);
-  return std::move(compared.diff);
-}
-
-}  // namespace
-
 image::Verdict FolderDiff::verdict() const {
   image::Verdict worst = image::Verdict::kIdentical;
-  if (!onlyInReference.empty() || !onlyInTest.empty()) worst = image::Verdict::kDifferent;
+  if (!names.onlyInReference.empty() || !names.onlyInTest.empty()) worst = image::Verdict::kDifferent;
   for (const PictureDiff& picture : pictures) worst = std::max(worst, picture.verdict);
   return worst;
 }
 
-FolderDiff diffFolders(const fs::path& reference, const fs::path& test, const DiffRequest& request, int jobs) {
+FolderDiff diffFolders(const fs::path& reference, const fs::path& test, FolderNames names,
+                       const DiffRequest& request, int jobs, output::FileBatch& maps) {
   FolderDiff diff;
-  const auto ours = namesIn(reference, diff.linkedFolders), theirs = namesIn(test, diff.linkedFolders);
-  if (ours.empty() && theirs.empty())
-    throw Error(ErrorKind::kUsage,
-                fmt::format("{} and {}: no PNG file and no film is there", core::printable(reference.native()),
-                            core::printable(test.native())));
-  std::vector<std::string> both;
-  std::ranges::set_intersection(ours, theirs, std::back_inserter(both));
-  std::ranges::set_difference(ours, theirs, std::back_inserter(diff.onlyInReference));
-  std::ranges::set_difference(theirs, ours, std::back_inserter(diff.onlyInTest));
+  const std::vector<std::string>& both = names.inBoth;
   diff.pictures.resize(both.size());
   std::vector<std::optional<Error>> errors(both.size());
+  std::vector<output::FileBatch> mapsOf(both.size());
   forEachIndex(both.size(), jobs, [&](std::size_t i) {
+    const DiffRequest own = requestForPair(request, both[i]);
+    ComparedPictures compared;
     try {
-      diff.pictures[i] = diffPair(reference, test, both[i], request);
+      compared = compareFiles(reference / both[i], test / both[i], own);
     } catch (const Error& error) {
-      diff.pictures[i] = unreadablePair(error);
-      diff.pictures[i].name = both[i];
+      compared.diff = unreadablePair(error);
       errors[i] = error;
     }
+    if (!errors[i]) addPairMaps(mapsOf[i], compared, own);
+    diff.pictures[i] = std::move(compared.diff);
+    diff.pictures[i].name = both[i];
   });
   for (auto& error : errors) {
     if (error && !diff.firstError) diff.firstError = std::move(error);
   }
+  for (output::FileBatch& each : mapsOf) maps.add(std::move(each));
+  diff.names = std::move(names);
   return diff;
 }
 

@@ -125,6 +125,7 @@ struct Drawing {
   std::size_t place = 0;  ///< among the cases
   RenderRequest request;
   std::string scene;  ///< its digest
+  std::vector<scene::InputFile> inputs;
 };
 
 Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
@@ -142,7 +143,7 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   render.worker_bytes = workerMemory_bytes(size, std::nullopt) + cells * meshMemory_bytes(scene);
   expectWithinMemory(std::max(render.worker_bytes, compareMemory_bytes(size)), pictureText(size),
                      golden.allowance.limits);
-  return {place, std::move(render), digest};
+  return {place, std::move(render), digest, scene.inputs};
 }
 
 /// Returns a picture's digest. @throws core::Error(kIo) if it, or a film's first one, cannot be read.
@@ -259,6 +260,13 @@ class Comparing {
   const scene::Limits& limits_;
 };
 
+/// Checks that the files of a case replace none that this program did not write. @throws core::Error(kIo)
+void expectReplaceable(const GoldenCase& one, const fs::path& output) {
+  std::error_code ignored;
+  for (const fs::path& file : filesMadeFor(one, output))
+    if (fs::exists(fs::symlink_status(file, ignored))) output::checkTarget(file, false);
+}
+
 /// One run over the cases: first all are drawn, then all compared.
 class Run {
  public:
@@ -270,6 +278,7 @@ class Run {
 
   std::vector<Outcome> outcomes() {
     for (std::size_t i = 0; i < cases_.size(); ++i) prepare(i);
+    enterInputs();
     draw();
     forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
     // A scene with a mistake may be what made a reference.
@@ -295,16 +304,23 @@ class Run {
     }
     outcomes_[place].name = one.name;
     outcomes_[place].rule = one.test.rule;
-    if (one.test.scene.empty()) return;
     try {
+      expectReplaceable(one, request_.output);
+      if (one.test.scene.empty()) return;
       output::makeFolders(one.actual.parent_path());
-      output::checkTarget(one.actual, false);
       std::error_code ignored;
       fs::remove(one.actual, ignored);  // of an earlier run
       drawings_.push_back(drawingOf(one, place, request_));
     } catch (const core::Error& error) {  // of the place, or all that is wrong with the scene
       fail(place, error);
     }
+  }
+
+  /// Reports may not replace what a scene reads. @throws core::Error(kUsage)
+  void enterInputs() const {
+    if (request_.files == nullptr) return;
+    for (const Drawing& drawing : drawings_)
+      for (const scene::InputFile& input : drawing.inputs) request_.files->reads(input.place, "the scene's file");
   }
 
   void draw() {
@@ -375,6 +391,12 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
     }
   giveTakenStems(all);
   return request.only.empty() ? all : chosen(all, request.only);
+}
+
+std::vector<fs::path> filesMadeFor(const GoldenCase& one, const fs::path& output) {
+  std::vector<fs::path> files{one.fileIn(output, kMapEnding), one.fileIn(output, kDifferenceEnding)};
+  if (!one.test.scene.empty()) files.push_back(one.actual);
+  return files;
 }
 
 std::vector<Outcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {

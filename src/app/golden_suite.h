@@ -10,6 +10,7 @@
 #include "app/golden_reference.h"
 #include "app/outcome.h"
 #include "gl/offscreen_context.h"
+#include "output/run_files.h"
 
 namespace poinsot::app {
 
@@ -33,6 +34,9 @@ struct GoldenCase {
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };
 
+/// Files that a run may make for a case: its picture, unless another program makes that, and two maps.
+std::vector<std::filesystem::path> filesMadeFor(const GoldenCase& one, const std::filesystem::path& output);
+
 struct GoldenRequest {
   /// Names of tests or of cases, * for any characters, or files as the manifest has them; empty: all.
   std::vector<std::string> only;
@@ -41,7 +45,8 @@ struct GoldenRequest {
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = true;
   scene::Allowance allowance = {};
-  std::string variant = {};  ///< of all images, in place of what their tests say
+  std::string variant = {};           ///< of all images, in place of what their tests say
+  output::RunFiles* files = nullptr;  ///< of the run: gets what its scenes read
 };
 
 /// The cases of a manifest that are asked for. @throws core::Error(kUsage) for a name that is none.

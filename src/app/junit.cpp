@@ -74,7 +74,11 @@ std::string caseXml(const Outcome& outcome, const OutcomeReport& report) {
       attachments.empty() ? "" : fmt::format("    <system-out>{}</system-out>\n", xml(attachments)));
 }
 
+constexpr const char* kJunitMark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- poinsot";
+
 }  // namespace
+
+output::FileKind junitKind() { return output::textKind("a JUnit report", kJunitMark); }
 
 std::string junitXml(const std::vector<Outcome>& outcomes, const OutcomeReport& report) {
   const auto count = [&](bool errors) {

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/outcome.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
 
-/// First bytes of such a file: by this, one of an earlier run is known.
-inline constexpr std::string_view kJunitMark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- poinsot";
+/// JUnit reports of this program.
+output::FileKind junitKind();
 
 /// The outcomes as JUnit XML, as continuous integration reads it: a failure for what does not pass, an error for
 /// what has no picture. Each has the reason, the paths of its pictures and the command that approves it; pictures

@@ -7,7 +7,6 @@
 #include "app/json_text.h"
 #include "app/segment_record.h"
 #include "core/version.h"
-#include "output/atomic_file.h"
 
 namespace poinsot::app {
 namespace {
@@ -49,8 +48,10 @@ Json toJson(const RenderSummary& summary) {
 
 }  // namespace
 
-void writeManifest(const path& file, const path& workFolder, const JobFile& job, const OutputTarget& target,
-                   const RenderSummary& summary) {
+output::FileKind manifestKind() { return output::textKind("a manifest", "{\n \"poinsot\": \""); }
+
+std::string manifestText(const path& workFolder, const JobFile& job, const OutputTarget& target, const path& film,
+                         const RenderSummary& summary) {
   Json digests = Json::object(), files = Json::array();
   std::set<std::string> renderers;
   const SegmentRecords records(workFolder, target);
@@ -63,7 +64,11 @@ void writeManifest(const path& file, const path& workFolder, const JobFile& job,
     if (job.kind == OutputKind::kSequence)
       for (const RecordedFile& frame : record->files) files.push_back(toJson(frame));
   }
-  if (job.kind == OutputKind::kFilm) files.push_back(toJson(recordOf(target.path)));
+  if (job.kind == OutputKind::kFilm) {
+    RecordedFile whole = recordOf(film);
+    whole.path = target.path;
+    files.push_back(toJson(whole));
+  }
   const Json manifest{{"poinsot", core::version()},
                       {"title", job.title},
                       {"scene_sha256", job.scene},
@@ -76,7 +81,7 @@ void writeManifest(const path& file, const path& workFolder, const JobFile& job,
                       {"files", std::move(files)},
                       {"frame_digests", std::move(digests)},
                       {"spent", toJson(summary)}};
-  output::writeFileAtomically(file, manifest.dump(1) + "\n");
+  return manifest.dump(1) + "\n";
 }
 
 }  // namespace poinsot::app

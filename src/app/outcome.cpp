@@ -115,13 +115,13 @@ std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& referenc
   std::vector<Outcome> outcomes;
   for (const PictureDiff& pair : diff.pictures)
     outcomes.push_back(outcomeOf(pair, reference / pair.name, test / pair.name, request));
-  for (const std::string& name : diff.onlyInReference) {
+  for (const std::string& name : diff.names.onlyInReference) {
     outcomes.push_back(loneOutcome(name, OutcomeStatus::kMissing));
     outcomes.back().reference = reference / name;
     outcomes.back().message = fmt::format("only in the reference; if it is gone for good, remove {}",
                                           core::printable(outcomes.back().reference.native()));
   }
-  for (const std::string& name : diff.onlyInTest) {
+  for (const std::string& name : diff.names.onlyInTest) {
     outcomes.push_back(loneOutcome(name, OutcomeStatus::kNew));
     outcomes.back().actual = test / name;
     outcomes.back().message = "nothing in the reference has this name";

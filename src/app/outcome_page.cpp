@@ -24,11 +24,19 @@ std::string pngOf(const image::AnyImage& picture) {
 /// A browser shows no film as a picture.
 bool isPicture(const std::filesystem::path& file) { return image::isPngName(file); }
 
+/// Embeds the files of an entry; the map perhaps from where it waits for its name.
+void embedFilesOf(DiffPageEntry& entry, const OutcomePageHead& head) {
+  const std::filesystem::path map = entry.map.file;
+  if (head.unnamed != nullptr) entry.map.file = head.unnamed->contentOf(map);
+  embedFiles(entry);
+  if (!entry.map.file.empty()) entry.map.file = map;
+}
+
 /// Embeds what can be read of an outcome. Where no file has the map, or the files are films, both are compared
 /// again.
 void embed(DiffPageEntry& entry, const Outcome& outcome, const OutcomePageHead& head) try {
   const bool film = outcome.diff.film.has_value();
-  if (!film) embedFiles(entry);
+  if (!film) embedFilesOf(entry, head);
   if (!entry.hasFigures || (!film && !entry.map.png.empty())) return;
   const DiffRequest request{outcome.rule, head.pixelsPerDegree};
   const ComparedPictures compared = compareFiles(outcome.reference, outcome.actual, request);

@@ -7,6 +7,7 @@
 
 #include "app/diff_page.h"
 #include "app/outcome.h"
+#include "output/file_batch.h"
 
 namespace poinsot::app {
 
@@ -20,7 +21,8 @@ struct OutcomePageHead {
   std::filesystem::path place = {};                      ///< in the work tree whose commit is named
   std::string approve = {};  ///< command that approves the rows whose names follow; empty for none
   double pixelsPerDegree = image::kFlipPixelsPerDegree;
-  bool exact = false;  ///< whether identical pixels that are stored in another way fail
+  bool exact = false;                          ///< whether identical pixels that are stored in another way fail
+  const output::FileBatch* unnamed = nullptr;  ///< holds maps of this run that have no names yet
 };
 
 /// A page without rows.

@@ -15,8 +15,11 @@ using nlohmann::ordered_json;
 
 std::string nowText() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
+constexpr const char* kCall = "poinsotOutcome(";
+constexpr const char* kMark = "poinsotOutcome({";
+
 std::string callOf(const ordered_json& json) {
-  return "poinsotOutcome(" + json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ");\n";
+  return kCall + json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ");\n";
 }
 
 /// The report's path as the script's folder sees it.
@@ -41,6 +44,8 @@ std::string_view passedVerdict(const std::vector<Outcome>& outcomes) {
 }
 
 }  // namespace
+
+output::FileKind outcomeScriptKind() { return output::textKind("an outcome script", kMark); }
 
 std::string outcomeScript(const std::vector<Outcome>& outcomes, const OutcomeReport& report,
                           const std::filesystem::path& script) {

@@ -3,15 +3,15 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/outcome.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
 
-/// First bytes of such a file, by which one of an earlier run is recognised.
-inline constexpr std::string_view kOutcomeScriptMark = "poinsotOutcome({";
+/// Outcome scripts of this program.
+output::FileKind outcomeScriptKind();
 
 /// The outcome of a run as one call in JavaScript. A page that is read from the file system may load scripts but
 /// no data, so an index page of several runs loads this and defines the function poinsotOutcome(), which takes an

@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <system_error>
 #include <variant>
 
 #include "app/memory.h"
 #include "image/common_form.h"
 #include "image/magma.h"
-#include "output/png_sequence.h"
 
 namespace poinsot::app {
 namespace {
+
+constexpr const char* kMapKey = "Comparison";  // of the text by which maps are known
 
 image::PixelSize sizeOf(const image::AnyImage& picture) {
   return std::visit([](const auto& p) { return p.size; }, picture);
@@ -113,11 +113,21 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
   return compared;
 }
 
+const output::FileKind& mapKind() {
+  static const output::FileKind kind{
+      "a map", [](const std::filesystem::path& file) { return image::isOwnPng(file, kMapKey); }};
+  return kind;
+}
+
+void addRemovalOfMaps(output::FileBatch& batch, const DiffRequest& request) {
+  for (const auto& place : {request.map, request.difference})
+    if (place && mapKind().isOwn(*place)) batch.remove(*place);
+}
+
 void forgetMaps(const DiffRequest& request) {
-  for (const auto& place : {request.map, request.difference}) {
-    std::error_code ignored;  // what stays is overwritten or refused later
-    if (place && image::isOwnPng(*place)) std::filesystem::remove(*place, ignored);
-  }
+  output::FileBatch batch;
+  addRemovalOfMaps(batch, request);
+  batch.commit();
 }
 
 image::Image differenceOf(const ComparedPictures& compared, const DiffRequest& request) {
@@ -126,10 +136,19 @@ image::Image differenceOf(const ComparedPictures& compared, const DiffRequest& r
                                     ignored ? &*ignored : nullptr);
 }
 
+void addMaps(output::FileBatch& batch, const ComparedPictures& compared, const DiffRequest& request) {
+  if (!compared.diff.hasFigures) return addRemovalOfMaps(batch, request);
+  const auto add = [&](const std::filesystem::path& place, const image::Image& map, const char* shown) {
+    batch.write(place, image::encodePng(map, {{kMapKey, shown}}));
+  };
+  if (request.map) add(*request.map, image::magmaPicture(compared.flip), "FLIP");
+  if (request.difference) add(*request.difference, differenceOf(compared, request), "difference");
+}
+
 void writeMaps(const ComparedPictures& compared, const DiffRequest& request) {
-  if (!compared.diff.hasFigures) return forgetMaps(request);
-  if (request.map) output::writePng(*request.map, image::magmaPicture(compared.flip));
-  if (request.difference) output::writePng(*request.difference, differenceOf(compared, request));
+  output::FileBatch batch;
+  addMaps(batch, compared, request);
+  batch.commit();
 }
 
 }  // namespace poinsot::app

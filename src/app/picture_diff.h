@@ -12,6 +12,8 @@
 #include "image/changes.h"
 #include "image/difference.h"
 #include "image/png_file.h"
+#include "output/file_batch.h"
+#include "output/file_kind.h"
 #include "scene/limits.h"
 
 namespace poinsot::app {
@@ -90,11 +92,19 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
 /// The amplified difference of two pictures that have figures. @throws as ignoreMaskOf().
 image::Image differenceOf(const ComparedPictures& compared, const DiffRequest& request);
 
-/// Removes what an earlier run wrote where the request asks for maps.
+/// Maps of this program: the pictures that a request asks for.
+const output::FileKind& mapKind();
+
+/// Removes the maps of an earlier run.
 void forgetMaps(const DiffRequest& request);
 
-/// Writes the maps that the request asks for. Where pictures have no figures it removes those of an earlier run.
-/// @throws core::Error(kIo) where something cannot be written.
+/// Adds the maps that the request asks for to a batch. Where pictures have no figures, those of an earlier run are
+/// removed. @throws core::Error(kIo) where something cannot be written.
+void addMaps(output::FileBatch& batch, const ComparedPictures& compared, const DiffRequest& request);
+/// Adds the removal of the maps of an earlier run.
+void addRemovalOfMaps(output::FileBatch& batch, const DiffRequest& request);
+
+/// Writes the maps of addMaps(). @throws core::Error(kIo) where something cannot be written.
 void writeMaps(const ComparedPictures& compared, const DiffRequest& request);
 
 }  // namespace poinsot::app

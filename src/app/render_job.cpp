@@ -13,9 +13,11 @@
 #include "app/interrupt.h"
 #include "app/manifest.h"
 #include "app/memory.h"
+#include "app/segment_sink.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "gl/offscreen_context.h"
+#include "output/figure.h"
 
 namespace poinsot::app {
 namespace {
@@ -87,16 +89,14 @@ void RenderJob::begin() {
 
 RenderSummary RenderJob::end() {
   summary_.replacedDamaged = found_ == output::FilmState::kDamaged;
-  if (isFinished()) {
-    summary_.reused = request_.frames.count();
-    if (!request_.job->subtitles.empty()) writeSubtitles(request_.job->subtitles, request_.target.path);
-  } else {
-    traced("assemble", [this] { publish(); });
-  }
+  if (isFinished()) summary_.reused = request_.frames.count();
+  output::FileBatch results;
+  traced("assemble", [&] { gather(results); });
   summary_.wall_s = elapsed_s();
-  if (request_.manifest)
-    writeManifest(*request_.manifest, folder_.path(), *request_.job, request_.target, summary_);
-  if (trace_) trace_->commit();
+  if (request_.manifest) addManifest(results);
+  if (trace_) results.add(trace_->finish());
+  results.commit();
+  summary_.wall_s = elapsed_s();
   if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
 }
@@ -202,10 +202,31 @@ void RenderJob::sendOn(const FrameRange& segment) try { stream_->add(segment); }
   throw;
 }
 
-void RenderJob::publish() {
+void RenderJob::gather(output::FileBatch& results) {
+  const OutputTarget& target = request_.target;
   if (stream_) return stream_->finish();
-  if (request_.job && !request_.shard)
-    assemble(folder_.path(), *request_.job, request_.target, request_.target.path);
+  if (request_.shard) return;
+  if (!request_.job) return gatherStill(results);
+  if (finished_) return addSubtitlesOfFinished(results, request_.job->subtitles, target.path);
+  assemble(results, folder_.path(), *request_.job, target, target.path);
+}
+
+void RenderJob::gatherStill(output::FileBatch& results) const {
+  const auto files = output::figureFiles(request_.target.path);
+  const auto places = stagedFiles(folder_.path(), request_.target);
+  results.add(output::AtomicFile::of(places.front(), files.front()));
+  for (std::size_t i = 1; i < files.size(); ++i) results.addBeside(output::AtomicFile::of(places[i], files[i]));
+}
+
+/// A manifest of a film rests on it: it has its digest.
+void RenderJob::addManifest(output::FileBatch& results) const {
+  const OutputTarget& target = request_.target;
+  const std::string text =
+      manifestText(folder_.path(), *request_.job, target, results.contentOf(target.path), summary_);
+  if (results.empty())
+    results.write(*request_.manifest, text);
+  else
+    results.writeBeside(*request_.manifest, text);
 }
 
 std::int64_t RenderJob::framesKept() const { return request_.job && !stream_ ? segmentFramesDone_ : 0; }

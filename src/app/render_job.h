@@ -17,6 +17,7 @@
 #include "app/work_folder.h"
 #include "app/worker_process.h"
 #include "app/worker_protocol.h"
+#include "output/file_batch.h"
 
 namespace poinsot::app {
 
@@ -47,7 +48,7 @@ class RenderJob {
   bool isMaking() const { return !workers_.empty(); }
   /// Reads what has been reported, without waiting for more.
   void takeReports();
-  /// Puts the result into its place.
+  /// Gives all results their names, together.
   RenderSummary end();
   /// Asks the workers to stop, for whoever has other jobs to stop as well: the destructor waits for them.
   void askToStop();
@@ -68,7 +69,10 @@ class RenderJob {
   void sendOn(const FrameRange& segment);
   void handOut(WorkerProcess& worker);
   void countWritten(const FrameRange& segment);
-  void publish();
+  /// Adds what the workers made, complete.
+  void gather(output::FileBatch& results);
+  void gatherStill(output::FileBatch& results) const;
+  void addManifest(output::FileBatch& results) const;
   void stopWorkers();
   double elapsed_s() const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/segment_sink.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "app/film_choice.h"
@@ -16,9 +18,9 @@ namespace {
 /// The one file of a single picture.
 class SinglePicture : public output::FrameSink {
  public:
-  SinglePicture(std::filesystem::path target, std::vector<image::PngText> texts, double dpi,
+  SinglePicture(std::filesystem::path place, std::vector<image::PngText> texts, double dpi,
                 output::FrameDigestText digestOf, core::StepLedger& steps)
-      : target_(std::move(target)),
+      : place_(std::move(place)),
         texts_(std::move(texts)),
         dpi_(dpi),
         digestOf_(std::move(digestOf)),
@@ -26,12 +28,12 @@ class SinglePicture : public output::FrameSink {
   void write(const image::Frame& frame, std::int64_t k) override {
     std::vector<image::PngText> texts = texts_;
     texts.push_back(output::digestText(digestOf_(k)));
-    output::writePng(target_, frame.picture, texts, dpi_, &steps_);
+    output::writePng(place_, frame.picture, texts, dpi_, &steps_, output::Durability::kRenamed);
   }
   void finish() override {}
 
  private:
-  std::filesystem::path target_;
+  std::filesystem::path place_;
   std::vector<image::PngText> texts_;
   double dpi_;
   output::FrameDigestText digestOf_;
@@ -41,17 +43,25 @@ class SinglePicture : public output::FrameSink {
 /// A picture that is more than its pixels.
 class SingleFigure : public output::FrameSink {
  public:
-  SingleFigure(std::filesystem::path target, output::FigureOptions options, const SceneFrames& frames,
-               core::StepLedger& steps)
-      : target_(std::move(target)), options_(std::move(options)), frames_(frames), steps_(steps) {}
+  SingleFigure(std::filesystem::path target, std::vector<std::filesystem::path> places,
+               output::FigureOptions options, const SceneFrames& frames, core::StepLedger& steps)
+      : target_(std::move(target)),
+        places_(std::move(places)),
+        options_(std::move(options)),
+        frames_(frames),
+        steps_(steps) {}
   void write(const image::Frame& imagePart, std::int64_t) override {
     const core::StepScope timing(&steps_, core::Step::kEncode);
-    output::writeFigure(target_, frames_.picture(), std::get<image::Image>(imagePart.picture), options_);
+    const auto contents =
+        output::figureContents(target_, frames_.picture(), std::get<image::Image>(imagePart.picture), options_);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      output::writeFileAtomically(places_[i], contents[i], output::Durability::kRenamed);
   }
   void finish() override {}
 
  private:
   std::filesystem::path target_;
+  std::vector<std::filesystem::path> places_;
   output::FigureOptions options_;
   const SceneFrames& frames_;
   core::StepLedger& steps_;
@@ -63,14 +73,15 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene
   const auto [title, description] = pictureWords(job.scene, scene);
   const PrintSize print = job.form.print.value_or(PrintSize{});
   if (job.target.kind == OutputKind::kFigure)
-    return std::make_unique<SingleFigure>(path, output::FigureOptions{print.width_mm, title, description}, frames,
+    return std::make_unique<SingleFigure>(path, stagedFiles(job.workFolder, job.target),
+                                          output::FigureOptions{print.width_mm, title, description}, frames,
                                           steps);
   auto texts = output::pngTexts(title, description);
   auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
   if (job.target.kind == OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});
   if (job.target.kind == OutputKind::kPicture)
-    return std::make_unique<SinglePicture>(path, std::move(texts), job.form.print ? print.dpi : 0, digestOf,
-                                           steps);
+    return std::make_unique<SinglePicture>(stagedFiles(job.workFolder, job.target).front(), std::move(texts),
+                                           job.form.print ? print.dpi : 0, digestOf, steps);
   // What is said of the whole film is not said by its frames: they stay as they are when it changes.
   return std::make_unique<output::PngSequence>(
       output::FramePattern(path.string()),
@@ -78,6 +89,14 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& workFolder,
+                                               const OutputTarget& target) {
+  std::vector<std::filesystem::path> places;
+  for (std::size_t i = 0; i < output::figureFiles(target.path).size(); ++i)
+    places.push_back(workFolder / fmt::format("picture-{}.tmp", i));
+  return places;
+}
 
 SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames,
                     core::StepLedger& steps) {

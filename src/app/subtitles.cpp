@@ -6,20 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "app/frame_clock.h"
 #include "core/regular_file.h"
 #include "core/sha256.h"
-#include "output/atomic_file.h"
 #include "output/figure_mark.h"
 #include "output/film.h"
 #include "output/film_format.h"
-#include "output/target_check.h"
 #include "text/math_setter.h"
 
 namespace poinsot::app {
 namespace {
+
+using std::filesystem::path;
 
 /// "00:01:02,345" with the sign before the milliseconds that the format has.
 std::string stamp(std::int64_t time_ms, char sign) {
@@ -58,12 +59,10 @@ std::string textOf(const std::filesystem::path& file) try {
   return "";
 }
 
-/// Whether nothing of a user's is lost when the .srt is replaced: its digest stands in a .vtt of this program, or
-/// its text stays the same.
-bool isOwnSrt(const std::string& srt, const std::filesystem::path& vtt, const std::vector<Subtitle>& subtitles) {
-  if (srt == srtText(subtitles)) return true;
-  return output::isOwnFigure(vtt) &&
-         textOf(vtt).find(std::string(kDigestOfSrt) + core::toHex(core::sha256(srt))) != std::string::npos;
+/// Whether the digest of a .srt stands in a .vtt of this program.
+bool isOwnSrt(const std::filesystem::path& srt, const std::filesystem::path& vtt) {
+  const auto rest = output::markedRest(vtt, output::kVttMark);
+  return rest && rest->starts_with(std::string(kDigestOfSrt) + core::toHex(core::sha256(textOf(srt))));
 }
 
 }  // namespace
@@ -116,17 +115,44 @@ bool replacesOthers(const std::vector<Subtitle>& subtitles, const std::filesyste
   return !srt.empty() && srt != srtText(subtitles);
 }
 
-void checkSubtitleFiles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film, bool force) {
-  const auto files = subtitleFiles(film);
-  output::checkTarget(files[0], force || isOwnSrt(textOf(files[0]), files[1], subtitles));
-  output::checkTarget(files[1], force);
+void enterSubtitles(output::RunFiles& files, const std::vector<Subtitle>& subtitles,
+                    const std::filesystem::path& film) {
+  if (subtitles.empty()) return;
+  const auto names = subtitleFiles(film);
+  const path &srt = names[0], &vtt = names[1];
+  // A text that stays the same is no loss: the user may have removed the .vtt by which it is known.
+  const output::FileKind srtKind{
+      "captions", [&](const path& file) { return isOwnSrt(file, vtt) || textOf(file) == srtText(subtitles); }};
+  files.writes(srt, "captions", srtKind);
+  files.writes(vtt, "captions", output::markedKind("captions", output::kVttMark));
 }
 
-void writeSubtitles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film) {
-  // The .srt is written first: if the run is killed between the two, the next one finds its own text there.
-  const auto files = subtitleFiles(film);
-  output::writeFileAtomically(files[0], srtText(subtitles));
-  output::writeFileAtomically(files[1], vttText(subtitles));
+std::vector<path> ownSubtitleFiles(const path& film) {
+  const auto names = subtitleFiles(film);
+  std::vector<path> own;
+  std::error_code ignored;
+  if (std::filesystem::exists(names[0], ignored) && isOwnSrt(names[0], names[1])) own.push_back(names[0]);
+  if (output::markedRest(names[1], output::kVttMark)) own.push_back(names[1]);
+  return own;
+}
+
+// The .vtt knows the .srt, so it is there before that and longer than that.
+void addSubtitles(output::FileBatch& batch, const std::vector<Subtitle>& subtitles, const path& film,
+                  const path& temporaryFolder) {
+  const auto names = subtitleFiles(film);
+  if (!subtitles.empty()) {
+    batch.writeBeside(names[1], vttText(subtitles), temporaryFolder);
+    batch.writeBeside(names[0], srtText(subtitles), temporaryFolder);
+  } else if (filmsWithSubtitlesOf(film).empty()) {
+    for (path& file : ownSubtitleFiles(film)) batch.removeBeside(std::move(file));
+  }
+}
+
+void addSubtitlesOfFinished(output::FileBatch& batch, const std::vector<Subtitle>& subtitles, const path& film) {
+  if (subtitles.empty()) return;
+  const auto names = subtitleFiles(film);
+  batch.write(names[1], vttText(subtitles));
+  batch.writeBeside(names[0], srtText(subtitles));
 }
 
 }  // namespace poinsot::app

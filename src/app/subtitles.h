@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/frame_plan.h"
+#include "output/file_batch.h"
+#include "output/run_files.h"
 #include "scene/scene.h"
 
 /// A film's captions as files beside it, for players and for those who search or read them.
@@ -37,12 +39,24 @@ std::vector<std::filesystem::path> filmsWithSubtitlesOf(const std::filesystem::p
 /// Whether a NAME.srt exists whose captions or times differ from `subtitles`.
 bool replacesOthers(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film);
 
-/// Checks both files like output::checkTarget(). Files that this program wrote for a film of any format may be
-/// replaced, unless somebody changed them since.
-/// @throws core::Error(kIo)
-void checkSubtitleFiles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film, bool force);
+/// Enters both files as outputs. Files that this program wrote for a film of any format may be replaced, unless
+/// somebody changed them since. Without subtitles there is nothing to enter.
+/// @throws as output::RunFiles::writes()
+void enterSubtitles(output::RunFiles& files, const std::vector<Subtitle>& subtitles,
+                    const std::filesystem::path& film);
 
-/// Writes both, each complete or not at all. @throws core::Error(kIo)
-void writeSubtitles(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film);
+/// Adds both files to a batch, beside the film that was just added to it. Without subtitles those that this
+/// program wrote for an earlier film of this name are removed, unless another film shares them.
+/// @param temporaryFolder  as of output::AtomicFile
+/// @throws core::Error(kIo)
+void addSubtitles(output::FileBatch& batch, const std::vector<Subtitle>& subtitles,
+                  const std::filesystem::path& film, const std::filesystem::path& temporaryFolder);
+
+/// Adds both files to a batch for a film that stays as it is. @throws core::Error(kIo)
+void addSubtitlesOfFinished(output::FileBatch& batch, const std::vector<Subtitle>& subtitles,
+                            const std::filesystem::path& film);
+
+/// Returns those of a film's subtitle files that this program wrote and nobody changed.
+std::vector<std::filesystem::path> ownSubtitleFiles(const std::filesystem::path& film);
 
 }  // namespace poinsot::app

@@ -34,14 +34,16 @@ std::string metadata(int process, const char* what, Row row, std::string_view na
                      static_cast<int>(row), what, name);
 }
 
+constexpr const char* kMark = R"({"otherData":{"program":"poinsot )";
+
 }  // namespace
 
-std::string traceMark() { return R"({"otherData":{"program":"poinsot )"; }
+output::FileKind traceKind() { return output::textKind("a trace", kMark); }
 
 TraceFile::TraceFile(const std::filesystem::path& target, const std::filesystem::path& folder)
     : start_ns_(core::monotonic_ns()),
       file_(target, output::folderOf(target) == output::folderOf(folder) ? folder : std::filesystem::path()),
-      text_(traceMark() + core::version() + R"("},"traceEvents":[)") {}
+      text_(kMark + std::string(core::version()) + R"("},"traceEvents":[)") {}
 
 void TraceFile::add(int process, const core::Span& span) {
   introduce(process);
@@ -74,10 +76,10 @@ void TraceFile::flush() {
   text_.clear();
 }
 
-void TraceFile::commit() {
+output::AtomicFile TraceFile::finish() {
   text_ += "\n]}\n";
   flush();
-  file_.commit();
+  return std::move(file_);
 }
 
 }  // namespace poinsot::app

@@ -8,17 +8,18 @@
 
 #include "core/step_times.h"
 #include "output/atomic_file.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
 
-/// What a trace begins with.
-std::string traceMark();
+/// Traces of this program.
+output::FileKind traceKind();
 
 /// The process that hands out the work; workers have numbers from 1.
 inline constexpr int kParentProcess = 0;
 
 /// What each process of a render did when, as a Chrome trace, which chrome://tracing and ui.perfetto.dev show.
-/// Written as it comes, so that it takes no memory, and there under its name when it is complete.
+/// Written as it comes, so that it takes no memory.
 class TraceFile {
  public:
   /// Times are told from now on. It lies in `folder` until it is complete, where that is beside it.
@@ -26,7 +27,8 @@ class TraceFile {
   TraceFile(const std::filesystem::path& target, const std::filesystem::path& folder);
 
   void add(int process, const core::Span& span);
-  void commit();
+  /// Writes the end. @returns the complete file, which has no name yet.
+  output::AtomicFile finish();
 
  private:
   void addEvent(const std::string& event);

@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/target_check.h"
 
 namespace poinsot::app {
 TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
@@ -18,8 +17,8 @@ TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
                                 core::printable(name), core::smallLettersHint(name, {".csv", ".json"})));
 }
 
-void checkTrajectoryTarget(const TrajectoryTarget& target, bool force) {
-  output::checkTarget(target.path, force || output::beginsWith(target.path, trajectoryMark(target.format)));
+output::FileKind trajectoryKind(TrajectoryFormat format) {
+  return output::textKind("a trajectory", trajectoryMark(format));
 }
 
 }  // namespace poinsot::app

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/trajectory_text.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
 
@@ -20,9 +21,7 @@ struct TrajectoryTarget {
 /// @throws core::Error(kUsage) saying which names work.
 TrajectoryTarget parseTrajectoryTarget(const std::string& name);
 
-/// Fails early where the file could not or should not be written: what output::checkTarget() refuses, and a file
-/// that is neither empty nor an earlier trajectory, unless `force`.
-/// @throws core::Error(kIo)
-void checkTrajectoryTarget(const TrajectoryTarget& target, bool force);
+/// Trajectories of this program.
+output::FileKind trajectoryKind(TrajectoryFormat format);
 
 }  // namespace poinsot::app

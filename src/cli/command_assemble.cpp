@@ -13,7 +13,7 @@
 #include "cli/exit_code.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "output/target_check.h"
+#include "output/run_files.h"
 
 namespace poinsot::cli {
 namespace {
@@ -36,6 +36,15 @@ app::OutputTarget filmTarget(const AssembleOptions& options, const app::OutputTa
   return film;
 }
 
+void enterFiles(const AssembleOptions& options, const std::filesystem::path& folder, const app::JobFile& job,
+                const app::OutputTarget& film) {
+  output::RunFiles files(options.force);
+  for (const app::FrameRange& segment : job.segments())
+    files.reads(app::segmentFile(folder, job.film.container, segment), "segment");
+  files.writes(film.path, "-o");
+  app::enterSubtitles(files, job.subtitles, film.path);
+}
+
 int assemble(const AssembleOptions& options) {
   const auto output = app::parseTarget(options.output), film = filmTarget(options, output);
   const auto folder = app::workFolderOf(output.path);
@@ -48,12 +57,11 @@ int assemble(const AssembleOptions& options) {
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: there are no segments of it here", core::printable(options.output)));
-  if (film.kind == app::OutputKind::kFilm) {
-    output::checkTarget(film.path, options.force);
-    if (!job->subtitles.empty()) app::checkSubtitleFiles(job->subtitles, film.path, options.force);
-  }
+  if (film.kind == app::OutputKind::kFilm) enterFiles(options, folder, *job, film);
   app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
-  app::assemble(work.path(), *job, output, film.path);
+  output::FileBatch results;
+  app::assemble(results, work.path(), *job, output, film.path);
+  results.commit();
   if (!options.keep) work.discard();
   if (!options.quiet)
     writeErr(fmt::format("poinsot: {} is ready ({} frames)\n", core::printable(film.path.string()),

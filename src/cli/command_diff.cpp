@@ -19,6 +19,7 @@
 #include "app/pair_approval.h"
 #include "app/picture_rule.h"
 #include "app/render_job.h"
+#include "app/user_limits.h"
 #include "cli/approval.h"
 #include "cli/ci_environment.h"
 #include "cli/commands.h"
@@ -31,7 +32,7 @@
 #include "core/text.h"
 #include "output/atomic_file.h"
 #include "output/film_reader.h"
-#include "output/target_check.h"
+#include "output/run_files.h"
 
 namespace poinsot::cli {
 namespace {
@@ -84,68 +85,78 @@ app::PictureRule ruleOf(const DiffOptions& options) {
 }
 
 /// A place for a picture; of folders a folder.
-std::optional<fs::path> place(const DiffOptions& options, const std::string& word, Kind kind) {
-  if (word.empty()) return std::nullopt;
-  if (kind != Kind::kFolder) output::checkTarget(word, options.force);
-  return word;
+std::optional<fs::path> place(const std::string& word) {
+  return word.empty() ? std::nullopt : std::optional<fs::path>(word);
 }
 
-app::DiffRequest requestOf(const DiffOptions& options, Kind kind) {
-  return {ruleOf(options), options.pixelsPerDegree, place(options, options.map, kind),
-          place(options, options.difference, kind), granted(options).limits};
+app::DiffRequest requestOf(const DiffOptions& options) {
+  return {ruleOf(options), options.pixelsPerDegree, place(options.map), place(options.difference),
+          granted(options).limits};
 }
 
-/// Nothing is written over what is compared, or over what else is written.
-void checkApart(const DiffOptions& options) {
-  const auto placeOf = [](const std::string& word) {
-    std::error_code failure;  // said of it where it is opened
-    const fs::path place = fs::weakly_canonical(fs::absolute(word), failure);
-    return failure ? fs::path(word) : place;
+/// Enters the maps of pictures, or of the pairs of two folders.
+void enterMaps(output::RunFiles& files, const app::DiffRequest& request, const app::FolderNames* names) {
+  const auto enter = [&](const std::optional<fs::path>& map, const char* role) {
+    std::error_code ignored;
+    if (map && fs::exists(output::folderOf(*map), ignored)) files.writes(*map, role, app::mapKind());
+    if (map && !fs::exists(output::folderOf(*map), ignored)) files.claims(*map, role);  // it is made for it
   };
-  std::vector<fs::path> places{placeOf(options.reference), placeOf(options.test)};
-  for (const std::string& written :
-       {options.curve, options.report, options.map, options.difference, options.junit, options.markdown}) {
-    if (written.empty()) continue;
-    const fs::path place = placeOf(written);
-    const auto taken = std::ranges::find(places, place);
-    if (taken != places.end())
-      throw Error(
-          ErrorKind::kUsage,
-          fmt::format("{}: {}", core::printable(written),
-                      taken - places.begin() < 2 ? "is what is compared" : "two things would be written there"));
-    places.push_back(place);
+  if (names == nullptr) {
+    files.writes(request.map.value_or(""), "--map", app::mapKind());
+    files.writes(request.difference.value_or(""), "--diff-image", app::mapKind());
+    return;
+  }
+  files.claims(request.map.value_or(""), "--map");
+  files.claims(request.difference.value_or(""), "--diff-image");
+  for (const std::string& name : names->inBoth) {
+    const app::DiffRequest own = app::requestForPair(request, name);
+    enter(own.map, "--map");
+    enter(own.difference, "--diff-image");
   }
 }
 
-/// Before anything is compared.
-void checkTargets(const DiffOptions& options, Kind kind) {
-  checkApart(options);
+void expectNamesOfReports(const DiffOptions& options, Kind kind) {
   if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve: needs two films");
-  if (!options.curve.empty()) app::checkCurveTarget(options.curve, options.force);
-  if (!options.report.empty()) {
-    if (!fs::path(options.report).extension().native().starts_with(".htm"))
-      throw Error(ErrorKind::kUsage,
-                  fmt::format("report '{}': works: NAME.html{}", core::printable(options.report),
-                              core::smallLettersHint(options.report, {".html", ".htm"})));
-    output::checkTarget(options.report, options.force);
+  if (!options.report.empty() && !fs::path(options.report).extension().native().starts_with(".htm"))
+    throw Error(ErrorKind::kUsage, fmt::format("report '{}': works: NAME.html{}", core::printable(options.report),
+                                               core::smallLettersHint(options.report, {".html", ".htm"})));
+}
+
+/// Before anything is compared. @param names  of two folders
+void enterFiles(const DiffOptions& options, const app::DiffRequest& request, const app::FolderNames* names) {
+  output::RunFiles files(options.force);
+  files.reads(options.reference, "REFERENCE");
+  files.reads(options.test, "TEST");
+  files.reads(options.mask, "--mask");
+  files.reads(app::userLimitsFile(), "your limits");
+  if (names != nullptr) {
+    for (const auto* ofReference : {&names->inBoth, &names->onlyInReference})
+      for (const std::string& name : *ofReference) files.reads(fs::path(options.reference) / name, "REFERENCE");
+    for (const auto* ofTest : {&names->inBoth, &names->onlyInTest})
+      for (const std::string& name : *ofTest) files.reads(fs::path(options.test) / name, "TEST");
   }
-  if (!options.junit.empty())
-    output::checkTarget(options.junit, options.force || output::beginsWith(options.junit, app::kJunitMark));
+  enterMaps(files, request, names);
+  if (!options.curve.empty()) files.writes(options.curve, "--curve", app::curveKind(options.curve));
+  files.writes(options.report, "--report", app::reportKind());
+  files.writes(options.junit, "--junit", app::junitKind());
+  files.claims(options.markdown, "--markdown");
 }
 
 /// Compares in one of the three ways, and writes what was asked for about it.
 class Diff {
  public:
   explicit Diff(const DiffOptions& options)
-      : options_(options), kind_(commonKind(options)), request_(requestOf(options, kind_)) {
-    checkTargets(options, kind_);
+      : options_(options), kind_(commonKind(options)), request_(requestOf(options)) {
+    if (kind_ == Kind::kFolder) names_ = app::namesInFolders(options.reference, options.test);
+    enterFiles(options, request_, names_ ? &*names_ : nullptr);
+    expectNamesOfReports(options, kind_);
   }
 
   /// @returns the exit code.
-  int run() const {
+  int run() {
     switch (kind_) {
       case Kind::kFolder:
-        return finish(app::diffFolders(options_.reference, options_.test, request_, jobs()));
+        return finish(app::diffFolders(options_.reference, options_.test, *names_, request_, jobs(), results_));
       case Kind::kFilm:
         return finish(app::diffFilms(options_.reference, options_.test, request_, jobs()));
       case Kind::kPicture:
@@ -178,6 +189,7 @@ class Diff {
     head.approve = approveCommand();
     head.pixelsPerDegree = request_.pixelsPerDegree;
     head.exact = options_.exact;
+    head.unnamed = &results_;
     return head;
   }
 
@@ -187,7 +199,7 @@ class Diff {
     return outcome;
   }
 
-  int finishPictures() const {
+  int finishPictures() {
     std::optional<Error> unreadable;
     app::ComparedPictures compared;
     try {
@@ -197,9 +209,9 @@ class Diff {
       unreadable = error;
       compared.diff = app::unreadablePair(error);
     }
-    app::writeMaps(compared, request_);
+    app::addMaps(results_, compared, request_);
     const app::Outcome outcome = outcomeOf(compared.diff);
-    writeReport([&] { return app::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
+    addReport([&] { return app::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
     const std::string text = options_.json ? app::diffJson(compared.diff, names(), request_)
                              : unreadable  ? ""
                                            : app::diffText(compared.diff, request_);
@@ -209,38 +221,41 @@ class Diff {
   }
 
   template <class Page>
-  void writeReport(Page page) const {
-    if (!options_.report.empty()) output::writeFileAtomically(options_.report, page());
+  void addReport(Page page) {
+    if (!options_.report.empty()) results_.write(options_.report, page());
   }
 
-  int finish(const app::FolderDiff& diff) const {
+  int finish(const app::FolderDiff& diff) {
     const auto outcomes = app::outcomesOf(diff, options_.reference, options_.test, request_);
-    writeReport([&] { return app::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
+    addReport([&] { return app::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
     const int code = finish(outcomes, options_.json ? app::diffJson(outcomes, names(), request_)
-                                                    : app::diffText(outcomes, diff.linkedFolders));
+                                                    : app::diffText(outcomes, diff.names.linkedFolders));
     if (diff.firstError) throw *diff.firstError;  // after what could be told
     return code;
   }
 
-  /// Writes the maps of the worst frame.
-  void writeMaps(const app::FilmDiff& diff) const {
+  /// Adds the maps of the worst frame.
+  void addMaps(const app::FilmDiff& diff) {
     if (diff.frames.empty() || (!request_.map && !request_.difference)) return;
-    app::forFrames(options_.reference, options_.test, {diff.worst()}, request_,
-                   [&](std::size_t, const app::ComparedPictures& frame) { app::writeMaps(frame, request_); });
+    app::forFrames(
+        options_.reference, options_.test, {diff.worst()}, request_,
+        [&](std::size_t, const app::ComparedPictures& frame) { app::addMaps(results_, frame, request_); });
   }
 
-  int finish(const app::FilmDiff& diff) const {
-    writeMaps(diff);
-    if (!options_.curve.empty()) app::writeCurve(options_.curve, diff, request_.rule.limits);
-    writeReport([&] {
+  int finish(const app::FilmDiff& diff) {
+    addMaps(diff);
+    if (!options_.curve.empty())
+      results_.write(options_.curve, app::curveText(options_.curve, diff, request_.rule.limits));
+    addReport([&] {
       return app::diffReport(diff, options_.reference, options_.test, request_, headOf(diff.verdict()));
     });
     return finish({outcomeOf(app::summaryOf(diff))},
                   options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
   }
 
-  int finish(const std::vector<app::Outcome>& outcomes, const std::string& text) const {
-    writeReports(outcomes);
+  int finish(const std::vector<app::Outcome>& outcomes, const std::string& text) {
+    addReports(outcomes);
+    results_.commit();
     if (!options_.update.empty()) return approve(outcomes);
     say(text);
     const bool passes = app::countFailures(outcomes, options_.exact) == 0;
@@ -249,15 +264,15 @@ class Diff {
     return passes ? kDone : kNo;
   }
 
-  void writeReports(const std::vector<app::Outcome>& outcomes) const {
+  void addReports(const std::vector<app::Outcome>& outcomes) {
     const app::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test),
                                   options_.exact,
                                   options_.report,
                                   approveCommand(),
                                   "",
                                   attachmentRoot()};
-    if (!options_.junit.empty()) output::writeFileAtomically(options_.junit, app::junitXml(outcomes, head));
-    if (!options_.markdown.empty()) output::appendToFile(options_.markdown, app::markdownOf(outcomes, head));
+    if (!options_.junit.empty()) results_.write(options_.junit, app::junitXml(outcomes, head));
+    if (!options_.markdown.empty()) results_.append(options_.markdown, app::markdownOf(outcomes, head));
   }
 
   int approve(const std::vector<app::Outcome>& outcomes) const {
@@ -270,6 +285,8 @@ class Diff {
   const DiffOptions& options_;
   Kind kind_;
   app::DiffRequest request_;
+  std::optional<app::FolderNames> names_;  ///< of two folders
+  output::FileBatch results_;
 };
 
 Reach reachOf(const DiffOptions& options) {

@@ -24,7 +24,7 @@
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/atomic_file.h"
-#include "output/target_check.h"
+#include "output/run_files.h"
 #include "scene/problem.h"
 #include "stage/stage.h"
 
@@ -102,19 +102,20 @@ fs::path preparedFolder(const GalleryOptions& options) {
   return folder;
 }
 
-void checkTarget(const GalleryOptions& options, const fs::path& target) {
+void enterTarget(output::RunFiles& files, const GalleryOptions& options, const fs::path& target) {
   std::error_code ignored;
-  if (!options.dryRun || fs::exists(target.parent_path(), ignored)) output::checkTarget(target, options.force);
+  if (!options.dryRun || fs::exists(target.parent_path(), ignored)) files.writes(target, "-o");
 }
 
 Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, const fs::path& file,
-            const fs::path& folder) {
+            const fs::path& folder, output::RunFiles& files) {
   RenderOptions one = options;
   one.scene = file;
   auto [request, scene] = requestedScene(one, allowance);
   const stage::Stage stage(scene);  // what the motion lacks is found here
   const fs::path target = folder / (scene.name + ".png");
-  checkTarget(options, target);
+  enterInputs(files, one, scene);
+  enterTarget(files, options, target);
   const app::OutputTarget picture{app::OutputKind::kPicture, target};
   const image::PixelSize size{scene.output.width, scene.output.height};
   const double bytes = app::workerMemory_bytes(picture, scene, {});
@@ -140,12 +141,13 @@ void say(const GalleryOptions& options, const std::string& line) {
 /// One command over all scenes: what is wrong with one is said and kept for the end.
 class Gallery {
  public:
-  explicit Gallery(const GalleryOptions& options) : options_(options), allowance_(granted(options)) {}
+  explicit Gallery(const GalleryOptions& options)
+      : options_(options), allowance_(granted(options)), files_(options.force) {}
 
   int make() {
     const auto files = chosenFiles(options_);
     folder_ = preparedFolder(options_);
-    if (options_.sheet) checkTarget(options_, sheet());
+    if (options_.sheet) enterTarget(files_, options_, sheet());
     for (const fs::path& file : files) addItem(file);
     if (options_.dryRun) return describe();
     app::watchInterrupts();
@@ -163,7 +165,7 @@ class Gallery {
 
   void addItem(const fs::path& file) {
     try {
-      items_.push_back(itemOf(options_, allowance_, file, folder_));
+      items_.push_back(itemOf(options_, allowance_, file, folder_, files_));
     } catch (const scene::SceneErrors& errors) {
       writeErr(fmt::format("{}\n", errors.what()));
       fail(errors.kind());
@@ -215,6 +217,7 @@ class Gallery {
 
   const GalleryOptions& options_;
   scene::Allowance allowance_;
+  output::RunFiles files_;
   fs::path folder_;
   std::vector<Item> items_;
   std::vector<app::MadeStill> made_;

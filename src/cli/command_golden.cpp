@@ -22,6 +22,7 @@
 #include "app/outcome_page.h"
 #include "app/outcome_script.h"
 #include "app/render_job.h"
+#include "app/user_limits.h"
 #include "cli/approval.h"
 #include "cli/ci_environment.h"
 #include "cli/commands.h"
@@ -34,7 +35,7 @@
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
-#include "output/target_check.h"
+#include "output/run_files.h"
 
 namespace poinsot::cli {
 namespace {
@@ -61,10 +62,6 @@ app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allo
           options.variant};
 }
 
-bool mayReplaceJunit(const GoldenOptions& options) {
-  return options.force || output::beginsWith(options.junit, app::kJunitMark);
-}
-
 std::string lineOf(const Outcome& outcome, const std::string& message) {
   return fmt::format("{:<10} {}{}{}\n", toString(outcome.status), core::printable(outcome.name),
                      message.empty() ? "" : ": ", message);
@@ -88,13 +85,22 @@ std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
   return lines;
 }
 
+/// Enters the reports, which are of four kinds.
+void enterReports(output::RunFiles& files, const GoldenOptions& options) {
+  files.writes(options.report, "--report", app::reportKind());
+  files.writes(options.junit, "--junit", app::junitKind());
+  files.writes(options.outcome, "--outcome", app::outcomeScriptKind());
+  files.claims(options.markdown, "--markdown");
+}
+
 /// One run of a suite.
 class Golden {
  public:
   explicit Golden(const GoldenOptions& options)
       : options_(options),
         request_(requestOf(options, granted(options))),
-        manifest_(app::readGoldenManifest(options.manifest, request_.allowance, options.images)) {}
+        manifest_(app::readGoldenManifest(options.manifest, request_.allowance, options.images)),
+        files_(options.force) {}
 
   int run() {
     if (!options_.images.empty() && !fs::is_directory(options_.images))
@@ -154,14 +160,32 @@ class Golden {
   }
 
   /// Checks that everything has a place where it can be written, and replaces nothing that somebody else wrote.
-  void checkPlaces() const {
-    if (options_.update) app::expectReferencesWritable(manifest_, app::casesOf(manifest_, request_));
+  void checkPlaces() {
+    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
+    if (options_.update) app::expectReferencesWritable(manifest_, cases);
     if (!options_.unused) {
       output::makeFolders(request_.output);
       output::expectWritableFolder(request_.output);
     }
-    if (!options_.report.empty()) output::checkTarget(options_.report, options_.force);
-    if (!options_.junit.empty()) output::checkTarget(options_.junit, mayReplaceJunit(options_));
+    enterFiles(cases);
+  }
+
+  /// New pictures and maps are looked at where they are made; what is wrong with one fails its test only.
+  void enterFiles(const std::vector<app::GoldenCase>& cases) {
+    files_.reads(options_.manifest, "MANIFEST");
+    files_.reads(app::userLimitsFile(), "your limits");
+    std::set<fs::path> folders;
+    for (const app::GoldenCase& one : cases) {
+      files_.reads(one.test.scene.empty() ? one.actual : one.test.scene, "the suite's file");
+      files_.reads(one.test.rule.mask, "the suite's file");
+      folders.insert(app::usualFile(manifest_.references, one.reference()).parent_path());
+    }
+    for (const fs::path& folder : folders)
+      for (const fs::path& file : app::filesIn(folder)) files_.reads(file, "the reference");
+    for (const app::GoldenCase& one : cases)
+      for (const fs::path& file : app::filesMadeFor(one, options_.output)) files_.claims(file, "-o");
+    enterReports(files_, options_);
+    request_.files = &files_;
   }
 
   void say(const std::string& text) const {
@@ -226,14 +250,15 @@ class Golden {
   }
 
   void writeReports() const {
-    if (!options_.junit.empty())
-      output::writeFileAtomically(options_.junit, app::junitXml(outcomes_, reportHead()));
-    if (!options_.markdown.empty())
-      output::appendToFile(options_.markdown, app::markdownOf(outcomes_, reportHead()));
-    if (!options_.report.empty())
-      output::writeFileAtomically(options_.report, app::outcomePage(outcomes_, pageHead(), request_.jobs));
-    if (!options_.outcome.empty())
-      output::writeFileAtomically(options_.outcome, app::outcomeScript(outcomes_, reportHead(), options_.outcome));
+    output::FileBatch reports;
+    const auto add = [&](const std::string& file, const auto& text) {
+      if (!file.empty()) reports.write(file, text());
+    };
+    add(options_.junit, [&] { return app::junitXml(outcomes_, reportHead()); });
+    add(options_.report, [&] { return app::outcomePage(outcomes_, pageHead(), request_.jobs); });
+    add(options_.outcome, [&] { return app::outcomeScript(outcomes_, reportHead(), options_.outcome); });
+    if (!options_.markdown.empty()) reports.append(options_.markdown, app::markdownOf(outcomes_, reportHead()));
+    reports.commit();
   }
 
   app::OutcomePageHead pageHead() const {
@@ -300,6 +325,7 @@ class Golden {
   const GoldenOptions& options_;
   app::GoldenRequest request_;
   app::GoldenManifest manifest_;
+  output::RunFiles files_;
   std::vector<Outcome> outcomes_;
 };
 
@@ -317,14 +343,19 @@ void expectNoReports(const GoldenOptions& options) {
 
 /// Removes the reports of an earlier run, because this one may end before it writes its own.
 void removeReports(const GoldenOptions& options) {
-  const auto remove = [](const std::string& file, bool force) {
+  const auto remove = [](const std::string& file, const output::FileKind& kind) {
     std::error_code ignored;
-    if (file.empty() || !fs::exists(file, ignored)) return;
-    output::checkTarget(file, force);
-    fs::remove(file, ignored);
+    if (!file.empty() && kind.isOwn(file)) fs::remove(file, ignored);
   };
-  remove(options.report, options.force);
-  remove(options.junit, mayReplaceJunit(options));
+  remove(options.report, app::reportKind());
+  remove(options.junit, app::junitKind());
+}
+
+/// Whether an outcome can be written before all files of the run are known: where --force is to replace another's
+/// file, that may be a scene.
+bool isOurs(const std::string& outcome) {
+  std::error_code ignored;
+  return !outcome.empty() && (!fs::exists(outcome, ignored) || app::outcomeScriptKind().isOwn(outcome));
 }
 
 /// Runs the suite. An index page shows the last outcome that it finds, so that of an earlier run goes first: this
@@ -332,13 +363,14 @@ void removeReports(const GoldenOptions& options) {
 int runGolden(const GoldenOptions& options) {
   if (options.list) return Golden(options).run();
   if (options.update) expectNoReports(options);
+  output::RunFiles files(options.force);
+  files.reads(options.manifest, "MANIFEST");
+  enterReports(files, options);
   removeReports(options);
-  if (options.outcome.empty()) return Golden(options).run();
+  if (!isOurs(options.outcome)) return Golden(options).run();
   const auto write = [&](const std::string& message) {
     output::writeFileAtomically(options.outcome, app::brokenOutcomeScript(message));
   };
-  output::checkTarget(options.outcome,
-                      options.force || output::beginsWith(options.outcome, app::kOutcomeScriptMark));
   write("did not finish");
   try {
     return Golden(options).run();

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "cli/commands.h"
@@ -20,8 +19,8 @@
 #include "core/regular_file.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
-#include "output/target_check.h"
+#include "output/file_batch.h"
+#include "output/run_files.h"
 #include "scene/limits.h"
 #include "scene/reference.h"
 
@@ -39,37 +38,49 @@ struct NewOptions {
   bool force = false;
 };
 
-/// A scene of the gallery, which stands by itself: none of them names a file.
-std::string galleryText(const std::string& name) {
+/// File of a scene of the gallery, which stands by itself: none of them names a file.
+fs::path galleryFile(const std::string& name) {
   const std::vector<fs::path> scenes = scenesIn(scenesPlace());
   std::vector<std::string> names;
   for (const fs::path& scene : scenes) names.push_back(scene.stem().string());
   const auto found = std::ranges::find(names, name);
-  if (found == names.end()) {
-    const auto near = core::closest(name.substr(0, 64), names);
-    throw Error(ErrorKind::kUsage,
-                fmt::format("--from: the gallery has no scene '{}'; {}", core::printable(name),
-                            near ? fmt::format("did you mean '{}'?", core::printable(*near))
-                                 : core::printableLines(fmt::format("it has {}", fmt::join(names, ", ")))));
-  }
-  const auto most = scene::Limits().bytes(scene::Limit::kSceneBytes);
-  return core::readRegularFile(scenes[static_cast<std::size_t>(found - names.begin())], most, ErrorKind::kIo);
+  if (found != names.end()) return scenes[static_cast<std::size_t>(found - names.begin())];
+  const auto near = core::closest(name.substr(0, 64), names);
+  throw Error(ErrorKind::kUsage,
+              fmt::format("--from: the gallery has no scene '{}'; {}", core::printable(name),
+                          near ? fmt::format("did you mean '{}'?", core::printable(*near))
+                               : core::printableLines(fmt::format("it has {}", fmt::join(names, ", ")))));
+}
+
+std::string galleryText(const fs::path& file) {
+  return core::readRegularFile(file, scene::Limits().bytes(scene::Limit::kSceneBytes), ErrorKind::kIo);
+}
+
+/// Enters what is read and written. No scene is known to be one that this program wrote: it is there to be
+/// changed.
+void enterFiles(const NewOptions& options, const fs::path& from, const fs::path& file, const fs::path& schema) {
+  output::RunFiles files(options.force);
+  files.reads(from, "--from");
+  files.reads(app::userDefaultsFile(), "your defaults");
+  files.writes(file, "NAME", {});
+  const std::string text = scene::schemaJson();
+  files.writes(schema, "schema", output::textKind("a schema", text.substr(0, text.find("\"type\""))));
 }
 
 int makeNew(const NewOptions& options) {
   fs::path file = options.name;
   if (file.extension() != ".toml") file += ".toml";
-  std::error_code ignored;
-  if (!options.force && fs::exists(fs::symlink_status(file, ignored)))
-    throw Error(ErrorKind::kIo,
-                fmt::format("{}: is there already; --force replaces it", core::printable(file.string())));
-  output::checkFolderOf(file);
+  const fs::path from = options.from.empty() ? fs::path() : galleryFile(options.from);
+  const fs::path schema = output::folderOf(file) / kSchemaName;
+  enterFiles(options, from, file, schema);
   const app::UserDefaults defaults = app::defaultsOf(app::userDefaultsFile());
   const std::string scene = options.from.empty() ? blankScene(file.stem().string(), defaults)
-                                                 : galleryScene(galleryText(options.from), defaults);
+                                                 : galleryScene(galleryText(from), defaults);
+  output::FileBatch results;
+  results.write(schema, scene::schemaJson());
   // The first line is for editors that know Taplo (VS Code with Even Better TOML, Helix, Neovim).
-  output::writeFileAtomically(output::folderOf(file) / kSchemaName, scene::schemaJson());
-  output::writeFileAtomically(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));
+  results.write(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));
+  results.commit();
   const std::string word = core::shellWord(file.string());
   writeOut(
       fmt::format("{0} is ready to change; {1} beside it is for your editor, which completes keys.\n"

@@ -61,9 +61,7 @@ std::span<const std::uint8_t> bytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-void writeToFile(const TrajectoryOptions& options, const app::TrajectoryTarget& target,
-                 const std::function<void(const app::TextSink&)>& write) {
-  app::checkTrajectoryTarget(target, options.force);
+void writeToFile(const app::TrajectoryTarget& target, const std::function<void(const app::TextSink&)>& write) {
   output::AtomicFile file(target.path);
   write([&](std::string_view text) { file.write(bytes(text)); });
   file.commit();
@@ -97,6 +95,8 @@ int trajectory(const TrajectoryOptions& options) {
   const auto target = app::parseTrajectoryTarget(options.output);
   const scene::Allowance allowance = granted(options);
   const scene::Scene scene = loadScene(options, allowance);
+  output::RunFiles files = enteredInputs(options, scene, options.force);
+  files.writes(target.path, "-o", app::trajectoryKind(target.format));
   const app::TrajectoryTimes times = requestedTimes(options, scene);
   checkOutput(times, scene, allowance.limits);
   noteFarTimes(scene, times);
@@ -108,7 +108,7 @@ int trajectory(const TrajectoryOptions& options) {
   if (target.isStream())
     write(writeOut);
   else
-    writeToFile(options, target, write);
+    writeToFile(target, write);
   return kDone;
 }
 

@@ -11,6 +11,7 @@
 #include "app/film_choice.h"
 #include "app/interrupt.h"
 #include "app/job_identity.h"
+#include "app/manifest.h"
 #include "app/memory.h"
 #include "app/progress.h"
 #include "app/subtitles.h"
@@ -26,26 +27,17 @@
 #include "core/text.h"
 #include "output/figure.h"
 #include "output/png_sequence.h"
-#include "output/target_check.h"
+#include "output/run_files.h"
 
 namespace poinsot::cli {
 namespace {
 
 using app::OutputKind;
 
-void checkTargets(const RenderOptions& options, const app::OutputTarget& target, const app::FrameRange& frames) {
-  if (target.kind != OutputKind::kSequence) {
-    for (const auto& file : output::figureFiles(target.path)) output::checkTarget(file, options.force);
-    return;
-  }
-  output::checkSequence(output::FramePattern(target.path.string()), frames.first, frames.last, options.force);
-}
-
-void checkTrace(const RenderOptions& options, const app::OutputTarget& target) {
-  if (options.trace.empty()) return;
-  if (std::filesystem::path(options.trace).lexically_normal() == target.path.lexically_normal())
-    throw core::Error(core::ErrorKind::kUsage, "--trace: is a file of its own; -o has this name already");
-  output::checkTarget(options.trace, options.force || output::beginsWith(options.trace, app::traceMark()));
+void enterTarget(output::RunFiles& files, const app::OutputTarget& target, const app::FrameRange& frames) {
+  if (target.kind == OutputKind::kSequence)
+    return files.writes(output::FramePattern(target.path.string()), frames.first, frames.last, "-o");
+  for (const auto& file : output::figureFiles(target.path)) files.writes(file, "-o");
 }
 
 void checkStandardOutput() {
@@ -122,16 +114,21 @@ std::vector<app::Subtitle> subtitlesBeside(const app::OutputTarget& target, cons
   return app::subtitlesOf(scene, frames);
 }
 
-/// Returns a note if another film of this name exists and NAME.srt changes, which then may no longer fit that
-/// film.
+/// Returns a note on what happens to subtitles if another film of this name exists: NAME.srt changes and may no
+/// longer fit that film, or stays although this film has no captions.
 std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Scene& scene,
                                 const app::FrameRange& frames) {
-  const auto subtitles = subtitlesBeside(target, scene, frames);
-  if (subtitles.empty() || !app::replacesOthers(subtitles, target.path)) return "";
+  if (target.kind != OutputKind::kFilm || target.stream) return "";
+  const auto subtitles = app::subtitlesOf(scene, frames);
   const auto name = [](const std::filesystem::path& path) { return core::printable(path.string()); };
   const auto files = app::subtitleFiles(target.path);
+  const auto others = app::filmsWithSubtitlesOf(target.path);
   std::string notes;
-  for (const auto& other : app::filmsWithSubtitlesOf(target.path))
+  if (subtitles.empty() && !others.empty())
+    for (const auto& file : app::ownSubtitleFiles(target.path))
+      notes += fmt::format("poinsot: note: {} stays: it may belong to {}\n", name(file), name(others.front()));
+  if (subtitles.empty() || !app::replacesOthers(subtitles, target.path)) return notes;
+  for (const auto& other : others)
     notes += fmt::format(
         "poinsot: note: {} and {} get the captions of {}, which differ from those that they have; if these belong "
         "to "
@@ -185,21 +182,30 @@ Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarge
   return reach;
 }
 
-void checkMakeable(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
-                   const app::FrameRange& frames, const app::PictureForm& form) {
+output::RunFiles checkMakeable(const RenderOptions& options, const app::OutputTarget& target,
+                               const scene::Scene& scene, const app::FrameRange& frames,
+                               const app::PictureForm& form) {
   if (target.kind == OutputKind::kFilm)
     output::checkFormat(app::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
                         scene.time.fps);
-  if (target.stream) return checkStandardOutput();
-  if (prepareDefaultFolder(options, target)) checkTargets(options, target, frames);
-  if (const auto subtitles = subtitlesBeside(target, scene, frames); !subtitles.empty())
-    app::checkSubtitleFiles(subtitles, target.path, options.force);
+  output::RunFiles files = enteredInputs(options, scene, options.force);
+  if (target.stream) {
+    checkStandardOutput();
+    return files;
+  }
+  if (prepareDefaultFolder(options, target)) {
+    enterTarget(files, target, frames);
+    app::enterSubtitles(files, subtitlesBeside(target, scene, frames), target.path);
+  }
+  return files;
 }
 
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
              const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
              const app::PictureForm& form, const PartsOptions& parts) {
-  checkMakeable(options, target, scene, frames, form);
+  output::RunFiles files = checkMakeable(options, target, scene, frames, form);
+  files.writes(parts.manifest, "--manifest", app::manifestKind());
+  files.writes(options.trace, "--trace", app::traceKind());
   app::RenderRequest render{std::move(request),
                             target,
                             frames,
@@ -225,8 +231,6 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
     return kDone;
   }
   render.jobs = workersOf(options, render, scene);
-  if (!parts.manifest.empty()) output::checkTarget(parts.manifest, true);
-  checkTrace(options, target);
   if (!options.quiet && options.progress != "json")
     writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
              sharedSubtitlesNote(target, scene, frames) + shaderCacheNote(render));

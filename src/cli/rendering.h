@@ -22,9 +22,11 @@ Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarge
 
 /// What can be refused before anything is drawn: a film of no such format, files that stand where it would go.
 /// Makes the folder of an output that was not named, unless this is a dry run.
+/// @returns the files of the run so far: inputs, the output and its subtitles.
 /// @throws core::Error
-void checkMakeable(const RenderOptions& options, const app::OutputTarget& target, const scene::Scene& scene,
-                   const app::FrameRange& frames, const app::PictureForm& form);
+output::RunFiles checkMakeable(const RenderOptions& options, const app::OutputTarget& target,
+                               const scene::Scene& scene, const app::FrameRange& frames,
+                               const app::PictureForm& form);
 
 /// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be
 /// made), showing progress and what was asked for besides.

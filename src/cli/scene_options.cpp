@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/scene_request.h"
+#include "app/user_limits.h"
 
 namespace poinsot::cli {
 
@@ -31,5 +32,17 @@ scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allo
 }
 
 scene::Scene loadScene(const SceneOptions& options) { return loadScene(options, granted(options)); }
+
+void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene) {
+  files.reads(options.scene, "SCENE");
+  for (const scene::InputFile& input : scene.inputs) files.reads(input.place, "the scene's file");
+  files.reads(app::userLimitsFile(), "your limits");
+}
+
+output::RunFiles enteredInputs(const SceneOptions& options, const scene::Scene& scene, bool force) {
+  output::RunFiles files(force);
+  enterInputs(files, options, scene);
+  return files;
+}
 
 }  // namespace poinsot::cli

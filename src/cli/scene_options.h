@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/allowance.h"
+#include "output/run_files.h"
 #include "scene/scene.h"
 
 namespace CLI {
@@ -35,5 +36,13 @@ CLI::Validator notEmpty(const std::vector<std::string>& words = {});
 scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance);
 /// The same with what the options allow.
 scene::Scene loadScene(const SceneOptions& options);
+
+/// Enters what a run reads: the scene, the files that it names, and the user's limits.toml.
+/// @throws core::Error(kUsage) if an output is one of these files.
+void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene);
+
+/// The files of a run with these inputs.
+/// @param force  whether the run may replace files that this program did not write
+output::RunFiles enteredInputs(const SceneOptions& options, const scene::Scene& scene, bool force);
 
 }  // namespace poinsot::cli

@@ -408,13 +408,18 @@ bool isPngName(const std::filesystem::path& file) {
                             [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
-bool isOwnPng(const std::filesystem::path& path) try {
+bool isOwnPng(const std::filesystem::path& path, std::string_view key) try {
   constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
   PngChunks chunks(asBytes(head));
-  for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next())
-    if (chunk->type == "tEXt" && startsWith(chunk->data, std::string_view("Software\0poinsot ", 17))) return true;
-  return false;
+  const std::string keyed = std::string(key) + '\0';
+  bool isOwn = false, hasKey = key.empty();
+  for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next()) {
+    if (chunk->type != "tEXt") continue;
+    isOwn = isOwn || startsWith(chunk->data, std::string_view("Software\0poinsot ", 17));
+    hasKey = hasKey || startsWith(chunk->data, keyed);
+  }
+  return isOwn && hasKey;
 } catch (const Error&) {
   return false;
 }

@@ -72,8 +72,9 @@ std::optional<std::vector<PngText>> textsOfWholePng(const std::filesystem::path&
 /// Of its bytes.
 std::optional<std::vector<PngText>> textsOfWholePng(std::span<const std::uint8_t> bytes);
 
-/// Whether the file is a PNG written by encodePng. False for whatever cannot be read; never throws for content.
-bool isOwnPng(const std::filesystem::path& path);
+/// Whether the file is a PNG written by encodePng; with a key, one that has a text of that key. False for a file
+/// that cannot be read; never throws for content.
+bool isOwnPng(const std::filesystem::path& path, std::string_view key = {});
 
 /// "1.6.39", of the library loaded at run time.
 std::string libpngVersion();

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdint>
 
@@ -29,12 +27,13 @@ std::uint64_t hashOf(std::string_view text) {
 
 std::string hashText(std::string_view rest) { return fmt::format("{:016x}", hashOf(rest)); }
 
-bool isMarked(std::string_view text, const CommentMark& mark) {
-  if (!text.starts_with(mark.before)) return false;
+std::optional<std::string_view> restOf(std::string_view text, const CommentMark& mark) {
+  if (!text.starts_with(mark.before)) return std::nullopt;
   text.remove_prefix(mark.before.size());
   const auto end = text.find(mark.after);
-  if (end == text.npos || !text.starts_with(kProgram)) return false;
-  return text.substr(0, end).ends_with(" " + hashText(text.substr(end + mark.after.size())));
+  if (end == text.npos || !text.starts_with(kProgram)) return std::nullopt;
+  const std::string_view rest = text.substr(end + mark.after.size());
+  return text.substr(0, end).ends_with(" " + hashText(rest)) ? std::optional(rest) : std::nullopt;
 }
 
 /// The object of that number, up to its end.
@@ -62,10 +61,17 @@ std::string marked(const CommentMark& mark, std::string_view rest) {
   return fmt::format("{}{} {}{}{}", mark.before, creator(), hashText(rest), mark.after, rest);
 }
 
+std::optional<std::string> markedRest(const std::filesystem::path& file, const CommentMark& mark) try {
+  const std::string text = core::readRegularFile(file, kMostBytes, core::ErrorKind::kIo);
+  const auto rest = restOf(text, mark);
+  return rest ? std::optional(std::string(*rest)) : std::nullopt;
+} catch (const core::Error&) {
+  return std::nullopt;
+}
+
 bool isOwnFigure(const std::filesystem::path& path) try {
   const std::string text = core::readRegularFile(path, kMostBytes, core::ErrorKind::kIo);
-  return isOwnPdf(text) || std::ranges::any_of(std::array{kSvgMark, kTexMark, kHtmlMark, kVttMark},
-                                               [&](const CommentMark& mark) { return isMarked(text, mark); });
+  return isOwnPdf(text) || restOf(text, kSvgMark) || restOf(text, kTexMark);
 } catch (const core::Error&) {
   return false;
 }

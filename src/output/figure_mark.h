@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,8 +26,12 @@ inline constexpr CommentMark kVttMark{"WEBVTT\n\nNOTE ", "\n\n"};
 /// what they edited is theirs.
 std::string marked(const CommentMark& mark, std::string_view rest);
 
-/// Whether the file is a PDF, SVG, TeX, HTML or WebVTT file that this program wrote and, of those that are text,
-/// nobody changed. False for whatever cannot be read; never throws for content.
+/// Returns the text behind the mark; nothing where there is no such mark, the text was changed, or the file cannot
+/// be read.
+std::optional<std::string> markedRest(const std::filesystem::path& file, const CommentMark& mark);
+
+/// Whether the file is a PDF, SVG or TeX file that this program wrote and, of those that are text, nobody changed.
+/// False for a file that cannot be read; never throws for content.
 bool isOwnFigure(const std::filesystem::path& path);
 
 }  // namespace poinsot::output

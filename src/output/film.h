@@ -45,7 +45,7 @@ void joinSegments(const std::vector<std::filesystem::path>& segments, const std:
 /// The same film, complete, for a batch to give it its name.
 [[nodiscard]] AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
                                         const std::filesystem::path& target, const FilmTrack& track,
-                                        const std::vector<FilmText>& texts = {},
+                                        const FilmTexts& texts = {},
                                         const std::filesystem::path& temporaryFolder = {});
 
 /// Takes bytes in their order. @returns 0 or an errno.

@@ -8,18 +8,13 @@
 
 #include <cerrno>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/error.h"
-#include "core/regular_file.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "image/png_file.h"
 #include "output/atomic_file.h"
-#include "output/figure_mark.h"
-#include "output/film.h"
 
 namespace poinsot::output {
 namespace {
@@ -48,12 +43,15 @@ std::string_view kindOf(mode_t mode) {
   return "a device or socket";
 }
 
-bool isOwn(const std::filesystem::path& file) {
-  return image::isOwnPng(file) || isOwnFilm(file) || isOwnFigure(file);
+/// Says why a file that is there stays.
+std::string refusalOf(const FileKind& kind) {
+  if (!kind.isOwn) return "is there already; --force replaces it";
+  const std::string as = kind.name.empty() ? "" : " as " + kind.name;
+  return fmt::format("exists and was not written by poinsot{}; --force replaces it", as);
 }
 
-/// What stands at the target already.
-void checkExisting(const std::filesystem::path& target, bool force) {
+/// Checks what stands at the target already.
+void checkExisting(const std::filesystem::path& target, bool force, const FileKind& kind) {
   struct stat status {};
   if (::lstat(target.c_str(), &status) < 0) {
     if (errno == ENOENT) return;
@@ -61,7 +59,7 @@ void checkExisting(const std::filesystem::path& target, bool force) {
   }
   if (!S_ISREG(status.st_mode))
     refuse(target, fmt::format("is {}; outputs are written to regular files", kindOf(status.st_mode)));
-  if (!force && !isOwn(target)) refuse(target, "exists and was not written by poinsot; --force replaces it");
+  if (!force && !(kind.isOwn && kind.isOwn(target))) refuse(target, refusalOf(kind));
 }
 
 void checkName(const std::filesystem::path& target) {
@@ -73,19 +71,10 @@ void checkName(const std::filesystem::path& target) {
 
 void checkFolderOf(const std::filesystem::path& target) { checkFolder(folderOf(target)); }
 
-void checkTarget(const std::filesystem::path& target, bool force) {
+void checkTarget(const std::filesystem::path& target, bool force, const FileKind& kind) {
   checkName(target);
   checkFolderOf(target);
-  checkExisting(target, force);
-}
-
-bool beginsWith(const std::filesystem::path& file, std::string_view mark) try {
-  const core::FileHandle handle = core::openForReading(file);
-  if (!handle) return false;
-  const std::string start = core::bytesOf(handle, mark.size(), core::ErrorKind::kIo);
-  return start.empty() || start.starts_with(mark);
-} catch (const core::Error&) {  // a pipe, a folder, or what cannot be read
-  return false;
+  checkExisting(target, force, kind);
 }
 
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {
@@ -93,7 +82,7 @@ void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t
   struct stat status {};
   if (::lstat(folder.c_str(), &status) < 0 && errno == ENOENT) return checkFolder(folderOf(folder));
   checkFolder(folder);
-  for (std::int64_t k = first; k <= last; ++k) checkExisting(pattern.path(k), force);
+  for (std::int64_t k = first; k <= last; ++k) checkExisting(pattern.path(k), force, drawnKind());
 }
 
 }  // namespace poinsot::output

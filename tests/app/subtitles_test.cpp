@@ -67,51 +67,85 @@ std::string textOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-TEST(Subtitles, AreWrittenBesideTheFilm) {
-  const ScratchFolder folder;
-  const auto film = folder.path() / "a.film.mp4";
-  writeSubtitles({{0, 1000, "A"}}, film);
-  EXPECT_EQ(textOf(folder.path() / "a.film.srt"), srtText({{0, 1000, "A"}}));
-  EXPECT_EQ(textOf(folder.path() / "a.film.vtt"), vttText({{0, 1000, "A"}}));
-}
-
 class SubtitleFiles : public testing::Test {
  protected:
-  void write(const std::string& name, const std::string& text) { std::ofstream(folder_.path() / name) << text; }
+  std::filesystem::path in(const std::string& name) const { return folder_ / name; }
+  void write(const std::string& name, const std::string& text) const { folder_.put(name, text); }
+  /// Makes a film of another program's and its subtitles.
+  void make(const std::string& film, const std::vector<Subtitle>& subtitles) const {
+    output::FileBatch batch;
+    batch.write(in(film), std::string_view("film"));
+    addSubtitles(batch, subtitles, in(film), {});
+    batch.commit();
+  }
   /// The message for a film whose caption is "B"; empty where its files may be written.
   std::string refusal(bool force = false) const try {
-    checkSubtitleFiles({{0, 1000, "B"}}, folder_.path() / "a.mp4", force);
+    output::RunFiles files(force);
+    enterSubtitles(files, {{0, 1000, "B"}}, in("a.mp4"));
     return "";
   } catch (const core::Error& error) {
     return error.what();
   }
+  bool exists(const std::string& name) const { return std::filesystem::exists(in(name)); }
 
   const ScratchFolder folder_;
 };
 
+TEST_F(SubtitleFiles, AreWrittenBesideTheFilm) {
+  make("a.film.mp4", {{0, 1000, "A"}});
+  EXPECT_EQ(textOf(in("a.film.srt")), srtText({{0, 1000, "A"}}));
+  EXPECT_EQ(textOf(in("a.film.vtt")), vttText({{0, 1000, "A"}}));
+}
+
 TEST_F(SubtitleFiles, AreReplacedWhereThisProgramWroteThem) {
   EXPECT_EQ(refusal(), "");
-  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.gif");
+  make("a.gif", {{0, 1000, "A"}});
+  EXPECT_EQ(refusal(), "");
+  std::filesystem::remove(in("a.gif"));
   EXPECT_EQ(refusal(), "");
 }
 
 TEST_F(SubtitleFiles, AreKeptWhereOthersWroteOrChangedThem) {
   write("a.vtt", "WEBVTT\n\nmine");
-  EXPECT_THAT(refusal(), HasSubstr("a.vtt: exists and was not written by poinsot"));
+  EXPECT_THAT(refusal(), HasSubstr("a.vtt: exists and was not written by poinsot as captions"));
   EXPECT_EQ(refusal(true), "");
-  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.mp4");
+  make("a.mp4", {{0, 1000, "A"}});
   write("a.srt", "1\n00:00:00,000 --> 00:00:01,000\nein A\n\n");
-  EXPECT_THAT(refusal(), HasSubstr("a.srt: exists and was not written by poinsot"));
-  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.mp4");
-  write("a.vtt", textOf(folder_.path() / "a.vtt") + "00:00:01.000 --> 00:00:02.000\nmine\n\n");
+  EXPECT_THAT(refusal(), HasSubstr("a.srt: exists and was not written by poinsot as captions"));
+  make("a.mp4", {{0, 1000, "A"}});
+  write("a.vtt", textOf(in("a.vtt")) + "00:00:01.000 --> 00:00:02.000\nmine\n\n");
   EXPECT_NE(refusal(), "");
 }
 
-// A run that is killed after it wrote the first file is repeated.
+// A run that is killed between the two leaves the .vtt, by which the next one knows the place of the .srt.
 TEST_F(SubtitleFiles, AreReplacedWhereOneIsOfARunThatWasKilled) {
-  writeSubtitles({{0, 1000, "A"}}, folder_.path() / "a.mp4");
+  make("a.mp4", {{0, 1000, "A"}});
+  std::filesystem::remove(in("a.srt"));
+  EXPECT_EQ(refusal(), "");
   write("a.srt", srtText({{0, 1000, "B"}}));
   EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(SubtitleFiles, GoWithTheCaptionsOfTheScene) {
+  make("a.mp4", {{0, 1000, "A"}});
+  make("a.mp4", {});
+  EXPECT_FALSE(exists("a.srt"));
+  EXPECT_FALSE(exists("a.vtt"));
+}
+
+TEST_F(SubtitleFiles, StayWithoutCaptionsWhereOthersWroteOrChangedThem) {
+  make("a.mp4", {{0, 1000, "A"}});
+  write("a.srt", "mine");
+  make("a.mp4", {});
+  EXPECT_EQ(textOf(in("a.srt")), "mine");
+  EXPECT_FALSE(exists("a.vtt"));
+  for (const char* text : {"mine", ""}) {
+    write("b.srt", text);
+    write("b.vtt", text);
+    make("b.mp4", {});
+    EXPECT_EQ(textOf(in("b.srt")), text);
+    EXPECT_EQ(textOf(in("b.vtt")), text);
+  }
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST_F(Refused, NamesOfWhatIsMade) {
        "full.png: is a folder; outputs are written to regular files",
        4},
       {{"submit", "s.toml", "-o", "-", "--format", "mp4"}, "-o -: tasks on several machines write files"},
-      {{"render", "s.toml", "-o", "a.mp4", "--trace", "a.mp4"}, "--trace: is a file of its own"},
+      {{"render", "s.toml", "-o", "a.mp4", "--trace", "a.mp4"}, "--trace a.mp4 is the same file as -o a.mp4"},
   });
 }
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/run_files.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <system_error>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "output/atomic_file.h"
+#include "output/target_check.h"
+
+namespace poinsot::output {
+namespace {
+
+using std::filesystem::path;
+
+std::string words(const path& file, const std::string& role) {
+  return fmt::format("{} {}", role, core::printable(file.native()));
+}
+
+}  // namespace
+
+void RunFiles::expectApart(const Entry& earlier, const Entry& later) {
+  if (!earlier.isOutput && !later.isOutput) return;
+  const Entry& output = later.isOutput ? later : earlier;
+  const Entry& other = later.isOutput ? earlier : later;
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("{} is the same file as {}, which this run {}; choose another name",
+                                words(output.file, output.role), words(other.file, other.role),
+                                other.isOutput ? "writes, too" : "reads"));
+}
+
+/// The canonical folder and the name in it. The last part is not followed: an output replaces a link, not its
+/// target.
+std::string RunFiles::nameOf(const path& file) {
+  const path folder = folderOf(file);
+  const auto [known, isNew] = folders_.try_emplace(folder.native());
+  if (isNew) {
+    std::error_code failure;  // then the path as it is; checks of the file say what is wrong with it
+    const path canonical = std::filesystem::weakly_canonical(std::filesystem::absolute(folder), failure);
+    known->second = failure ? folder.native() : canonical.native();
+  }
+  return (path(known->second) / file.filename()).native();
+}
+
+void RunFiles::enter(Entry entry) {
+  if (entry.file.empty()) return;
+  const auto [sameName, newName] = byName_.try_emplace(nameOf(entry.file), entries_.size());
+  if (!newName) expectApart(entries_[sameName->second], entry);
+  struct stat status {};
+  if (::stat(entry.file.c_str(), &status) == 0) {
+    const auto [sameFile, newFile] = byNumber_.try_emplace({status.st_dev, status.st_ino}, entries_.size());
+    if (!newFile) expectApart(entries_[sameFile->second], entry);
+  }
+  entries_.push_back(std::move(entry));
+}
+
+void RunFiles::reads(const path& file, std::string_view role) { enter({file, std::string(role), false}); }
+
+void RunFiles::claims(const path& file, std::string_view role) { enter({file, std::string(role), true}); }
+
+void RunFiles::writes(const path& file, std::string_view role, const FileKind& kind) {
+  if (file.empty()) return;
+  claims(file, role);
+  checkTarget(file, force_, kind);
+}
+
+void RunFiles::writes(const FramePattern& pattern, std::int64_t first, std::int64_t last, std::string_view role) {
+  for (std::int64_t k = first; k <= last; ++k) claims(pattern.path(k), role);
+  checkSequence(pattern, first, last, force_);
+}
+
+}  // namespace poinsot::output

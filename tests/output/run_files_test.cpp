@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/run_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/figure_mark.h"
+#include "scratch_folder.h"
+
+namespace poinsot::output {
+namespace {
+
+using ::testing::HasSubstr;
+
+class RunFilesTest : public ScratchFolder {
+ protected:
+  /// The message with which an output is refused; empty where it is not.
+  std::string clash(const std::filesystem::path& file, const std::string& role = "-o") {
+    return messageOf(core::ErrorKind::kUsage, [&] { files_.claims(file, role); });
+  }
+  std::string refusal(const std::filesystem::path& file, const FileKind& kind, bool force = false) const {
+    return messageOf(core::ErrorKind::kIo, [&] { RunFiles(force).writes(file, "-o", kind); });
+  }
+
+  RunFiles files_;
+};
+
+TEST_F(RunFilesTest, ComparesFilesAndNotTheSpellingOfPaths) {
+  save("scene", "x");
+  std::filesystem::create_directory(in("folder"));
+  std::filesystem::create_directory_symlink(".", in("link"));
+  std::filesystem::create_hard_link(in("scene"), in("second"));
+  std::filesystem::create_symlink("scene", in("third"));
+  files_.reads(in("scene"), "SCENE");
+  for (const char* name : {"scene", "./scene", "folder/../scene", "link/link/scene", "second", "third"})
+    EXPECT_EQ(clash(in(name)), "-o " + in(name).native() + " is the same file as SCENE " + in("scene").native() +
+                                   ", which this run reads; choose another name");
+  EXPECT_EQ(clash(in("folder/scene")), "");
+}
+
+TEST_F(RunFilesTest, ComparesFilesThatDoNotExistYet) {
+  std::filesystem::create_directory_symlink(".", in("link"));
+  files_.claims(in("film"), "-o");
+  EXPECT_THAT(clash(in("link/./link/film"), "--trace"), HasSubstr("which this run writes, too"));
+  EXPECT_THAT(clash(in("none/../film"), "--trace"), HasSubstr("which this run writes, too"));
+  EXPECT_EQ(clash(in("film.json"), "--trace"), "");
+}
+
+// A link that is read is a file of its own, too: an output would replace the link.
+TEST_F(RunFilesTest, KnowsAnInputByItsLinkAndByItsTarget) {
+  save("real", "x");
+  std::filesystem::create_symlink("real", in("link"));
+  files_.reads(in("link"), "SCENE");
+  EXPECT_NE(clash(in("link")), "");
+  EXPECT_NE(clash(in("real")), "");
+}
+
+TEST_F(RunFilesTest, OneInputMayBeReadTwiceAndBeEnteredLast) {
+  save("a.png", "x");
+  files_.reads(in("a.png"), "REFERENCE");
+  files_.reads(in("a.png"), "TEST");
+  files_.reads("", "--mask");
+  files_.claims(in("map.png"), "--map");
+  EXPECT_THAT(messageOf(core::ErrorKind::kUsage, [&] { files_.reads(in("map.png"), "--mask"); }),
+              HasSubstr("--map " + in("map.png").native() + " is the same file as --mask"));
+}
+
+TEST_F(RunFilesTest, TakesEveryFrameOfASequence) {
+  files_.writes(FramePattern(in("f_{frame:03}.png")), 0, 9, "-o");
+  EXPECT_NE(clash(in("f_007.png"), "--manifest"), "");
+  EXPECT_EQ(clash(in("f_010.png"), "--manifest"), "");
+}
+
+TEST_F(RunFilesTest, ReplacesFilesOfTheSameKindOnly) {
+  const FileKind trace = textKind("a trace", "{\"trace\""), page = markedKind("a report", kHtmlMark);
+  save("trace", "{\"trace\":1}");
+  save("page", marked(kHtmlMark, "<p>"));
+  save("edited", marked(kHtmlMark, "<p>") + "mine");
+  save("empty", "");
+  EXPECT_EQ(refusal(in("trace"), trace), "");
+  EXPECT_EQ(refusal(in("empty"), trace), "");
+  EXPECT_EQ(refusal(in("page"), page), "");
+  EXPECT_EQ(refusal(in("page"), trace), in("page").native() +
+                                            ": exists and was not written by poinsot as a trace; "
+                                            "--force replaces it");
+  for (const char* name : {"trace", "edited", "empty"}) {
+    EXPECT_THAT(refusal(in(name), page), HasSubstr("as a report")) << name;
+    EXPECT_EQ(refusal(in(name), page, true), "") << name;
+    EXPECT_THAT(refusal(in(name), {}), HasSubstr("is there already")) << name;
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::output
