@@ -207,7 +207,7 @@ void RenderJob::gather(output::FileBatch& results) {
   if (stream_) return stream_->finish();
   if (request_.shard) return;
   if (!request_.job) return gatherStill(results);
-  if (finished_) return addSubtitlesOfFinished(results, request_.job->subtitles, target.path);
+  if (isFinished()) return addSubtitlesOfFinished(results, request_.job->subtitles, target.path);
   assemble(results, folder_.path(), *request_.job, target, target.path);
 }
 

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whose files they are: every command and option that names an output, read from the help. Nothing that poinsot
+// did not write is replaced without --force, and no output of a run replaces another one or an input of it.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "cli/output_commands.h"
+#include "cli/program_run.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Command = OutputCommand;
+
+/// What --outcome begins with. It also tells why a run was refused, so it is written where no file is lost by
+/// that.
+constexpr const char* kTelling = "poinsotOutcome(";
+
+/// Options and operands that name what is read.
+const std::set<std::string> kInputs{"--asset-root", "--images", "--mask", "SCENE", "REFERENCE",
+                                    "TEST",         "MANIFEST", "OUTPUT", "THEIRS"};
+/// Words that stand for what is no file. NAME is one only as the operand of `new`.
+const std::set<std::string> kNoFiles{"NAME",      "N",   "NAME=VALUE", "KEY=VALUE", "WxH",   "A-B",  "RATE",
+                                     "STYLE",     "T",   "LENGTH",     "k/n",       "TEX",   "M",    "S",
+                                     "T1,T2,...", "HZ",  "SIZE",       "0-N",       "ANGLE", "TEXT", "X,Y,W,H",
+                                     "COMMAND",   "INT", "Excludes",   "Print"};
+
+// Two frames; a style of its own, so that the scene names a file.
+const char* const kText =
+    "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 2, 0.1]\n"
+    "[time]\nduration = 0.2\nfps = 10\n[style]\nfile = \"look.toml\"\n[output]\nsize = [64, 36]\n"
+    "[show]\nellipsoid = false\nplane = false\nherpolhode = false\npolhode = false\ncontact = false\nlabels = "
+    "false\n"
+    "L = false\nomega = false\nprincipal_axes = false\n[[timeline]]\nat = 0\ncaption = 'x'\n";
+
+/// How a file's path can be spelled besides, from the folder of the run.
+std::vector<std::string> spellings(const ScratchFolder& folder, const std::string& file) {
+  return {file, "./" + file, (folder / file).string(), "folder/../" + file, "link/" + file};
+}
+
+class WhoseFiles : public testing::TestWithParam<Command> {
+ protected:
+  /// Made once: two pictures, two films and a mask.
+  static void SetUpTestSuite() {
+    made_ = std::make_unique<ScratchFolder>();
+    putScenes(*made_);
+    const auto make = [](const Words& words) {
+      const RunResult told = poinsot::run(*made_, words);
+      ASSERT_EQ(told.exitCode, 0) << told.err;
+    };
+    make({"still", "s.toml", "-o", "a.png", "--quiet"});
+    make({"still", "s.toml", "-o", "b.png", "--quiet", "-D", "show.L=true"});
+    make({"render", "s.toml", "-o", "a.gif", "--quiet"});
+    make({"render", "s.toml", "-o", "b.gif", "--quiet", "-D", "show.L=true"});
+    make({"still", "s.toml", "-o", "mask.png", "--quiet", "--transparent"});
+  }
+  static void TearDownTestSuite() { made_.reset(); }
+
+  static void putScenes(const ScratchFolder& folder) {
+    folder.put("s.toml", kText);
+    folder.put("look.toml", "[style]\ntheme = \"dark\"\n");
+  }
+
+  void SetUp() override {
+    putScenes(folder_);
+    for (const char* name : {"folder", "other", "maps", "differences", "new", "pictures", "scenes", "golden"})
+      fs::create_directory(folder_ / name);
+    fs::create_directory_symlink(".", folder_ / "link");
+    for (const char* name : {"a.png", "b.png", "a.gif", "b.gif", "mask.png"})
+      fs::copy(*made_ / name, folder_ / name);
+    fs::copy(*made_ / "a.png", folder_ / "folder/a.png");
+    fs::copy(*made_ / "b.png", folder_ / "other/a.png");
+    fs::copy(*made_ / "b.png", folder_ / "golden/s.png");  // not what the scene draws
+    folder_.put("scenes/football.toml", kText);
+    folder_.put("golden.toml", "[[test]]\nname = \"s\"\nscene = \"s.toml\"\n");
+    if (command().before.empty()) return;
+    ASSERT_EQ(poinsot::run(folder_, command().before).exitCode, 0);
+  }
+
+  static const Command& command() { return GetParam(); }
+
+  /// Runs the command with all of its outputs; some values are others.
+  RunResult run(const std::map<std::string, std::string>& others = {}, bool force = false) const {
+    Words words{command().name};
+    words.insert(words.end(), command().words.begin(), command().words.end());
+    for (const Output& output : command().outputs) {
+      if (output.option.empty()) continue;
+      if (output.option.starts_with('-')) words.push_back(output.option);
+      const auto other = others.find(output.option);
+      words.push_back(other == others.end() ? output.value : other->second);
+    }
+    if (force) words.emplace_back("--force");
+    return poinsot::run(folder_, words, Stdout::kFile, {"POINSOT_SCENES=" + (folder_ / "scenes").string(), "CI="});
+  }
+
+  /// Every file below the folder, with its bytes; but for reports that tell why a run was refused.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+      if (entry.is_regular_file() && !entry.path().filename().string().starts_with(".harness"))
+        all[entry.path().lexically_relative(folder_.path())] = bytesOf(entry.path());
+    std::erase_if(all, [](const auto& file) { return file.second.starts_with(kTelling); });
+    return all;
+  }
+
+  /// Refused for being two files of the run, with nothing changed.
+  void expectClash(const std::map<std::string, std::string>& others, const std::string& where) const {
+    const auto before = files();
+    const RunResult told = run(others, true);
+    EXPECT_EQ(told.exitCode, 2) << where << told.err;
+    EXPECT_THAT(told.err, HasSubstr("is the same file as")) << where;
+    EXPECT_TRUE(files() == before) << where;
+    for (const char* name : {"o.js", "new/s.png"})
+      if (fs::exists(folder_ / name) && bytesOf(folder_ / name).starts_with(kTelling)) fs::remove(folder_ / name);
+  }
+
+  /// Refused for being no file of this program's, which fails one test of a suite.
+  void expectNeitherChanges(const std::string& input, const std::string& output) const {
+    const std::string before = bytesOf(folder_ / input);
+    EXPECT_NE(run({}, true).exitCode, 0) << output;
+    EXPECT_EQ(bytesOf(folder_ / input), before) << output;
+    EXPECT_EQ(bytesOf(folder_ / output), before) << output;
+    for (const Output& other : command().outputs)
+      if (other.file != output) fs::remove(folder_ / other.file);
+  }
+
+  ScratchFolder folder_;
+
+ private:
+  static inline std::unique_ptr<ScratchFolder> made_;
+};
+
+TEST_P(WhoseFiles, AreReplacedOnlyByForceAndThenKnown) {
+  for (const Output& output : command().outputs) {
+    if (output.isAddedTo) continue;
+    folder_.put(output.file, "mine\n");
+    const auto before = files();
+    const RunResult told = run();
+    EXPECT_NE(told.exitCode, 0) << output.file;
+    EXPECT_EQ(bytesOf(folder_ / output.file), "mine\n") << output.file;
+    if (output.isForced) {  // else it is the affair of one test of a suite
+      EXPECT_EQ(told.exitCode, 4) << output.file << told.err;
+      EXPECT_TRUE(files() == before) << "work was done before " << output.file << " was refused";
+      EXPECT_THAT(told.err, HasSubstr("--force replaces it")) << output.file;
+    }
+    fs::remove(folder_ / output.file);
+  }
+  for (const Output& output : command().outputs)
+    if (output.isForced) folder_.put(output.file, "mine\n");
+  for (const bool force : {true, false}) {
+    if (!force)  // what no earlier run can be known by is made anew
+      for (const Output& output : command().outputs)
+        if (!output.isKnown) fs::remove(folder_ / output.file);
+    const RunResult told = run({}, force);
+    EXPECT_EQ(told.exitCode, command().exitCode) << told.err;
+    for (const Output& output : command().outputs) {
+      if (command().name == "submit") continue;  // it prints a script
+      EXPECT_TRUE(fs::exists(folder_ / output.file)) << output.file;
+      EXPECT_EQ(bytesOf(folder_ / output.file).starts_with("mine\n"), output.isAddedTo) << output.file;
+    }
+  }
+}
+
+TEST_P(WhoseFiles, AreNoOutputsWhereTheyAreInputs) {
+  std::size_t turn = 0;
+  for (const Output& output : command().outputs)
+    for (const std::string& input : command().inputs) {
+      const std::string where = output.file + " is " + input;
+      fs::create_hard_link(folder_ / input, folder_ / output.file);
+      if (output.isForced)
+        expectClash({}, where + ", linked; ");
+      else
+        expectNeitherChanges(input, output.file);
+      fs::remove(folder_ / output.file);
+      if (!output.isAnyName) continue;
+      const auto ways = spellings(folder_, input);
+      expectClash({{output.option, ways[turn++ % ways.size()]}}, where + "; ");
+    }
+}
+
+TEST_P(WhoseFiles, AreNoTwoOutputs) {
+  std::size_t turn = 0;
+  const std::vector<Output>& outputs = command().outputs;
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    for (std::size_t j = i + 1; j < outputs.size(); ++j) {
+      const std::string where = outputs[i].file + " and " + outputs[j].file;
+      folder_.put(outputs[i].file, "mine\n");
+      fs::create_hard_link(folder_ / outputs[i].file, folder_ / outputs[j].file);
+      expectClash({}, where + ", linked; ");
+      fs::remove(folder_ / outputs[i].file);
+      fs::remove(folder_ / outputs[j].file);
+      const Output& any = outputs[j].isAnyName ? outputs[j] : outputs[i];
+      const Output& other = outputs[j].isAnyName ? outputs[i] : outputs[j];
+      if (!any.isAnyName) continue;
+      const auto ways = spellings(folder_, other.file);
+      expectClash({{any.option, ways[turn++ % ways.size()]}}, where + "; ");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, WhoseFiles, testing::ValuesIn(outputCommands()),
+                         [](const auto& one) { return one.param.name + one.param.unlike; });
+
+/// An option or operand of a command's help.
+struct Word {
+  std::string name, type;
+};
+
+std::string helpOf(const std::string& command) {
+  const ScratchFolder folder;
+  Words words{command, "--help"};
+  if (command.empty()) words.erase(words.begin());
+  return run(folder, words).out;
+}
+
+/// Lines such as "  -o,--output FILE  what it is" and "  SCENE TEXT REQUIRED  what it is".
+std::vector<Word> wordsOf(const std::string& help) {
+  std::vector<Word> words;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ") || line.size() < 3 || line[2] == ' ') continue;
+    std::istringstream parts(line.substr(2));
+    Word word;
+    parts >> word.name >> word.type;
+    word.type = word.type.substr(0, word.type.find(':'));
+    const auto comma = word.name.find(',');
+    if (word.name.starts_with('-') && comma != std::string::npos) word.name = word.name.substr(comma + 1);
+    const bool isOperand = word.type == "TEXT";
+    const bool takesValue = word.name.starts_with('-') && !word.type.empty() && std::isupper(word.type[0]);
+    if (isOperand || takesValue) words.push_back(word);
+  }
+  return words;
+}
+
+std::set<std::string> commandNames() {
+  std::set<std::string> names;
+  std::istringstream lines(helpOf(""));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  ") && line.size() > 2 && std::islower(line[2]))
+      names.insert(line.substr(2, line.find(' ', 2) - 2));
+  names.erase("poinsot");  // the first word of an example
+  return names;
+}
+
+// A new option that names a file needs a line above: as an output, or as an input.
+TEST(WhoseFilesAllOf, TheHelpAreTried) {
+  std::set<std::pair<std::string, std::string>> tried, found;
+  for (const Command& command : outputCommands())
+    for (const Output& output : command.outputs)
+      if (!output.option.empty()) tried.insert({command.name, output.option});
+  for (const std::string& command : commandNames())
+    for (const Word& word : wordsOf(helpOf(command))) {
+      const bool isOperand = !word.name.starts_with("-");
+      const bool isFile = isOperand || word.type == "FILE" || word.type == "FOLDER" || word.type == "SCENE";
+      if (tried.contains({command, word.name}))
+        found.insert({command, word.name});
+      else if (isFile)
+        EXPECT_TRUE(kInputs.contains(word.name) || (command == "explain" && word.name == "NAME") ||
+                    (command == "new" && word.name == "--from"))
+            << command << ' ' << word.name;
+      else
+        EXPECT_TRUE(kNoFiles.contains(word.type)) << command << ' ' << word.name << ' ' << word.type;
+    }
+  EXPECT_EQ(found, tried);
+}
+
+}  // namespace
+}  // namespace poinsot
