@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A library to be preloaded: makes one system call of the program on files of one folder fail, cut short, or be
 // the last thing that its processes do. Told by the environment:
-//   FAULT_CALL    open, write, fsync, close, rename, link or mkdir
+//   FAULT_CALL    open, write, fsync, close, link, rename, remove or mkdir
 //   FAULT_KIND    an errno, "short" (a write takes one byte), "swap" (after a rename another program puts the file
 //                 .harness-other.png of FAULT_FOLDER there), "kill" (the process group, before the call) or
 //                 "interrupt" (SIGINT to the parent, a while before the call)
