@@ -121,8 +121,8 @@ class Scene:
     def trajectory(self, times: ArrayLike) -> Trajectory:
         """The motion at motion times in s, of any shape and in any order; exact at any time where no torque acts.
 
-        Raises UsageError for a time that is not finite, PhysicsError, LimitError. Warns of times so far that the
-        attitude is no longer exact to rounding.
+        Raises UsageError for a time that is not finite, LimitError for one so far that the motion is beyond the
+        range of numbers, PhysicsError. Warns of times so far that the attitude is no longer exact to rounding.
         """
         t = np.array(times, dtype=np.float64)
         rows = self._core.trajectory(t.ravel().tolist())

@@ -100,6 +100,11 @@ def test_bad_and_far_times():
         free().trajectory([0, np.nan])
     with pytest.warns(UserWarning, match="no longer exact"):
         free().trajectory(1e18)
+    for far in (1e291, -1e300, 1.7e308):
+        with pytest.raises(poinsot.LimitError, match="so far from the start"):
+            free().trajectory([0, far])
+    for tiny in (5e-324, -1e-310):
+        assert free().trajectory(tiny).q_WB == pytest.approx(free().trajectory(0.0).q_WB)
     with pytest.raises(poinsot.LimitError, match="steps"):
         poinsot.loads(
             {"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [1, 2, 3], "drag": {"rate": [0.1, 0.2, 0.3]}}},

@@ -3,15 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "app/interrupt.h"
 #include "app/trajectory_number.h"
 #include "app/trajectory_row.h"
-#include "core/error.h"
 
 namespace poinsot::app {
 namespace {
@@ -44,17 +41,6 @@ void appendNumbers(std::string& text, std::span<const double> row) {
   }
 }
 
-/// The state, where there is one: omega t of the longest runs may have no double.
-TrajectoryRow checkedRow(const physics::Motion& motion, double t_s) {
-  constexpr double kFarthest = 1e300;  // room for the factors of a phase
-  if (std::abs(t_s) < kFarthest) {
-    const TrajectoryRow row = trajectoryRow(motion, motion.at(t_s));
-    if (std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) return row;
-  }
-  throw core::Error(core::ErrorKind::kLimit,
-                    fmt::format("t = {} s: so far from the start that the motion has no phase", t_s));
-}
-
 }  // namespace
 
 std::string trajectoryHeader(double alpha) {
@@ -79,7 +65,7 @@ void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times
   piece.reserve(kPiece + kLongestRow);
   for (std::int64_t k = 0; k < times.count(); ++k) {
     if (json) piece += k == 0 ? "\n[" : ",\n[";
-    const TrajectoryRow row = checkedRow(motion, times[k]);
+    const TrajectoryRow row = trajectoryRow(motion, motion.at(times[k]));
     appendNumbers(piece, std::span(row).first(width));
     piece += json ? ']' : '\n';
     if (piece.size() < kPiece) continue;

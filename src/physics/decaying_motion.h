@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "physics/free_motion.h"
 
 namespace poinsot::physics {
@@ -18,8 +20,9 @@ class DecayingMotion final : public Motion {
                  double rate)
       : free_(axes, omega0_B, q0_WB), rate_(rate) {}
 
-  /// @pre e^(-rate t_s) and the angle turned are finite.
   RigidBodyState at(double t_s) const override;
+  /// The same; nothing where at() throws.
+  std::optional<RigidBodyState> find(double t_s) const;
 
   const PrincipalAxes& axes() const override { return free_.axes(); }
   double dissipation() const override { return 0; }

@@ -99,12 +99,12 @@ struct DrivenMotion::Solution {
 void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
                                                const TimeSpan& span) {
   const double d = forcing.dragRate_P[0];
-  if (-d * span.from_s > kLargestExponent)
+  closed.emplace(axes, omega0_B, q0_WB, d);
+  if (d > 0 && !closed->find(span.from_s))
     refuse(
         fmt::format("{} s before its start a body with drag of {} 1/s would spin beyond the range of numbers; "
                     "start the run later",
                     -span.from_s, d));
-  closed.emplace(axes, omega0_B, q0_WB, d);
   report.method = d == 0 ? "closed form" : "closed form in the time (1 - exp(-d t))/d";
   // FreeMotion's bound, and one rounding of its time.
   const double latest = std::max(-span.from_s, span.to_s);
@@ -147,8 +147,14 @@ std::optional<double> DrivenMotion::Solution::energyDrift(const TimeSpan& span) 
 
 RigidBodyState DrivenMotion::Solution::at(double t_s) const {
   if (closed) return closed->at(t_s);
+  const double from_s = run->backward.end_s(), to_s = run->forward.end_s();
+  if (!(from_s <= t_s && t_s <= to_s))
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("t = {} s: this driven motion is known from {} s to {} s", t_s, from_s, to_s));
   const DrivenTrajectory& side = t_s < 0 ? run->backward : run->forward;
-  return bodyState(axes, side.at(t_s), t_s);
+  const RigidBodyState state = bodyState(axes, side.at(t_s), t_s);
+  if (!std::isfinite(state.kineticEnergy)) refuseTime(t_s);  // L alone is in range
+  return state;
 }
 
 DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B,

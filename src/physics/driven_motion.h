@@ -58,6 +58,7 @@ class DrivenMotion final : public Motion {
   DrivenMotion(DrivenMotion&&) noexcept;
   DrivenMotion& operator=(DrivenMotion&&) noexcept;
 
+  /// @throws core::Error(kLimit) for a time outside the span, unless the motion is in closed form.
   RigidBodyState at(double t_s) const override;
 
   const PrincipalAxes& axes() const override;

@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/flight.h"
 
+#include <cmath>
+
 #include "physics/fixed_order.h"
+#include "physics/motion.h"
 
 namespace poinsot::physics {
+namespace {
 
-Eigen::Vector3d Flight::positionAt(double t_s) const {
-  return position_W + t_s * (velocity_W + 0.5 * t_s * gravity_W);
+Eigen::Vector3d finite(const Eigen::Vector3d& v_W, double t_s) {
+  if (!v_W.allFinite()) refuseTime(t_s);
+  return v_W;
 }
 
-Eigen::Vector3d Flight::velocityAt(double t_s) const { return velocity_W + t_s * gravity_W; }
+}  // namespace
+
+Eigen::Vector3d Flight::positionAt(double t_s) const {
+  return finite(position_W + t_s * (velocity_W + 0.5 * t_s * gravity_W), t_s);
+}
+
+Eigen::Vector3d Flight::velocityAt(double t_s) const { return finite(velocity_W + t_s * gravity_W, t_s); }
 
 FlightTop Flight::top() const {
   if (gravity_W.isZero(0)) return {};
@@ -29,6 +40,8 @@ FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const Ri
   q.translationalEnergy = 0.5 * mass_kg * dotProduct(velocity_W, velocity_W);
   q.rotationalEnergy = state.kineticEnergy;
   q.potentialEnergy = -dotProduct(q.force_W, position_W);
+  if (!q.total_W.allFinite() || !q.torque_W.allFinite() || !std::isfinite(q.kineticEnergy() + q.potentialEnergy))
+    refuseTime(state.t_s);
   return q;
 }
 

@@ -21,6 +21,7 @@ struct Flight {
   Eigen::Vector3d gravity_W = Eigen::Vector3d(0, 0, -9.80665);  ///< m/s²
 
   /// position + velocity t + gravity t²/2.
+  /// @throws core::Error(kLimit), as velocityAt(), for a time at which it is beyond the range of numbers.
   Eigen::Vector3d positionAt(double t_s) const;
   Eigen::Vector3d velocityAt(double t_s) const;
   /// Where V has no part along gravity. Without gravity there is none: time and height are 0.
@@ -43,6 +44,7 @@ struct FlightQuantities {
 };
 
 /// Of a body of `mass_kg` at the time of `state`, its rotation about the centre of mass.
+/// @throws core::Error(kLimit) for a time at which one of them is beyond the range of numbers.
 FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const RigidBodyState& state);
 
 }  // namespace poinsot::physics

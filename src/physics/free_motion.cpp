@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/error.h"
-#include "core/expect.h"
 #include "physics/elliptic.h"
 #include "physics/free_motion_constants.h"
 #include "physics/rotor.h"
@@ -77,6 +77,7 @@ struct FreeMotion::Solution {
   Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0);
 
   RigidBodyState at(double t_s) const;
+  bool reaches(double tau) const { return std::abs(tau) * fastest_ <= kFarthestPhase_rad; }
 
   PrincipalAxes axes;
   FreeMotionConstants k;
@@ -102,6 +103,7 @@ struct FreeMotion::Solution {
   // Roundings of k, for what is done in double.
   double p_ = 0, mcOver3g_ = 0, mcOverG_ = 0;
   DoubleDouble meanRate_;  // L/I2, or |omega| of a steady spin
+  double fastest_ = 0;     // of the rates of the phases
   DoubleDouble twoK_, twoQ_;
   std::array<double, 3> amplitude_{};  // of m in sorted axes, with sign
   Rotor<double> frame0_;               // F(u0)
@@ -124,6 +126,8 @@ FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d
   const int exponent = k.start.momentExponent + k.start.rateExponent;
   for (int i = 0; i < 3; ++i) L_W[i] = std::ldexp(toDouble(m0_W[static_cast<std::size_t>(i)]), exponent);
   kineticEnergy = std::ldexp(toDouble(k.twoT), exponent + k.start.rateExponent - 1);
+  if (!L_W.allFinite() || !std::isfinite(kineticEnergy))
+    throw core::Error(core::ErrorKind::kPhysics, "angular momentum or energy is beyond the range of numbers");
   setStart();
 }
 
@@ -133,9 +137,11 @@ void FreeMotion::Solution::setStart() {
   const auto& w = k.start.omega;
   if (k.regime == PolhodeRegime::kSteady) {
     meanRate_ = sqrt(twoProduct(w[0], w[0]) + twoProduct(w[1], w[1]) + twoProduct(w[2], w[2]));
+    fastest_ = toDouble(meanRate_);
     return;
   }
   meanRate_ = k.L / I[1];
+  fastest_ = std::max({1.0, toDouble(meanRate_), toDouble(k.lambda)});  // 1: about |omega| in these units
   twoK_ = k.K * 2.0;
   twoQ_ = k.Q * (2.0 * k.s);
   p_ = toDouble(k.p);
@@ -205,7 +211,7 @@ Eigen::Quaterniond FreeMotion::Solution::attitude_B(Rotor<double> q) const {
 
 RigidBodyState FreeMotion::Solution::at(double t_s) const {
   const double tau = std::ldexp(t_s, k.start.rateExponent);
-  POINSOT_EXPECT(std::isfinite(tau));
+  if (!reaches(tau)) refuseTime(t_s);
   const Relative relative = k.regime == PolhodeRegime::kSteady ? steadyAt(tau) : movingAt(tau);
   const Eigen::Vector3d axis_P = k.start.toP({relative.q.x, relative.q.y, relative.q.z});
   const Rotor<double> q_WP = normalized(q0_WP * Rotor<double>{relative.q.w, axis_P[0], axis_P[1], axis_P[2]});
@@ -230,6 +236,9 @@ FreeMotion::FreeMotion(FreeMotion&&) noexcept = default;
 FreeMotion& FreeMotion::operator=(FreeMotion&&) noexcept = default;
 
 RigidBodyState FreeMotion::at(double t_s) const { return solution_->at(t_s); }
+bool FreeMotion::reaches(double t_s) const {
+  return solution_->reaches(std::ldexp(t_s, solution_->k.start.rateExponent));
+}
 
 const PrincipalAxes& FreeMotion::axes() const { return solution_->axes; }
 const Eigen::Vector3d& FreeMotion::L_W() const { return solution_->L_W; }

@@ -20,15 +20,17 @@ class FreeMotion final : public Motion {
  public:
   /// Start at t = 0. omega0_B in rad/s; q0_WB takes B to W, any nonzero quaternion.
   /// @throws core::Error(kPhysics) for a non-finite omega0_B, a zero or non-finite quaternion, or moments that
-  /// differ by more than a factor of 1e20.
+  /// differ by more than a factor of 1e20, or an angular momentum or energy beyond the range of numbers.
   FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB);
   ~FreeMotion() override;
   FreeMotion(FreeMotion&&) noexcept;
   FreeMotion& operator=(FreeMotion&&) noexcept;
 
   /// State at motion time t_s (seconds, any sign). Of q and -q the one with w >= 0: the quaternion may jump to its
-  /// negative from one time to the next, the rotation does not. @pre t_s and |omega| t_s are finite.
+  /// negative from one time to the next, the rotation does not. @throws core::Error(kLimit) unless it reaches t_s.
   RigidBodyState at(double t_s) const override;
+  /// Whether the phase at t_s is finite and at most kFarthestPhase_rad.
+  bool reaches(double t_s) const;
 
   const PrincipalAxes& axes() const override;
   double dissipation() const override { return 0; }

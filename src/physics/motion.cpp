@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/motion.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.h"
 #include "physics/rotor.h"
 
 namespace poinsot::physics {
+
+void refuseTime(double t_s) {
+  const char* why = std::isfinite(t_s) ? "so far from the start that the motion is beyond the range of numbers"
+                                       : "this is no motion time";
+  throw core::Error(core::ErrorKind::kLimit, fmt::format("t = {} s: {}", t_s, why));
+}
 
 Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state) {
   const double alpha = motion.dissipation();

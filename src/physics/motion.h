@@ -6,14 +6,22 @@
 
 namespace poinsot::physics {
 
+/// The farthest phase |omega t| at which a motion has a state, rad: the products that reduce it stay doubles
+/// (double_double.h). Long before, at 1e14 rad, the attitude loses its digits (free_motion.h).
+inline constexpr double kFarthestPhase_rad = 1e290;
+
+/// @throws core::Error(kLimit), always: the motion has no state at this time.
+[[noreturn]] void refuseTime(double t_s);
+
 /// The rotation of a rigid body about its centre of mass or a fixed point, known at any time. Immutable and
 /// thread-safe: at(t) depends on t alone.
 class Motion {
  public:
   virtual ~Motion() = default;
 
-  /// State at motion time t_s (seconds). Of q and -q the one with w >= 0. @pre t_s is within the span of the
-  /// motion.
+  /// State at motion time t_s (seconds), all numbers finite. Of q and -q the one with w >= 0.
+  /// @throws core::Error(kLimit) for a time that is not finite, one beyond kFarthestPhase_rad or beyond the range
+  /// of numbers, and one outside the span of a driven motion.
   virtual RigidBodyState at(double t_s) const = 0;
 
   virtual const PrincipalAxes& axes() const = 0;

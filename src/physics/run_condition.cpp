@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "physics/free_motion_constants.h"
+#include "physics/motion.h"
 #include "physics/transcendental.h"
 
 namespace poinsot::physics {
@@ -51,6 +52,7 @@ double ofPassages(const FreeMotionConstants& k, bool aligned, double tau, double
 RunCondition runCondition(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, double duration_s) {
   const FreeMotionConstants k = freeMotionConstants(axes.moments(), axes.toP(omega_B));
   const double tau = std::ldexp(std::abs(duration_s), k.start.rateExponent), angle = size(k.start) * tau;
+  if (!(tau * std::max(size(k.start), toDouble(k.lambda)) <= kFarthestPhase_rad)) refuseTime(duration_s);
   RunCondition c;
   c.turns = angle / kTwoPi.hi;
   c.flips = k.periodic() ? tau * toDouble(k.lambda) / (2 * toDouble(k.K)) : 0;

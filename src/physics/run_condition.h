@@ -25,7 +25,7 @@ struct RunCondition {
 /// described in axes that are not principal, omega along each principal axis is off by eps |omega|.
 /// Source: linear propagation of errors through the closed form (free_motion_constants.h). An estimate: the motion
 /// of rounded inputs is within a factor of 60 of it (tests/physics/run_condition_test.cpp). omega_B in rad/s.
-/// @throws core::Error(kPhysics) if it is not finite.
+/// @throws core::Error(kPhysics) if it is not finite, (kLimit) for a time beyond kFarthestPhase_rad (motion.h).
 RunCondition runCondition(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, double duration_s);
 
 }  // namespace poinsot::physics

@@ -87,7 +87,7 @@ DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
   const double t = rest / sum;
   const double square = t * t;
   const double series = t * square * polynomial(kArcTangent, square) - t * (lost / sum);
-  const DoubleDouble& base = kArcTangentOfEighths[static_cast<std::size_t>(nearest)];
+  const DoubleDouble& base = kArcTangentOfEighths[static_cast<std::size_t>(nearest > 0 ? nearest : 0)];
   const DoubleDouble leading = twoSum(base.hi, t);
   return quickTwoSum(leading.hi, leading.lo + (series + base.lo));
 }
@@ -101,13 +101,14 @@ struct ScaledValue {
   int exponent = 0;
 };
 
-/// e^x to 2^-60. @pre |x| < 2^30.
+/// e^x to 2^-60. @pre x > -2^30. Above 2^30 it is infinite or not a number.
 ScaledValue scaledExponential(double x) {
   const double n = std::round(x / kLn2.hi);
   const DoubleDouble r = DoubleDouble(x) - kLn2 * DoubleDouble(n);
   const DoubleDouble square = twoProduct(r.hi, r.hi);
   const double tail = r.hi * square.hi * polynomial(kExponential, r.hi) + (0.5 * square.lo + r.hi * r.lo);
-  return {DoubleDouble(1) + (r + (DoubleDouble(0.5 * square.hi) + tail)), static_cast<int>(n)};
+  const int exponent = static_cast<int>(n < 0x1p30 ? n : 0x1p30);
+  return {DoubleDouble(1) + (r + (DoubleDouble(0.5 * square.hi) + tail)), exponent};
 }
 
 DoubleDouble scaled(const DoubleDouble& x, int exponent) {

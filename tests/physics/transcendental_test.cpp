@@ -162,5 +162,18 @@ TEST(Transcendental, HyperbolicPair) {
   EXPECT_EQ(hyperbolicPair(1e4).sech, 0);
 }
 
+// As when a step of the integrator is far too long.
+TEST(Transcendental, WhatIsNotANumberGivesNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(arcTangent(nan)));
+  EXPECT_TRUE(std::isnan(arcTangentQuotient(nan)));
+  EXPECT_TRUE(std::isnan(exponential(nan)));
+  EXPECT_TRUE(std::isnan(exponentialLessOne(nan)));
+  EXPECT_TRUE(std::isnan(hyperbolicPair(nan).tanh));
+  EXPECT_TRUE(std::isnan(sineCosine(nan).sine));
+  for (const double x : {1e10, 1e300, std::numeric_limits<double>::infinity()})
+    EXPECT_FALSE(std::isfinite(exponential(x))) << x;
+}
+
 }  // namespace
 }  // namespace poinsot::physics
