@@ -13,6 +13,7 @@
 
 #include "app/grade_convention.h"
 #include "app/grade_shift.h"
+#include "core/error.h"
 #include "core/expect.h"
 
 namespace poinsot::app {
@@ -52,7 +53,7 @@ class Comparison {
       : motion_(motion), theirs_(theirs), readings_(std::move(readings)) {
     sortRows();
     for (const std::size_t row : order_)
-      if (const LoggedState state = stateOf(row); motion_.knows(state.t_s)) compare(state);
+      if (const LoggedState state = stateOf(row); motion_.knows(state.t_s)) compare(oursAt(state.t_s, row), state);
   }
 
   std::vector<GradedQuantity> quantities();
@@ -64,7 +65,8 @@ class Comparison {
  private:
   void sortRows();
   LoggedState stateOf(std::size_t row) const;
-  void compare(const LoggedState& theirs);
+  physics::RigidBodyState oursAt(double t_s, std::size_t row) const;
+  void compare(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs);
   GradedQuantity summary(std::string_view key, std::string_view label, std::string_view unit,
@@ -98,8 +100,16 @@ LoggedState Comparison::stateOf(std::size_t row) const { return readAs(loggedSta
 /// An error that is not finite is as large as can be.
 double worst(double error) { return std::isfinite(error) ? error : std::numeric_limits<double>::infinity(); }
 
-void Comparison::compare(const LoggedState& theirs) {
-  const physics::RigidBodyState ours = motion_.at(theirs.t_s);
+/// @throws core::Error with the place of the row's time, where the motion has no state then.
+physics::RigidBodyState Comparison::oursAt(double t_s, std::size_t row) const {
+  try {
+    return motion_.at(t_s);
+  } catch (const core::Error& error) {
+    throw core::Error(error.kind(), error.message(), theirs_.placeOfTime(row));
+  }
+}
+
+void Comparison::compare(const physics::RigidBodyState& ours, const LoggedState& theirs) {
   t_s_.push_back(theirs.t_s);
   if (!isFinite(theirs)) notFinite_s_.push_back(theirs.t_s);
   if (std::isfinite(theirs.quaternionLength) && theirs.quaternionLength > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/grade_known_motion.h"
 
+#include <utility>
+
 #include "core/error.h"
 #include "core/expect.h"
 
@@ -13,7 +15,9 @@ bool holds(const physics::TimeSpan& span, double t_s) { return span.from_s <= t_
 
 bool KnownMotion::extend(const MotionMaker& maker, const physics::TimeSpan& span) {
   try {
-    parts_.push_back({span, maker(span)});
+    Part part{span, maker(span)};
+    for (const double end_s : {span.from_s, span.to_s}) part.motion->at(end_s);  // refuses one too far from 0
+    parts_.push_back(std::move(part));
     return true;
   } catch (const core::Error&) {
     return false;  // grading goes on: the log is not read with other times

@@ -20,8 +20,8 @@ class KnownMotion {
   KnownMotion(const physics::Motion& motion, const physics::TimeSpan& span)
       : motion_(motion), span_{std::min(0., span.from_s), std::max(0., span.to_s)} {}
 
-  /// Makes the motion known over another span, too. Returns false if it cannot be made: too many steps, or losses
-  /// that have no past.
+  /// Makes the motion known over another span, too. Returns false if it cannot be made: too many steps, losses
+  /// that have no past, or times beyond the range of numbers.
   bool extend(const MotionMaker& maker, const physics::TimeSpan& span);
 
   bool knows(double t_s) const { return motionAt(t_s) != nullptr; }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "app/trajectory_number.h"
 #include "core/error.h"
@@ -104,11 +105,11 @@ class Reader {
 
   TrajectoryTable table() {
     readHeader();
-    TrajectoryTable table(known_);
+    TrajectoryTable table(known_, core::printable(fileName_));
     while (nextLine()) {
       if (table.rows() == kMostTableRows) refuse(fmt::format("more than {} rows", kMostTableRows));
       readRow();
-      table.append(row_);
+      table.append(row_, {cursor_.number, timeColumn()});
     }
     if (table.rows() == 0) fail("has a header and no rows");
     return table;
@@ -229,6 +230,10 @@ class Reader {
       if (columns_[i] != kForeign) row_[next++] = number(fields_[i], columns_[i]);
   }
 
+  int timeColumn() const {
+    return fields_[static_cast<std::size_t>(std::ranges::find(columns_, kTimeAt) - columns_.begin())].column;
+  }
+
   double number(const Field& field, std::size_t column) const {
     const auto value = parseNumber(field.text);
     const std::string_view name = kTrajectoryColumns[column].name;
@@ -251,7 +256,8 @@ class Reader {
 
 }  // namespace
 
-TrajectoryTable::TrajectoryTable(const std::vector<std::size_t>& columns) : width_(columns.size()) {
+TrajectoryTable::TrajectoryTable(const std::vector<std::size_t>& columns, std::string fileName)
+    : width_(columns.size()), fileName_(std::move(fileName)) {
   stored_.fill(kAbsent);
   for (std::size_t i = 0; i < columns.size(); ++i) stored_[columns[i]] = i;
 }

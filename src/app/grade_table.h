@@ -7,22 +7,33 @@
 #include <vector>
 
 #include "app/trajectory_row.h"
+#include "core/error.h"
 
 namespace poinsot::app {
 
 /// Somebody's trajectory: which of kTrajectoryColumns it has, and the rows.
 class TrajectoryTable {
  public:
-  explicit TrajectoryTable(const std::vector<std::size_t>& columns);
+  TrajectoryTable(const std::vector<std::size_t>& columns, std::string fileName);
 
   /// Whether it has `length` columns of kTrajectoryColumns from `place` on.
   bool has(TrajectoryPlace place) const { return stored_[place] != kAbsent; }
   std::size_t rows() const { return values_.size() / width_; }
   double at(std::size_t row, std::size_t column) const { return values_[row * width_ + stored_[column]]; }
   double t_s(std::size_t row) const { return at(row, kTimeAt); }
+  /// Where the time of a row was read.
+  core::SourceLocation placeOfTime(std::size_t row) const {
+    return {fileName_, timePlaces_[row].line, timePlaces_[row].column};
+  }
 
+  struct Place {
+    int line = 0, column = 0;
+  };
   /// `values` of the columns it has, in the order they were named. @pre as many
-  void append(const std::vector<double>& values) { values_.insert(values_.end(), values.begin(), values.end()); }
+  void append(const std::vector<double>& values, const Place& ofTime) {
+    values_.insert(values_.end(), values.begin(), values.end());
+    timePlaces_.push_back(ofTime);
+  }
 
  private:
   static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
@@ -30,6 +41,8 @@ class TrajectoryTable {
   std::size_t width_;
   std::array<std::size_t, kTrajectoryColumns.size()> stored_;  // where in a row of values_
   std::vector<double> values_;
+  std::string fileName_;
+  std::vector<Place> timePlaces_;
 };
 
 /// Limits on one file: a run of two hours at 500 rows a second, with all columns and 17 digits each.

@@ -52,6 +52,26 @@ TEST_F(GradeCommand, AnotherBodyIsFoundOut) {
                                  HasSubstr(" s, --max-attitude-error allows 0.00175 rad\n")));
 }
 
+// As `trajectory --at` refuses them, and with their place; in whichever column and row.
+TEST_F(GradeCommand, TimesWithoutAPhaseAreRefusedWithTheirPlace) {
+  const std::string head = "q_w,q_x,t,q_y,q_z\n1,0,0,0,0\n\n# a comment\n";
+  for (const std::string t : {"1e300", "1e308", "-1e300", "-1e308", "1e291"}) {
+    folder_.put("far.csv", head + "1,0, " + t + ",0,0\n1,0,3,0,0\n");
+    const auto result = grade({"far.csv"});
+    EXPECT_EQ(result.exitCode, 2) << t;
+    EXPECT_THAT(result.err,
+                testing::MatchesRegex("poinsot: error: far\\.csv:5:6: t = .* s: so far from the start that .*\n"));
+  }
+  for (const std::string t : {"4.9e-324", "-1e-310", "1e280"}) {
+    folder_.put("far.csv", head + "1,0," + t + ",0,0\n");
+    EXPECT_EQ(grade({"far.csv"}).exitCode, 0) << t;
+  }
+  for (const std::string t : {"nan", "inf", "-inf"}) {
+    folder_.put("far.csv", head + "1,0," + t + ",0,0\n");
+    EXPECT_THAT(grade({"far.csv"}).err, HasSubstr("far.csv:5:5: t: no time: " + t)) << t;
+  }
+}
+
 TEST_F(GradeCommand, TimesOfAnotherClockAreSuspected) {
   folder_.put("ms.csv", "t,omega_B_x,omega_B_y,omega_B_z\n0,0.1,10,0\n2000,5,-8,3\n4000,-5,8,-3\n");
   const char* note =

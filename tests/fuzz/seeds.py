@@ -106,6 +106,16 @@ def trajectory_tables():
     yield b"t,q_w,q_x,q_y,q_z\n0,1,0,0,0\n-inf,-1e999,1e-400,0,0"
 
 
+def grades():
+    """The kind of a motion and a table: times of every size, in the columns that an engine may write."""
+    times = ["0", "0.5", "1", "1e14", "1e154", "1e289", "1e291", "1e300", "1e308", "-1e300", "4.9e-324", "-0"]
+    for kind in range(28):
+        yield bytes([kind]) + ("t,q_w,q_x,q_y,q_z\n" + "".join(f"{t},1,0,0,0\n" for t in times[kind % 6:kind % 6 + 7])).encode()
+        yield bytes([kind]) + ("omega_B_x omega_B_y omega_B_z t\n" + "".join(f"0.1 {0.2 + 0.01 * i} 3 {0.1 * i}\n" for i in range(20))).encode()
+    for t in times:
+        yield b"\x03" + f"t,q_w,q_x,q_y,q_z,omega_W_x,omega_W_y,omega_W_z\n0,1,0,0,0,1e308,0,-1e300\n{t},1e300,0,0,1e-300,0,0,0\n".encode()
+
+
 def work_folders():
     job = {"job": "5f", "scene": "a0", "settings": "{}", "kind": 0, "fps": "30000/1001", "container": "mp4", "frames": [0, 89],
            "segment_frames": 30, "shards": 2, "title": "A", "description": "B", "subtitles": [[0, 1500, "L"]]}
@@ -140,6 +150,7 @@ def command_lines():
 
 
 TARGETS = {"scene": scenes, "tex": tex, "mesh": meshes, "png": pngs, "torque_table": torque_tables, "trajectory_table": trajectory_tables,
+           "grade": grades,
            "work_folder": work_folders, "golden_manifest": golden_manifests, "command_line": command_lines}
 
 TOML = ["[[", "]]", "= ", '"""', "'''", "1e999", "nan", "inf", "-0", "0x7f", "99999999999999999999", "{a=1}", "#", "true", "1979-05-27", "rpm", "kg^-9"]
@@ -160,6 +171,7 @@ def vocabulary(target):
         "png": lambda: ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "tEXt", "zTXt", "iTXt", "iCCP", "sPLT", "hIST", "pCAL", "sCAL", "bKGD", "eXIf", "acTL", "cICP", "gAMA", "cHRM"],
         "torque_table": lambda: ["t,Nx,Ny,Nz", *NUMBERS],
         "trajectory_table": lambda: strings("app/trajectory_row.h") + NUMBERS + ["\\x22", ",", "#"],
+        "grade": lambda: strings("app/trajectory_row.h") + NUMBERS + ["1e300", "-1e300", "1e308", "1e289", "4.9e-324", ",", "\\x0a"],
         "work_folder": lambda: strings("app/job_file.cpp") + strings("app/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
         "golden_manifest": lambda: strings("app/golden_manifest.cpp") + strings("app/golden_keys.cpp", "[a-z_]{3,12}") + TOML,
         "command_line": lambda: strings("cli/*.cpp", r"-{0,2}[a-z][a-z-]{1,20}") + NUMBERS + ["-D", "-o", "=", "--"],

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iterator>
+
+#include "app/grade.h"
+#include "core/error.h"
+#include "fuzz/input.h"
+
+using namespace poinsot;
+
+namespace {
+
+constexpr std::size_t kMostRows = 100;  // a search goes over all of them a few hundred times
+constexpr double kMostSteps = 200;
+
+struct Body {
+  Eigen::Vector3d moments, omega;
+};
+
+/// At rest, sphere, top, about an axis, beside the separatrix, steady, needle.
+const Body kBodies[] = {{{2, 2, 2}, {0, 0, 0}},         {{2, 2, 2}, {1, 2, 3}},     {{1, 1, 2}, {0.1, 0.2, 3}},
+                        {{1, 2, 3}, {0.5, 0.1, 2}},     {{1, 2, 3}, {1e-12, 1, 0}}, {{1, 2, 3}, {0, 0, -2}},
+                        {{1e-8, 1, 1}, {1, 1e-3, 2e-3}}};
+
+/// Nothing, drag of one rate, a torque, a loss of energy.
+physics::Forcing forcingOf(unsigned kind) {
+  physics::Forcing forcing;
+  if (kind == 1) forcing.dragRate_P.setConstant(0.5);
+  if (kind == 2) forcing.torque_B = {0.1, 0.2, 0.3};
+  if (kind == 3) forcing.dissipation = 0.01;
+  return forcing;
+}
+
+}  // namespace
+
+// The kind of the motion, then a table that is graded against it.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const Body& body = kBodies[data[0] % std::size(kBodies)];
+  const unsigned driven = data[0] / static_cast<unsigned>(std::size(kBodies)) % 4;
+  const app::MotionMaker maker = [&](const physics::TimeSpan& span) {
+    return std::make_unique<physics::DrivenMotion>(physics::PrincipalMoments(body.moments), body.omega,
+                                                   Eigen::Quaterniond(1, 2, 3, 4), forcingOf(driven), span, 1e-6,
+                                                   kMostSteps);
+  };
+  try {
+    const app::TrajectoryTable theirs =
+        app::parseTrajectoryTable(fuzz::textOf({data + 1, size - 1}), "theirs.csv");
+    if (theirs.rows() > kMostRows) return 0;
+    // A late start is looked for at some ten thousand times, which in closed form take no time.
+    app::grade(*maker(app::spanOf(theirs)), theirs, driven < 2 ? maker : app::MotionMaker());
+  } catch (const core::Error& error) {
+    fuzz::expectPrintable(error.what());
+  }
+  return 0;
+}
