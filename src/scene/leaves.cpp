@@ -96,6 +96,7 @@ class Walk {
       return problems_.add(node.place, fmt::format("{}: may have at most {} elements, got {}; {}", path, most,
                                                    elements->size(), howToRaise(Limit::kElements)));
     forget(path);
+    leaves_.counts[path] = elements->size();
     for (std::size_t i = 0; i < elements->size(); ++i)
       opened(fmt::format("{}[{}]", path, i), (*elements)[i].place, *(*elements)[i].as<Node::Table>());
   }
@@ -117,12 +118,6 @@ class Walk {
 };
 
 }  // namespace
-
-std::size_t Leaves::count(std::string_view array) const {
-  std::size_t count = 0;
-  while (tables.contains(fmt::format("{}[{}]", array, count))) ++count;
-  return count;
-}
 
 void addLeaves(const Node& document, Leaves& leaves, Problems& problems) {
   if (const auto* entries = document.as<Node::Table>()) Walk(leaves, problems).table("", *entries);

@@ -13,14 +13,18 @@ namespace poinsot::scene {
 
 /// What a scene gives, by path ("body.part[0].mass").
 struct Leaves {
-  Limits limits{};                                     ///< by which it is bounded
-  std::map<std::string, Node, std::less<>> values{};   ///< of known keys, each with the place it came from
-  std::map<std::string, Place, std::less<>> tables{};  ///< where each table was opened
+  Limits limits{};                                           ///< by which it is bounded
+  std::map<std::string, Node, std::less<>> values{};         ///< of known keys, each with the place it came from
+  std::map<std::string, Place, std::less<>> tables{};        ///< where each table was opened
+  std::map<std::string, std::size_t, std::less<>> counts{};  ///< of the tables in each array of them
   /// By table, names given in it that are no keys, or not in the form of one; the first of many.
   std::map<std::string, std::vector<std::string>, std::less<>> unknown{};
 
   /// How many tables an array of them has.
-  std::size_t count(std::string_view array) const;
+  std::size_t count(std::string_view array) const {
+    const auto found = counts.find(array);
+    return found == counts.end() ? 0 : found->second;
+  }
 };
 
 /// Adds the values of a whole document; a later call replaces what an earlier one gave. Keys that are not in the

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/actors.h"
 
+#include <map>
+#include <set>
+#include <tuple>
 #include <type_traits>
 
 #include "stage/axes_figure.h"
@@ -24,6 +27,20 @@ namespace {
 
 template <class A>
 constexpr std::type_identity<A> kA{};
+
+/// The angles whose arcs the frame must hold. Of those between the same two directions it is the widest: the
+/// others lie between that one and the centre. The frame of a flight need not hold the centre, so there each width
+/// counts.
+std::set<const scene::NamedAngle*> outermost(const std::vector<scene::NamedAngle>& angles, bool flight) {
+  std::map<std::tuple<scene::Direction, scene::Direction, double>, const scene::NamedAngle*> widest;
+  for (const scene::NamedAngle& angle : angles) {
+    const scene::NamedAngle*& known = widest[{angle.from, angle.to, flight ? angle.scale : 0}];
+    if (known == nullptr || angle.scale > known->scale) known = &angle;
+  }
+  std::set<const scene::NamedAngle*> all;
+  for (const auto& [directions, angle] : widest) all.insert(angle);
+  return all;
+}
 
 }  // namespace
 
@@ -71,8 +88,9 @@ std::vector<ShownActor> makeActors(const Setting& setting) {
   addIf(figures.ghosts.visible, "ghosts", kA<GhostsFigure>);
   for (const scene::NamedVector& vector : setting.scene.vectors)
     actors.push_back({"vectors", std::make_unique<NamedVectorFigure>(setting, vector)});
+  const auto framed = outermost(setting.scene.angles, setting.motion.flight().has_value());
   for (const scene::NamedAngle& angle : setting.scene.angles)
-    actors.push_back({"angles", std::make_unique<AngleFigure>(setting, angle)});
+    actors.push_back({"angles", std::make_unique<AngleFigure>(setting, angle, framed.contains(&angle))});
   return actors;
 }
 

@@ -112,7 +112,9 @@ void addLabels(draw::DrawList& list, const std::vector<Label>& all, const draw::
   for (const Label& label : labels) placed.push_back(place(label));
   const std::vector<LabelObstacle> obstacles = obstaclesOf(list);
   for (std::size_t i = 0; i < placed.size(); ++i) moveOff(obstacles, kSpaceToShaft * labels[i].size_px, placed[i]);
+  const auto isWhereItWas = [](const Placed& a, const Placed& b) { return a.centre_px == b.centre_px; };
   for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Placed> before = placed;
     for (std::size_t i = 0; i < placed.size(); ++i)
       for (std::size_t j = i + 1; j < placed.size(); ++j)
         separate(placed[i], placed[j], kApart * labels[i].size_px,
@@ -121,6 +123,7 @@ void addLabels(draw::DrawList& list, const std::vector<Label>& all, const draw::
       for (const PixelBox& box : taken) giveWay(placed[i], box, size_px, 0.3f * labels[i].size_px);
       keepInside(placed[i], size_px, top_px);
     }
+    if (std::ranges::equal(placed, before, isWhereItWas)) break;  // and so would every further round
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];

@@ -166,10 +166,11 @@ std::vector<Vector3d> NamedVectorFigure::outermostPoints(const PictureState& sta
 
 // ---- angles
 
-AngleFigure::AngleFigure(const Setting& setting, const scene::NamedAngle& angle)
+AngleFigure::AngleFigure(const Setting& setting, const scene::NamedAngle& angle, bool framed)
     : directions_(setting),
       angle_(angle),
-      radius_(angle.scale * kArcShare * std::min(directions_.length(angle.from), directions_.length(angle.to))) {}
+      radius_(angle.scale * kArcShare * std::min(directions_.length(angle.from), directions_.length(angle.to))),
+      framed_(framed) {}
 
 // sin((1 - s) theta) a + sin(s theta) b over sin(theta): exact at both ends and without an axis to turn about.
 std::vector<Vector3d> AngleFigure::arc(const PictureState& state) const {
@@ -191,7 +192,9 @@ void AngleFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Picture
   canvas.label(angle_.name, points[points.size() / 2], Vector3d::Zero(), canvas.colors.ink);
 }
 
-std::vector<Vector3d> AngleFigure::outermostPoints(const PictureState& state) const { return arc(state); }
+std::vector<Vector3d> AngleFigure::outermostPoints(const PictureState& state) const {
+  return framed_ ? arc(state) : std::vector<Vector3d>();
+}
 
 // ---- theta
 

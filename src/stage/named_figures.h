@@ -46,7 +46,8 @@ class NamedVectorFigure final : public Actor {
 /// The arc between two directions, with its name.
 class AngleFigure final : public Actor {
  public:
-  AngleFigure(const Setting& setting, const scene::NamedAngle& angle);
+  /// @param framed  whether the frame must hold the arc.
+  AngleFigure(const Setting& setting, const scene::NamedAngle& angle, bool framed = true);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
@@ -59,6 +60,7 @@ class AngleFigure final : public Actor {
   Directions directions_;
   scene::NamedAngle angle_;
   double radius_;
+  bool framed_;
 };
 
 /// show.theta: of the lecture's eq 18, between L and k; under gravity between the vertical, which is drawn too,

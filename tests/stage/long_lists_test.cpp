@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+#include <string>
+
+#include "scene/scene_file.h"
+#include "stage/stage.h"
+
+// Each list of a scene may have thousands of elements: twice as many may take twice as long to read, to prepare
+// and to compose, not four times.
+namespace poinsot::stage {
+namespace {
+
+struct List {
+  const char* name;
+  const char* element;  // {0}: its number; {1}: a film time; {2}: 0 and 1 in turn
+  int count = 2000;     // a tenth of a second or more of what is quadratic
+};
+
+constexpr List kLists[] = {
+    {"part", "[[body.part]]\nshape = 'box'\nsize = 1\nmass = 1\noffset = [{0}, {2}, 0]\n"},
+    {"point_mass", "[[body.point_mass]]\nmass = 1\nposition = [{0}, {2}, 1]\n", 400},
+    {"torque_step", "[[motion.torque.step]]\nfrom = {1}\nbody = [0, 0, {2}]\n"},
+    {"speed", "[[timeline]]\nat = {1}\nover = 1e-4\nspeed = 0.{2}5\n"},
+    {"hold", "[[timeline]]\nat = {1}\nover = 1e-4\nhold = 1e-4\n"},
+    {"azimuth", "[[timeline]]\nat = {1}\nover = 1e-4\ncamera.azimuth = {2}\n"},
+    {"turn", "[[timeline]]\nat = {1}\nover = 1e-4\ncamera.turn = 0.1\n"},
+    {"zoom", "[[timeline]]\nat = {1}\nover = 1e-4\ncamera.zoom = 1.{2}\n"},
+    {"show", "[[timeline]]\nat = {1}\nover = 1e-4\nshow = ['L']\n"},
+    {"hide", "[[timeline]]\nat = {1}\nhide = ['omega', 'labels']\n"},
+    {"caption", "[[timeline]]\nat = {1}\ncaption = 'a b {2}'\n"},
+    {"vector", "[[vector]]\ncomponents = [1, {2}, {0}]\n", 800},
+    {"velocity", "[[vector]]\nvelocity_of = [1, {2}, {0}]\n", 800},
+    {"angle", "[[angle]]\nbetween = ['L', 'omega']\n", 200},
+    {"readout", "[[readout]]\nquantity = 'T'\n", 100},
+    {"note", "[[note]]\ntext = 'x'\n", 500},
+};
+
+std::string sceneOf(const List& list, int count) {
+  const bool ofBody = std::string_view(list.element).starts_with("[[body.");
+  std::string text = ofBody ? "" : "[body]\nprincipal_moments = [1, 2, 3]\n";
+  text += "[motion]\nomega_body = [0.1, 3, 0.1]\n[time]\nduration = 10\n[output]\nsize = [64, 36]\n";
+  for (int i = 0; i < count; ++i)
+    text += fmt::format(fmt::runtime(list.element), i, fmt::format("{:.6f}", 9.9 * i / count), i % 2);
+  return text;
+}
+
+/// Of this process's CPU, so that others on the machine do not count.
+double seconds(const std::string& text) {
+  const std::clock_t begin = std::clock();
+  const Stage stage(scene::parseScene(text, "list.toml"));
+  for (const double time_s : {0.0, 3.3, 9.9}) stage.compose(time_s, {64, 36});
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+class LongLists : public testing::TestWithParam<List> {};
+
+TEST_P(LongLists, TakeTimeInProportion) {
+  const std::string once = sceneOf(GetParam(), GetParam().count),
+                    twice = sceneOf(GetParam(), 2 * GetParam().count);
+  double ratio = 0;
+  for (int attempt = 0; attempt < 4; ++attempt) {  // caches and a busy machine disturb one
+    const double one = seconds(once), two = seconds(twice);
+    ratio = attempt == 0 ? two / one : std::min(ratio, two / one);
+    if (ratio < 3) return;
+  }
+  FAIL() << "twice as many took " << ratio << " times as long";
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, LongLists, testing::ValuesIn(kLists),
+                         [](const auto& list) { return list.param.name; });
+
+}  // namespace
+}  // namespace poinsot::stage
