@@ -2,7 +2,6 @@
 #include "preview/preview_server.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
 #include <sys/random.h>
 #include <sys/socket.h>
 
@@ -11,16 +10,16 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <semaphore>
 #include <string_view>
 #include <system_error>
 #include <utility>
-
-#undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
 
 #include "app/sweep_cells.h"
 #include "core/base64.h"
 #include "core/error.h"
 #include "preview/film_errand.h"
+#include "preview/listener.h"
 #include "preview/picture_press.h"
 #include "preview/preview_json.h"
 #include "preview/watched_scene.h"
@@ -35,7 +34,7 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr auto kLongestWait = std::chrono::seconds(20);
-constexpr std::size_t kThreads = 32;  // each page that waits for a change holds one
+constexpr std::ptrdiff_t kMostWaiting = Listener::kThreads / 2;  // pages; each holds a thread
 constexpr int kLeastSide = 16, kMostSide = 4096;
 constexpr std::size_t kMostOverrides = 64, kLongestOverride = 1000;
 
@@ -60,8 +59,10 @@ bool isSame(std::string_view a, std::string_view b) {
 /// Whether the browser was told to come here by a name of this machine itself. Another name that leads here is a
 /// stranger's page (DNS rebinding); the port may differ, behind ssh -L.
 bool isLocalName(std::string_view host) {
-  const std::string_view name = host.substr(0, host.starts_with('[') ? host.find(']') + 1 : host.find(':'));
-  return name == "127.0.0.1" || name == "localhost" || name == "[::1]";
+  constexpr std::string_view kNames[] = {"127.0.0.1", "localhost", "[::1]"};
+  return std::ranges::any_of(kNames, [&](std::string_view name) {
+    return host.starts_with(name) && (host.size() == name.size() || host[name.size()] == ':');
+  });
 }
 
 std::optional<std::int64_t> number(const Request& request, const char* name) {
@@ -126,13 +127,6 @@ std::vector<std::string> toldChanges(const PageChanges& changes) {
   return told;
 }
 
-/// Lets many knock at once: the library's queue of five drops the others, who knock again after seconds.
-class Listener : public httplib::Server {
- public:
-  /// After it was bound.
-  void widen() { ::listen(svr_sock_, SOMAXCONN); }
-};
-
 }  // namespace
 
 class PreviewServer::Site {
@@ -160,7 +154,7 @@ class PreviewServer::Site {
 
   int port() const { return port_; }
   std::string address() const { return fmt::format("http://127.0.0.1:{}/{}/", port_, token_); }
-  void run() { server_.listen_after_bind(); }
+  void run() { server_.serve(); }
   void stop() {
     scene_.stop();
     server_.stop();
@@ -168,7 +162,6 @@ class PreviewServer::Site {
 
  private:
   void configure() {
-    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_tcp_nodelay(true);
     server_.set_payload_max_length(64 << 10);
     server_.set_default_headers(
@@ -197,10 +190,7 @@ class PreviewServer::Site {
     server_.Get(root + "/", [](const Request&, Response& response) {
       response.set_content(poinsot_preview_page, "text/html; charset=utf-8");
     });
-    server_.Get(root + "/scene", [this](const Request& request, Response& response) {
-      const auto known = static_cast<int>(number(request, "after").value_or(-1));
-      json(response, sceneJson(scene_.after(known, kLongestWait), request_.units));
-    });
+    server_.Get(root + "/scene", [this](const Request& request, Response& response) { scene(request, response); });
     server_.Get(root + "/picture",
                 [this](const Request& request, Response& response) { picture(request, response); });
     server_.Get(root + "/series",
@@ -215,6 +205,16 @@ class PreviewServer::Site {
   }
 
   static void json(Response& response, const std::string& text) { response.set_content(text, "application/json"); }
+
+  /// Waits for a change, unless as many pages wait already as may.
+  void scene(const Request& request, Response& response) {
+    const auto known = static_cast<int>(number(request, "after").value_or(-1));
+    const bool mayWait = places_.try_acquire();
+    const SceneVersion version = scene_.after(known, mayWait ? kLongestWait : std::chrono::seconds(0));
+    if (mayWait) places_.release();
+    if (!mayWait && version.number <= known) return refuse(response, 503, "too many pages wait; ask again later");
+    json(response, sceneJson(version, request_.units));
+  }
 
   void picture(const Request& request, Response& response) {
     const auto ask = pictureAsk(request, response);
@@ -271,7 +271,8 @@ class PreviewServer::Site {
   WatchedScene scene_;
   PicturePress press_;
   FilmErrand film_;
-  Listener server_;  // last: its threads use the others
+  std::counting_semaphore<> places_{kMostWaiting};  // of pages that wait for a change
+  Listener server_;                                 // last: its threads use the others
 };
 
 PreviewServer::PreviewServer(const PreviewRequest& request) : site_(std::make_unique<Site>(request)) {}

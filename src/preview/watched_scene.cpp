@@ -26,14 +26,15 @@ constexpr int kMostCalms = 20;
 // A file that a scene names and that was missing may come: while there is a mistake, all is tried again.
 constexpr int kPausesToTryAgain = 25;
 
-/// Of files by name: changes when one is written, replaced or removed.
+/// Of files by name: changes when one is written, replaced or removed, also where size and time of writing are
+/// put back as they were (the time of change is the kernel's).
 std::string fingerprint(const std::vector<std::filesystem::path>& files) {
   std::string all;
   for (const auto& file : files) {
     struct stat status {};
     if (::stat(file.c_str(), &status) == 0)
-      all += fmt::format("{}.{} {} {};", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size,
-                         status.st_ino);
+      all += fmt::format("{}.{} {}.{} {} {};", status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
+                         status.st_ctim.tv_sec, status.st_ctim.tv_nsec, status.st_size, status.st_ino);
     else
       all += "none;";
   }

@@ -31,7 +31,7 @@ constexpr Door kDoors[] = {
     {R"(EGL/.*|GL/.*|KHR/.*)", R"(gl/.*)"},
     {R"(glad/.*)", R"(gl/.*|render/\w+\.cpp)"},
     {R"(cairo.*)", R"(output/\w+\.cpp)"},
-    {R"(httplib\.h)", R"(preview/preview_server\.cpp)"},
+    {R"(httplib\.h)", R"(preview/listener\.h)"},
     {R"(seccomp\.h)", R"(app/call_filter\.cpp)"},
     {R"(linux/landlock\.h)", R"(app/landlock\.cpp)"},
     {R"(libimagequant\.h)", R"(output/imagequant_library\.h)"},

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The preview over HTTP: what is answered, what is refused, what is survived. Expected pictures are those that the
 // program makes of the same frames.
-#include "preview/preview_server.h"
-
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <httplib.h>
 #include <signal.h>
 
 #include <atomic>
@@ -13,70 +11,16 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
-
 #include "core/error.h"
+#include "core/file_handle.h"
+#include "preview/preview_fixture.h"
 #include "preview/watched_scene.h"
-#include "support/scratch_folder.h"
 #include "support/shell_run.h"
 
 namespace poinsot::preview {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
-
-constexpr const char* kScene =
-    "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 3, 0.1]\n[time]\nduration = 2\n"
-    "[output]\nsize = [320, 180]\n";
-
-class Preview : public testing::Test {
- protected:
-  explicit Preview(std::vector<std::string> overrides = {}) {
-    gl::pinEnvironment(false);
-    folder_.put("a.toml", kScene);
-    server_ = std::make_unique<PreviewServer>(PreviewRequest{
-        .fileName = (folder_ / "a.toml").string(), .overrides = std::move(overrides), .allowance = {}});
-    running_ = std::thread([this] { server_->run(); });
-    const std::string address = server_->address();
-    root_ = address.substr(address.find('/', 8));
-  }
-  ~Preview() override {
-    server_->stop();
-    running_.join();
-  }
-
-  httplib::Client client() const {
-    httplib::Client made("127.0.0.1", server_->port());
-    made.set_read_timeout(60, 0);
-    return made;
-  }
-  httplib::Result get(const std::string& what) const { return client().Get(root_ + what); }
-  json scene(int after) const { return json::parse(get("scene?after=" + std::to_string(after))->body); }
-  std::string picture(int frame, const std::string& more = "") const {
-    const auto answer = get("picture?width=320&height=180&frame=" + std::to_string(frame) + more);
-    EXPECT_EQ(answer->status, 200) << answer->body;
-    return answer->body;
-  }
-  /// Of `poinsot still`, or another command, without the texts that a file has.
-  void expectSamePicture(const std::string& png, const std::string& words,
-                         const std::string& command = "still") const {
-    folder_.put("preview.png", png);
-    const auto made = runShell(folder_.path(), POINSOT_PROGRAM " " + command + " a.toml -o still.png " + words +
-                                                   " && " POINSOT_PROGRAM " diff --exact still.png preview.png");
-    EXPECT_EQ(made.exitCode, 0) << made.out;
-  }
-
-  /// At once, as editors do: nobody sees half a file, however slow the machine.
-  void save(const std::string& name, const std::string& text) const {
-    std::filesystem::rename(folder_.put(name + "~", text), folder_ / name);
-  }
-
-  ScratchFolder folder_;
-  std::unique_ptr<PreviewServer> server_;
-  std::thread running_;
-  std::string root_;
-};
 
 TEST_F(Preview, ShowsWhatTheProgramDraws) {
   expectSamePicture(picture(30), "--time 1");
@@ -215,7 +159,8 @@ TEST_F(Preview, AnswersNoOtherHost) {
   const auto as = [&](const std::string& host) { return client().Get(root_ + "film", {{"Host", host}})->status; };
   for (const char* host : {"localhost", "127.0.0.1:1", "localhost:9999", "[::1]:80"})
     EXPECT_EQ(as(host), 200) << host;
-  for (const char* host : {"evil.example", "127.0.0.1.evil.example", "localhost.evil.example:80", ""})
+  for (const char* host :
+       {"evil.example", "127.0.0.1.evil.example", "localhost.evil.example:80", "[::1].evil", "[::1", ""})
     EXPECT_EQ(as(host), 403) << host;
 }
 
@@ -247,6 +192,20 @@ TEST_F(Preview, SurvivesManyAtOnceAndThoseWhoLeave) {
   for (std::thread& one : all) one.join();
   EXPECT_EQ(good, 200);
   EXPECT_EQ(picture(7), expected);
+}
+
+// As `cp --preserve` and some editors over a network leave a file: written in place, with its old time.
+TEST_F(Preview, SeesASaveThatKeepsSizeAndTime) {
+  const int first = scene(-1)["version"];
+  const auto file = folder_ / "a.toml";
+  std::string text = kScene;
+  text.replace(text.find("0.1, 3"), 6, "0.1, 5");
+  const auto time = std::filesystem::last_write_time(file);
+  const core::FileHandle written(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+  ASSERT_EQ(::pwrite(written.get(), text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+  std::filesystem::last_write_time(file, time);
+  EXPECT_GT(scene(first)["version"].get<int>(), first);
+  EXPECT_DOUBLE_EQ(json::parse(get("series?name=omega_2")->body)["series"][0]["values"][0], 5);
 }
 
 // As the command: how it is reached by ssh, as who came by it sees this machine; and what is wrong, which is no

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/listener.h"
+
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <memory>
+#include <utility>
+
+namespace poinsot::preview {
+namespace {
+
+/// Runs each job where it comes from: a job only shows a connection to the anteroom.
+class AtOnce : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> job) override { job(); }
+  void shutdown() override {}
+};
+
+/// A connection as the library reads and writes it.
+class Connection : public httplib::Stream {
+ public:
+  explicit Connection(int socket) : socket_(socket) {}
+
+  bool is_readable() const override { return true; }
+  bool is_writable() const override { return true; }
+
+  ssize_t read(char* to, std::size_t most) override {
+    if (taken_ == arrived_) {
+      const ssize_t count = retried([&] { return recv(socket_, buffer_.data(), buffer_.size(), 0); });
+      if (count <= 0) return count;
+      taken_ = 0;
+      arrived_ = static_cast<std::size_t>(count);
+    }
+    const std::size_t count = std::min(most, arrived_ - taken_);
+    std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(taken_), count, to);
+    taken_ += count;
+    return static_cast<ssize_t>(count);
+  }
+  ssize_t write(const char* from, std::size_t count) override {
+    return retried([&] { return send(socket_, from, count, MSG_NOSIGNAL); });
+  }
+
+  // Who it is does not matter: all are of this machine.
+  void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
+  void get_local_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
+  socket_t socket() const override { return socket_; }
+
+ private:
+  template <class Call>
+  static ssize_t retried(const Call& call) {
+    ssize_t count = 0;
+    do count = call();
+    while (count < 0 && errno == EINTR);
+    return count;
+  }
+
+  int socket_;
+  std::array<char, 4096> buffer_;
+  std::size_t taken_ = 0, arrived_ = 0;
+};
+
+}  // namespace
+
+Listener::Listener() {
+  new_task_queue = [] { return new AtOnce; };
+}
+
+void Listener::widen() { ::listen(svr_sock_, SOMAXCONN); }
+
+void Listener::serve() {
+  httplib::ThreadPool threads(kThreads);
+  {
+    Anteroom anteroom([&](core::FileHandle socket) {
+      auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // a job can be copied
+      threads.enqueue([this, shared] { answer(*shared); });
+    });
+    anteroom_ = &anteroom;
+    listen_after_bind();
+    anteroom_ = nullptr;
+  }
+  threads.shutdown();
+}
+
+bool Listener::process_and_close_socket(socket_t socket) {
+  anteroom_->add(core::FileHandle(socket));
+  return true;
+}
+
+void Listener::answer(const core::FileHandle& socket) {
+  Connection connection(socket.get());
+  bool closed = false;
+  process_request(connection, true, closed, nullptr);
+  ::shutdown(socket.get(), SHUT_RDWR);
+}
+
+}  // namespace poinsot::preview
