@@ -62,7 +62,7 @@ void addGoldenOptions(CLI::App& command, GoldenOptions& options) {
   command.add_flag("--force", options.force, "replace reports that poinsot did not write");
   command.add_flag("--list", options.list, "only list the tests; with --json, with their files");
   command.add_flag("--unused", options.unused, "make nothing, only look for what is approved and made by no test");
-  command.add_flag("--quiet", options.quiet, "only the exit code");
+  command.add_flag("--quiet", options.quiet, "only the exit code, and tests that could not be run");
   addAllowance(command, options);
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
 
+#include <fmt/format.h>
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <csignal>
+#include <stdexcept>
 
 #include "cli/command_line.h"
 #include "cli/console.h"
@@ -10,12 +14,25 @@
 #include "cli/variables.h"
 
 namespace poinsot::cli {
+namespace {
+
+/// The end of the stack is a signal; 96 KiB were enough for the gallery, and what nests takes more.
+void requireStack() {
+  constexpr rlim_t kLeast = 1 << 20;
+  rlimit stack{};
+  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < kLeast)
+    throw std::runtime_error(fmt::format("the stack may take {} KiB, poinsot needs {}: ulimit -s {}",
+                                         stack.rlim_cur >> 10, kLeast >> 10, kLeast >> 10));
+}
+
+}  // namespace
 
 int runProgram(int argc, char** argv) {
   openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);  // a write says EPIPE in its place
   std::signal(SIGXFSZ, SIG_IGN);  // and EFBIG
   return translatingErrors([&] {
+    requireStack();
     clearOtherVariables();
     return CommandLine({argv + std::min(argc, 1), argv + argc}).run();
   });

@@ -43,6 +43,19 @@ class GoldenCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
+// --quiet keeps results to itself; that a picture could not be written is none.
+TEST_F(GoldenCommand, QuietStillTellsWhatCouldNotBeRun) {
+  approve();
+  EXPECT_EQ(golden({"--quiet"}).err, "");
+  fs::remove(folder_ / "out/golden/s.png");
+  fs::create_directories(folder_ / "out/golden/s.png/in the way");
+  const RunResult quiet = golden({"--quiet"});
+  EXPECT_EQ(quiet.exitCode, 1);
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_THAT(quiet.err, StartsWith("error      s: "));
+  EXPECT_THAT(quiet.err, HasSubstr("s.png"));
+}
+
 TEST_F(GoldenCommand, GoesThroughTheLifeOfASuite) {
   const RunResult first = golden();
   EXPECT_EQ(first.exitCode, 1);

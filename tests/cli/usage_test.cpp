@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/program_run.h"
+#include "support/shell_run.h"
 
 namespace poinsot {
 namespace {
@@ -148,6 +149,13 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
     EXPECT_THAT(result.out, IsEmpty()) << bad.says;
   }
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a.toml"});
+}
+
+TEST(Usage, AStackTooSmallIsToldOf) {
+  const ScratchFolder folder;
+  const auto result = runShell(folder.path(), "ulimit -s 64; " POINSOT_PROGRAM " --version");
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_EQ(result.out, "poinsot: error: the stack may take 64 KiB, poinsot needs 1024: ulimit -s 1024\n");
 }
 
 TEST(Usage, TimesMayHaveAUnit) {
