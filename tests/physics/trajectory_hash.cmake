@@ -4,7 +4,7 @@
 
 # What the hash runs, with what that calls; a file missing here fails to link.
 set(hash_sources composition.cpp decaying_motion.cpp driven_motion.cpp driven_trajectory.cpp elliptic.cpp forcing.cpp
-  forcing_piece.cpp free_flow.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp
+  forcing_piece.cpp free_flow.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp motion.cpp
   polhode.cpp principal_axes.cpp principal_moments.cpp scaled_start.cpp splitting.cpp step_choice.cpp step_plan.cpp
   symmetric_eigen.cpp transcendental.cpp)
 list(TRANSFORM hash_sources PREPEND ${CMAKE_SOURCE_DIR}/src/physics/)
