@@ -40,7 +40,9 @@ FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const Ri
   q.translationalEnergy = 0.5 * mass_kg * dotProduct(velocity_W, velocity_W);
   q.rotationalEnergy = state.kineticEnergy;
   q.potentialEnergy = -dotProduct(q.force_W, position_W);
-  if (!q.total_W.allFinite() || !q.torque_W.allFinite() || !std::isfinite(q.kineticEnergy() + q.potentialEnergy))
+  // Without a mass, which is NaN, these have no value at any time.
+  if (!std::isnan(mass_kg) &&
+      !(q.total_W.allFinite() && q.torque_W.allFinite() && std::isfinite(q.kineticEnergy() + q.potentialEnergy)))
     refuseTime(state.t_s);
   return q;
 }
