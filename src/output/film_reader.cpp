@@ -107,14 +107,14 @@ AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
 bool isDeepRgb(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64; }
 
 /// How many pictures a decoder holds at most: those that others refer to, those that wait for their turn to be
-/// shown, and a few at hand. Only libavcodec's H.264 says what the film needs of the 16 that there may be; VP9
-/// and AV1 have 8 places to refer to, HEVC has 16.
+/// shown, and one at hand. VP9 and AV1 have 8 places to refer to, HEVC has 16. What an H.264 film needs of 16 is
+/// known when one picture has been decoded.
 int heldPictures(const AVCodecContext& codec) {
   const AVCodecDescriptor* facts = ffmpeg().avcodec_descriptor_get(codec.codec_id);
   const bool alone = (facts != nullptr && (facts->props & AV_CODEC_PROP_INTRA_ONLY) != 0) ||
                      codec.codec_id == AV_CODEC_ID_GIF || codec.codec_id == AV_CODEC_ID_APNG;
   if (alone) return 3;  // the one before, beneath a GIF's or an APNG's
-  if (codec.codec_id == AV_CODEC_ID_H264) return codec.refs + codec.has_b_frames + 4;
+  if (codec.codec_id == AV_CODEC_ID_H264) return codec.refs + codec.has_b_frames + 2;
   if (codec.codec_id == AV_CODEC_ID_VP9 || codec.codec_id == AV_CODEC_ID_AV1) return 8 + 3;
   return 16 + 1;
 }
@@ -171,6 +171,7 @@ struct FilmReader::Parts {
     codec = decoder(track(), mostPixels, name);
     size = {codec->width, codec->height};
     checkSize(size, name);
+    waiting = decode();
   }
 
   const AVStream& track() const { return *format->streams[stream]; }
@@ -195,7 +196,9 @@ struct FilmReader::Parts {
     }
   }
 
-  /// False after the last.
+  /// Makes the next picture the one at hand. False after the last.
+  bool advance() { return std::exchange(waiting, false) || decode(); }
+
   bool decode() {
     for (;;) {
       const int code = ffmpeg().avcodec_receive_frame(codec.get(), frame.get());
@@ -242,6 +245,7 @@ struct FilmReader::Parts {
   image::PixelSize size;
   PacketPtr packet{checkAlloc(ffmpeg().av_packet_alloc())};
   FramePtr frame{checkAlloc(ffmpeg().av_frame_alloc())};
+  bool waiting = false;  ///< whether the frame is the first picture, which nobody took yet
 };
 
 bool isFilmName(const std::filesystem::path& file) {
@@ -289,7 +293,7 @@ core::Rational FilmReader::fps() const {
 double FilmReader::timeStep_s() const { return parts_->seconds(1); }
 
 std::optional<ShownPicture> FilmReader::next() {
-  if (!parts_->decode()) return std::nullopt;
+  if (!parts_->advance()) return std::nullopt;
   return parts_->shown();
 }
 

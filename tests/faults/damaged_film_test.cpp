@@ -46,15 +46,18 @@ class DamagedFilm : public testing::TestWithParam<output::FilmContainer> {
   std::string whole_;
 };
 
+// Two kinds of damage for each kind of film, so that each is done to two or more.
 TEST_P(DamagedFilm, IsMadeAgain) {
   EXPECT_EQ(status().out, film_.name + ": complete\n");
-  for (const auto& [name, damage] : kDamages) {
+  for (const int more : {0, 1}) {
+    const auto& [name, damage] = kDamages[(static_cast<std::size_t>(GetParam()) + more) % std::size(kDamages)];
     SCOPED_TRACE(name);
     std::string damaged = whole_;
     damage(damaged);
     put(damaged);
-    EXPECT_EQ(status().exitCode, 1);
-    EXPECT_EQ(status().out, film_.name + ": not as it was written; render with --resume makes it again\n");
+    const RunResult told = status();
+    EXPECT_EQ(told.exitCode, 1);
+    EXPECT_EQ(told.out, film_.name + ": not as it was written; render with --resume makes it again\n");
     const RunResult made = render({"--resume", "--progress", "plain"});
     EXPECT_EQ(made.exitCode, 0) << made.err;
     EXPECT_THAT(made.err,
@@ -62,26 +65,6 @@ TEST_P(DamagedFilm, IsMadeAgain) {
     EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, "));
     EXPECT_TRUE(bytes() == whole_);
   }
-}
-
-TEST_P(DamagedFilm, IsMadeOfTheSegmentsThatAreThere) {
-  ASSERT_EQ(render({"--keep"}).exitCode, 0);
-  put(whole_.substr(0, whole_.size() - 1));
-  const RunResult made = render({"--resume", "--progress", "plain"});
-  EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, 6 of them were there already, "));
-  EXPECT_TRUE(bytes() == whole_);
-}
-
-// Nothing in it says that it was ours.
-TEST_P(DamagedFilm, OfWhichNothingIsLeftIsAnothersFile) {
-  const std::string text(whole_.size(), 'x');
-  put(text);
-  const RunResult refused = render({"--resume"});
-  EXPECT_EQ(refused.exitCode, 4);
-  EXPECT_THAT(refused.err, HasSubstr("exists and was not written by poinsot; --force replaces it"));
-  EXPECT_TRUE(bytes() == text);
-  EXPECT_EQ(render({"--resume", "--force"}).exitCode, 0);
-  EXPECT_TRUE(bytes() == whole_);
 }
 
 TEST_P(DamagedFilm, IsNotMadeAgainIfItIsNotDamaged) {
@@ -92,6 +75,33 @@ TEST_P(DamagedFilm, IsNotMadeAgainIfItIsNotDamaged) {
 
 INSTANTIATE_TEST_SUITE_P(Each, DamagedFilm,
                          testing::ValuesIn(output::filmContainers().begin(), output::filmContainers().end()),
+                         [](const auto& tested) { return std::string(nameOf(tested.param)); });
+
+class DamagedFilmOfEachSort : public DamagedFilm {};
+
+TEST_P(DamagedFilmOfEachSort, IsMadeOfTheSegmentsThatAreThere) {
+  ASSERT_EQ(render({"--keep"}).exitCode, 0);
+  put(whole_.substr(0, whole_.size() - 1));
+  const RunResult made = render({"--resume", "--progress", "plain"});
+  EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, 6 of them were there already, "));
+  EXPECT_TRUE(bytes() == whole_);
+}
+
+// Nothing in it says that it was ours.
+TEST_P(DamagedFilmOfEachSort, OfWhichNothingIsLeftIsAnothersFile) {
+  const std::string text(whole_.size(), 'x');
+  put(text);
+  const RunResult refused = render({"--resume"});
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_THAT(refused.err, HasSubstr("exists and was not written by poinsot; --force replaces it"));
+  EXPECT_TRUE(bytes() == text);
+  EXPECT_EQ(render({"--resume", "--force"}).exitCode, 0);
+  EXPECT_TRUE(bytes() == whole_);
+}
+
+// One that is joined of its segments, and one that is encoded of them.
+INSTANTIATE_TEST_SUITE_P(Two, DamagedFilmOfEachSort,
+                         testing::Values(output::FilmContainer::kMp4, output::FilmContainer::kGif),
                          [](const auto& tested) { return std::string(nameOf(tested.param)); });
 
 }  // namespace

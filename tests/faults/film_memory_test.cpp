@@ -58,7 +58,7 @@ std::vector<Kind> kinds() {
 
 std::vector<image::PixelSize> sizes() {
   if (isNight()) return {{1280, 720}, {1920, 1080}};
-  return {{320, 180}, {800, 450}};
+  return {{320, 180}, {640, 360}};
 }
 
 std::vector<int> jobs() { return isNight() ? std::vector<int>{1, 2} : std::vector<int>{2}; }
@@ -130,28 +130,28 @@ class LargeFilm : public testing::Test {
 
 // Measured 44 MiB: what the program takes with FFmpeg's libraries.
 TEST_F(LargeFilm, IsRefusedBeforeItsMemoryIsTaken) {
-  make({8192, 1024});
-  const ShellResult refused = diff("--max-memory 300MiB");
+  make({4096, 1024});
+  const ShellResult refused = diff("--max-memory 150MiB");
   EXPECT_EQ(refused.exitCode, 2) << refused.out;
   EXPECT_THAT(refused.out,
-              HasSubstr("comparing films of 8192x1024: about 0.4 GiB of memory, more than the 300 MiB"));
+              HasSubstr("comparing films of 4096x1024: about 0.2 GiB of memory, more than the 150 MiB"));
   EXPECT_LE(refused.peak_MiB, 64);
 }
 
 // Its header says 64x64, its pictures are larger: in an MP4 the size stands in the description of the track
 // (ISO/IEC 14496-12, 12.1.3) as well as in the stream.
 TEST_F(LargeFilm, IsNotDecodedIfItsHeaderNamesASmallerOne) {
-  make({8192, 1024});
+  make({4096, 1024});
   const ShellResult forged = runShell(folder_.path(),
                                       R"(python3 -c "
 b = bytearray(open('x.mp4', 'rb').read())
 at = b.index(b'avc1', b.index(b'stsd')) + 28
-assert b[at:at + 4] == bytes([32, 0, 4, 0])
+assert b[at:at + 4] == bytes([16, 0, 4, 0])
 b[at:at + 4] = bytes([0, 64, 0, 64])
 open('x.mp4', 'wb').write(b)
 ")");
   ASSERT_EQ(forged.exitCode, 0) << forged.out;
-  const ShellResult refused = diff("--max-memory 150MiB");
+  const ShellResult refused = diff("--max-memory 100MiB");
   EXPECT_THAT(refused.exitCode, testing::AnyOf(2, 4)) << refused.out;
   EXPECT_LE(refused.peak_MiB, 64);
 }

@@ -64,18 +64,6 @@ TEST_P(Resume, OfWhatWasStoppedWhilePuttingAwayMakesNothingAgain) {
   EXPECT_THAT(namesIn(folder_.path()), testing::Not(testing::Contains(testing::EndsWith(".poinsot"))));
 }
 
-// Cut short by something else; its index, which stands first, still tells whose it is.
-TEST(ResumeFilm, ADamagedFilmIsMadeAgain) {
-  const ScratchFolder folder;
-  folder.put("tiny.toml", kTinyScene);
-  ASSERT_EQ(run(folder, renderArguments(kFilm)).exitCode, 0);
-  std::filesystem::resize_file(folder / "t.mp4", std::filesystem::file_size(folder / "t.mp4") - 100);
-  const RunResult again = run(folder, renderArguments(kFilm, {"--resume", "--force", "--progress", "plain"}));
-  EXPECT_EQ(again.exitCode, 0) << again.err;
-  EXPECT_THAT(again.err, testing::Not(HasSubstr("already")));
-  EXPECT_EQ(filesOf(folder.path()), undisturbed(kFilm));
-}
-
 // The body goes at 1.15 s: that changes frames 12 to 17 and no other.
 TEST_P(Resume, OfAnEditedSceneMakesOnlyWhatChanged) {
   const std::string edited = std::string(kTinyScene) + "[[timeline]]\nat = 1.15\nhide = [\"body\"]\n";
