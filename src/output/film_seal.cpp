@@ -11,7 +11,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/expect.h"
+#include "core/error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "output/animation_text.h"
@@ -115,7 +115,9 @@ std::string originIn(std::string_view text) {
 
 void seal(AtomicFile& film, FileFormat format, const std::string& origin) {
   const auto found = findSeal(film.descriptor(), film.target(), format, origin);
-  POINSOT_EXPECT(found);
+  if (!found)  // a work folder may come from anyone
+    throw core::Error(core::ErrorKind::kIo, fmt::format("{}: the film cannot keep the text of its origin",
+                                                        core::printable(film.target().native())));
   film.writeAt(found->offset, sealBytes(format, origin, found->digest));
 }
 

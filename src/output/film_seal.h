@@ -21,7 +21,7 @@ std::string sealText(const std::string& origin, const core::Digest& digest = {})
 std::string originIn(std::string_view text);
 
 /// Replaces the zeros in a film that holds sealText(origin) by its digest.
-/// @throws core::Error(kIo) with the path if the film cannot be read again or written.
+/// @throws core::Error(kIo) with the path if the film holds no such text, or cannot be read again or written.
 void seal(AtomicFile& film, FileFormat format, const std::string& origin);
 
 /// Compares a film with its digest. @returns kOther if the file holds no sealText(origin).

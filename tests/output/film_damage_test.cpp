@@ -184,6 +184,18 @@ TEST_P(FilmDamage, IsNotToldByTheWordsOfATitle) {
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()), testing::HasSubstr(words));
 }
 
+// A work folder, which may come from anyone, names the origin. Containers end texts at a zero.
+TEST_P(FilmDamage, IsNoticedOrRefusedWhateverTheOrigin) {
+  const std::string origin("job \0 sha256; ", 14);
+  const std::string refusal = messageOf(core::ErrorKind::kIo, [&] {
+    joinSegments({in("segment_0")}, film_, {GetParam(), {25, 1}}, {"", "", origin, "a test"});
+  });
+  if (refusal.empty())
+    EXPECT_EQ(filmState(film_, origin), FilmState::kWhole);
+  else
+    EXPECT_THAT(refusal, testing::EndsWith("the film cannot keep the text of its origin"));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, FilmDamage, testing::ValuesIn(filmContainers().begin(), filmContainers().end()),
                          [](const auto& tested) { return std::string(nameOf(tested.param)); });
 
