@@ -175,8 +175,7 @@ struct FilmReader::Parts {
   }
 
   const AVStream& track() const { return *format->streams[stream]; }
-  AVPixelFormat pixels() const { return static_cast<AVPixelFormat>(track().codecpar->format); }
-  AVPixelFormat rgb() const { return rgbFormat(pixels(), name); }
+  AVPixelFormat rgb() const { return rgbFormat(codec->pix_fmt, name); }
 
   /// Gives the decoder its next packet, or says that there are no more.
   void feed() {
@@ -279,7 +278,7 @@ bool FilmReader::isDeep() const { return isDeepRgb(parts_->rgb()); }
 double FilmReader::memory_bytes() const {
   constexpr double kMotion_bytes = 0.6;
   const double pixels = 1.0 * size().width * size().height;
-  const auto* facts = ffmpeg().av_pix_fmt_desc_get(parts_->pixels());
+  const auto* facts = ffmpeg().av_pix_fmt_desc_get(parts_->codec->pix_fmt);
   const double pixel_bytes = facts == nullptr ? 8 : ffmpeg().av_get_padded_bits_per_pixel(facts) / 8.0;
   return heldPictures(*parts_->codec) * (pixel_bytes + kMotion_bytes) * pixels;
 }

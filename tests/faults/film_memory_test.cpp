@@ -88,6 +88,7 @@ class FilmMemory : public testing::TestWithParam<Kind> {
   ScratchFolder folder_;
 };
 
+// Measured at 1280x720 and 1920x1080: reckoned are 1.13 times the peak (AV1) to 2.2 times (FFV1).
 TEST_P(FilmMemory, IsNoMoreThanIsReckoned) {
   for (const image::PixelSize size : sizes()) {
     const std::string a = film("a", size, "null"), b = film("b", size, "negate,fade=in:0:3:alpha=1");
