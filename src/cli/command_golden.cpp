@@ -111,7 +111,7 @@ class Golden {
     checkPlaces();
     app::watchInterrupts();
     outcomes_ = options_.unused ? app::unusedReferences(manifest_) : app::runGoldens(manifest_, request_);
-    if (options_.quiet)  // keeps results to itself, not that there are none
+    if (options_.quiet)  // leaves out results, not errors
       writeErr(linesOf(outcomes_, [](const Outcome& o) { return o.status == OutcomeStatus::kError; }));
     if (options_.update) return update();
     writeReports();

@@ -12,7 +12,7 @@ namespace poinsot::physics {
 
 void refuseTime(double t_s) {
   const char* why = std::isfinite(t_s) ? "so far from the start that the motion is beyond the range of numbers"
-                                       : "this is no motion time";
+                                       : "not a motion time";
   throw core::Error(core::ErrorKind::kLimit, fmt::format("t = {} s: {}", t_s, why));
 }
 

@@ -7,8 +7,8 @@ namespace poinsot::physics {
 
 // The transcendental functions of the motion, from + - * / sqrt only. The C library's choose their code (and so
 // their last bit) by the CPU they find; these give one trajectory on every machine. Within 1 ulp; the measured
-// errors stand in tests/physics/transcendental_test.cpp. What is not a number gives what is none: the integrator
-// finds a step too long by that.
+// errors stand in tests/physics/transcendental_test.cpp. A NaN gives a NaN: that is how the
+// integrator finds a step too long.
 
 struct SineCosine {
   double sine = 0;

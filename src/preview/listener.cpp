@@ -2,6 +2,7 @@
 #include "preview/listener.h"
 
 #include <sys/socket.h>
+#include <sys/time.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,9 @@
 namespace poinsot::preview {
 namespace {
 
-/// Runs each job where it comes from: a job only shows a connection to the anteroom.
+constexpr time_t kTimeout_s = 5;
+
+/// Runs each job on the thread that adds it: a job only hands a connection over.
 class AtOnce : public httplib::TaskQueue {
  public:
   void enqueue(std::function<void()> job) override { job(); }
@@ -43,7 +46,7 @@ class Connection : public httplib::Stream {
     return retried([&] { return send(socket_, from, count, MSG_NOSIGNAL); });
   }
 
-  // Who it is does not matter: all are of this machine.
+  // Unused: every connection comes from this machine.
   void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
   void get_local_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
   socket_t socket() const override { return socket_; }
@@ -73,23 +76,26 @@ void Listener::widen() { ::listen(svr_sock_, SOMAXCONN); }
 void Listener::serve() {
   httplib::ThreadPool threads(kThreads);
   {
-    Anteroom anteroom([&](core::FileHandle socket) {
+    PendingConnections pending([&](core::FileHandle socket) {
       auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // a job can be copied
       threads.enqueue([this, shared] { answer(*shared); });
     });
-    anteroom_ = &anteroom;
+    pending_ = &pending;
     listen_after_bind();
-    anteroom_ = nullptr;
+    pending_ = nullptr;
   }
   threads.shutdown();
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {
-  anteroom_->add(core::FileHandle(socket));
+  pending_->add(core::FileHandle(socket));
   return true;
 }
 
 void Listener::answer(const core::FileHandle& socket) {
+  const timeval timeout{kTimeout_s, 0};  // of a read or a write
+  for (const int which : {SO_RCVTIMEO, SO_SNDTIMEO})
+    setsockopt(socket.get(), SOL_SOCKET, which, &timeout, sizeof timeout);
   Connection connection(socket.get());
   bool closed = false;
   process_request(connection, true, closed, nullptr);

@@ -6,30 +6,30 @@
 #undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
 
 #include "core/file_handle.h"
-#include "preview/anteroom.h"
+#include "preview/pending_connections.h"
 
 namespace poinsot::preview {
 
-/// The library's server with another door: its own gives each connection a thread from its first byte on, for as
-/// long as the connection sends one in five seconds, and then keeps the thread for a next request. Here a thread
-/// begins with a whole head and ends with the answer.
+/// The library's server, with threads for complete requests only. The library gives each connection a thread from
+/// its first byte on, as long as the connection sends a byte in five seconds, and keeps the thread for a next
+/// request. Here a thread starts with a complete header and ends with the answer.
 class Listener : public httplib::Server {
  public:
   static constexpr std::size_t kThreads = 64;
 
   Listener();
 
-  /// Lets many knock at once: the library's queue of five drops the others, who knock again after seconds.
-  /// After it was bound.
+  /// Lengthens the queue of new connections: that of the library drops the sixth, which retries after seconds.
+  /// @pre it was bound.
   void widen();
-  /// Answers until stop(). After it was bound.
+  /// Answers until stop(). @pre it was bound.
   void serve();
 
  private:
   bool process_and_close_socket(socket_t socket) override;
   void answer(const core::FileHandle& socket);
 
-  Anteroom* anteroom_ = nullptr;  // while it serves
+  PendingConnections* pending_ = nullptr;  // while it serves
 };
 
 }  // namespace poinsot::preview

@@ -26,8 +26,8 @@ constexpr int kMostCalms = 20;
 // A file that a scene names and that was missing may come: while there is a mistake, all is tried again.
 constexpr int kPausesToTryAgain = 25;
 
-/// Of files by name: changes when one is written, replaced or removed, also where size and time of writing are
-/// put back as they were (the time of change is the kernel's).
+/// Returns a text that changes when one of the files is written, replaced or removed, also if its size and time of
+/// writing are restored: the time of change is the kernel's.
 std::string fingerprint(const std::vector<std::filesystem::path>& files) {
   std::string all;
   for (const auto& file : files) {

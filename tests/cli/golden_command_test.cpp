@@ -43,8 +43,8 @@ class GoldenCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-// --quiet keeps results to itself; that a picture could not be written is none.
-TEST_F(GoldenCommand, QuietStillTellsWhatCouldNotBeRun) {
+// A picture that cannot be written is no result, which --quiet leaves out.
+TEST_F(GoldenCommand, QuietReportsTestsThatCouldNotRun) {
   approve();
   EXPECT_EQ(golden({"--quiet"}).err, "");
   fs::remove(folder_ / "out/golden/s.png");

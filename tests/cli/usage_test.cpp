@@ -151,7 +151,7 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a.toml"});
 }
 
-TEST(Usage, AStackTooSmallIsToldOf) {
+TEST(Usage, RefusesAStackThatIsTooSmall) {
   const ScratchFolder folder;
   const auto result = runShell(folder.path(), "ulimit -s 64; " POINSOT_PROGRAM " --version");
   EXPECT_EQ(result.exitCode, 3);

@@ -162,8 +162,8 @@ TEST(Transcendental, HyperbolicPair) {
   EXPECT_EQ(hyperbolicPair(1e4).sech, 0);
 }
 
-// As when a step of the integrator is far too long.
-TEST(Transcendental, WhatIsNotANumberGivesNone) {
+// A step of the integrator that is far too long has such arguments.
+TEST(Transcendental, NaNGivesNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(arcTangent(nan)));
   EXPECT_TRUE(std::isnan(arcTangentQuotient(nan)));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/pending_connections.h"
+
+#include <sys/epoll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+
+namespace poinsot::preview {
+namespace {
+
+constexpr int kPause_ms = 100;
+
+enum class Header { kComplete, kIncomplete, kNone };
+
+/// Looks at the bytes that have arrived, and leaves them in the socket.
+Header headerAt(int socket) {
+  static thread_local std::array<char, PendingConnections::kLongestHeader> bytes;
+  const ssize_t count = recv(socket, bytes.data(), bytes.size(), MSG_PEEK | MSG_DONTWAIT);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Header::kIncomplete;
+  if (count <= 0) return Header::kNone;
+  const std::string_view text(bytes.data(), static_cast<std::size_t>(count));
+  if (text.find("\r\n\r\n") != std::string_view::npos) return Header::kComplete;
+  return text.size() < bytes.size() ? Header::kIncomplete : Header::kNone;
+}
+
+}  // namespace
+
+PendingConnections::PendingConnections(std::function<void(core::FileHandle)> admit)
+    : admit_(std::move(admit)), events_(epoll_create1(EPOLL_CLOEXEC)) {
+  if (!events_)
+    throw core::Error(core::ErrorKind::kIo,
+                      "connections cannot be watched: " + std::generic_category().message(errno));
+  watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+}
+
+PendingConnections::~PendingConnections() = default;
+
+void PendingConnections::add(core::FileHandle socket) {
+  const std::scoped_lock lock(mutex_);
+  if (pending_.size() >= kMostPending) pending_.erase(pending_.begin());
+  // Edge-triggered: bytes that have arrived stay in the socket until the header is complete.
+  epoll_event event{};
+  event.events = EPOLLIN | EPOLLRDHUP | EPOLLET;
+  event.data.u64 = next_;
+  if (epoll_ctl(events_.get(), EPOLL_CTL_ADD, socket.get(), &event) != 0) return;
+  pending_.emplace(next_++, Connection{std::move(socket), std::chrono::steady_clock::now()});
+}
+
+void PendingConnections::watch(const std::stop_token& stop) {
+  std::array<epoll_event, 64> events{};
+  while (!stop.stop_requested()) {
+    const int count = epoll_wait(events_.get(), events.data(), static_cast<int>(events.size()), kPause_ms);
+    for (int i = 0; i < count; ++i) look(events[static_cast<std::size_t>(i)].data.u64);
+    closeTimedOut();
+  }
+}
+
+void PendingConnections::look(std::uint64_t number) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = pending_.find(number);
+  if (found == pending_.end()) return;  // closed meanwhile
+  core::FileHandle& socket = found->second.socket;
+  const Header header = headerAt(socket.get());
+  if (header == Header::kIncomplete) return;
+  if (header == Header::kComplete) {
+    epoll_ctl(events_.get(), EPOLL_CTL_DEL, socket.get(), nullptr);
+    admit_(std::move(socket));
+  }
+  pending_.erase(found);
+}
+
+void PendingConnections::closeTimedOut() {
+  const std::scoped_lock lock(mutex_);
+  const auto longAgo = std::chrono::steady_clock::now() - kTimeout;
+  while (!pending_.empty() && pending_.begin()->second.since < longAgo) pending_.erase(pending_.begin());
+}
+
+}  // namespace poinsot::preview
