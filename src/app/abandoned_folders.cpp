@@ -84,7 +84,7 @@ bool removeContent(const fs::path& folder) {
 void removeIfAbandoned(const fs::path& path, const std::string& kernel) {
   const FileHandle folder = openFolder(path);
   if (!isAbandoned(path, folder, kernel)) return;
-  // By the handle, so that nothing is found elsewhere.
+  // The handle is used, so that nothing is found elsewhere.
   const fs::path within = fs::path("/proc/self/fd") / std::to_string(folder.get());
   if (removeContent(within) && ::unlinkat(folder.get(), kClaim, 0) == 0) ::rmdir(path.c_str());
 }

@@ -27,7 +27,7 @@ constexpr const char* colorOf(image::Verdict verdict) {
                                                : "#b3261e";
 }
 
-/// What a curve begins with, and no figure of a scene does.
+/// A curve begins with this, and no figure of a scene does.
 std::string svgStart() {
   return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" )",
                      kWidth, kHeight);

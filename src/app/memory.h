@@ -29,7 +29,7 @@ double meshMemory_bytes(const scene::Scene& scene);
 double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
                           int cells = 1);
 
-/// What pixels hold: transparency, and 16 bits a sample.
+/// The form of pixels: with transparency or not, of 8 or 16 bits.
 struct PixelKind {
   bool transparent = false, deep = false;
 };

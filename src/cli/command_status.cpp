@@ -83,7 +83,7 @@ std::string plainText(const StatusOptions& options, const Standing& standing) {
                      leftText(options, standing));
 }
 
-/// Of a film whose segments are gone.
+/// Prints the status of a film whose segments are gone. Returns the exit code.
 int statusOfFilm(const StatusOptions& options, const std::filesystem::path& film) {
   const bool whole = output::isWholeFilm(film);
   if (options.json)

@@ -26,7 +26,7 @@ using std::filesystem::path;
                                                       core::printable(file.native()), std::strerror(code)));
 }
 
-/// What a name stands for; 0 for nothing.
+/// Returns the kind of file that a name stands for; 0 for nothing.
 mode_t kindOf(const path& file) {
   struct stat status {};
   return ::lstat(file.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
