@@ -71,16 +71,19 @@ class Leftovers : public testing::TestWithParam<std::vector<std::string>> {
 
 TEST_P(Leftovers, OfAKillAreGoneAfterTheNextStart) {
   std::size_t most = 0;
-  for (const int wait_ms : {5, 60, 250}) {
+  std::set<fs::path> inMemory;
+  // Machines differ in when the folders appear, and in when the film is ready: later and later, until all are
+  // left.
+  for (int wait_ms = 5; wait_ms < 600 && (most == 0 || (isUntrusted() && inMemory.empty())); wait_ms += 15) {
     const auto running = start();
     usleep(1000 * wait_ms);
     killHard(*running);
     const std::size_t left = namesIn(temporary_.path()).size();
     EXPECT_LE(left, 1u) << "each start removes what the one before left; " << wait_ms;
     most = std::max(most, left);
+    inMemory = abandonedInMemory();
   }
   EXPECT_EQ(most, 1u) << "there was something to remove";
-  const auto inMemory = abandonedInMemory();
   EXPECT_TRUE(!isUntrusted() || !inMemory.empty()) << "the shader cache's copy";
   EXPECT_EQ(start()->wait().exitCode, 0);
   EXPECT_THAT(namesIn(temporary_.path()), IsEmpty());
