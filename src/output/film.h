@@ -72,7 +72,7 @@ class FilmStream {
   std::unique_ptr<Parts> parts_;
 };
 
-/// What stands under the name of a film.
+/// The state of the file that has the name of a film.
 enum class FilmState {
   kOther,    ///< nothing, or no film of this origin
   kDamaged,  ///< a film of this origin, of which bytes have changed

@@ -43,7 +43,8 @@ struct FlightQuantities {
   double kineticEnergy() const { return translationalEnergy + rotationalEnergy; }  ///< eq (10)
 };
 
-/// Of a body of `mass_kg`, NaN if it is unknown, at the time of `state`, its rotation about the centre of mass.
+/// Returns the quantities of a body at the time of `state`, its rotation about the centre of mass. If `mass_kg` is
+/// NaN, it is unknown, and so are they.
 /// @throws core::Error(kLimit) for a time at which one of them is beyond the range of numbers.
 FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const RigidBodyState& state);
 
