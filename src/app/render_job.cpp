@@ -84,6 +84,7 @@ RenderSummary RenderJob::run() {
 
 void RenderJob::begin() {
   found_ = stateBefore();
+  removeOldManifest();
   if (!isFinished()) traced("start workers", [this] { startWorkers(); });
 }
 
@@ -94,7 +95,7 @@ RenderSummary RenderJob::end() {
   traced("assemble", [&] { gather(results); });
   summary_.wall_s = elapsed_s();
   if (request_.manifest) addManifest(results);
-  if (trace_) results.add(trace_->finish());
+  if (trace_) addAbout(results, trace_->finish());
   results.commit();
   summary_.wall_s = elapsed_s();
   if (!request_.shard && !request_.keepWork) folder_.discard();
@@ -218,15 +219,26 @@ void RenderJob::gatherStill(output::FileBatch& results) const {
   for (std::size_t i = 1; i < files.size(); ++i) results.addBeside(output::AtomicFile::of(places[i], files[i]));
 }
 
-/// A manifest of a film rests on it: it has its digest.
 void RenderJob::addManifest(output::FileBatch& results) const {
   const OutputTarget& target = request_.target;
-  const std::string text =
-      manifestText(folder_.path(), *request_.job, target, results.contentOf(target.path), summary_);
+  output::AtomicFile file(*request_.manifest);
+  file.write(manifestText(folder_.path(), *request_.job, target, results.contentOf(target.path), summary_));
+  addAbout(results, std::move(file));
+}
+
+/// What is told about an output rests on it. A sequence is not among the results: its frames have come before.
+void RenderJob::addAbout(output::FileBatch& results, output::AtomicFile file) {
   if (results.empty())
-    results.write(*request_.manifest, text);
+    results.add(std::move(file));
   else
-    results.writeBeside(*request_.manifest, text);
+    results.addBeside(std::move(file));
+}
+
+/// What an earlier run told about a sequence is wrong from the first new frame on.
+void RenderJob::removeOldManifest() const {
+  std::error_code ignored;  // a manifest that stays is replaced in the end
+  if (request_.manifest && request_.target.kind == OutputKind::kSequence)
+    std::filesystem::remove(*request_.manifest, ignored);
 }
 
 std::int64_t RenderJob::framesKept() const { return request_.job && !stream_ ? segmentFramesDone_ : 0; }

@@ -73,6 +73,8 @@ class RenderJob {
   void gather(output::FileBatch& results);
   void gatherStill(output::FileBatch& results) const;
   void addManifest(output::FileBatch& results) const;
+  static void addAbout(output::FileBatch& results, output::AtomicFile file);
+  void removeOldManifest() const;
   void stopWorkers();
   double elapsed_s() const;
 

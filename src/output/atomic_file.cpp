@@ -59,7 +59,10 @@ std::filesystem::path temporaryName(const std::filesystem::path& folder, const s
 
 void makeFolders(const std::filesystem::path& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
+  const std::filesystem::path above = folderOf(folder);
+  if (folder.empty() || std::filesystem::is_directory(folder, failure)) return;
+  if (above != folder) makeFolders(above);
+  if (std::filesystem::create_directory(folder, failure)) syncFolderOf(folder);
   if (failure) fail(folder, "cannot be made", failure.value());
 }
 
@@ -76,7 +79,8 @@ void appendToFile(const std::filesystem::path& target, std::string_view text) {
   int failure = writeAll(descriptor, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   if (failure == 0 && isFile) failure = syncDescriptor(descriptor);
   if (::close(descriptor) < 0 && failure == 0 && errno != EINTR) failure = errno;
-  if (failure == 0) return;
+  if (failure == 0 && wasThere) return;
+  if (failure == 0) return syncFolderOf(target);
   if (!wasThere) ::unlink(target.c_str());
   if (wasThere && isFile) untilDone([&] { return ::truncate(target.c_str(), before.st_size); });
   fail(target, "cannot be added to", failure);
@@ -179,6 +183,12 @@ void AtomicFile::finish(Durability durability) {
 void AtomicFile::rename() {
   if (std::rename(temporary_.c_str(), target_.c_str()) < 0) fail(target_, "cannot be given its name", errno);
   temporary_.clear();
+}
+
+bool AtomicFile::exchange() noexcept {
+  if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) < 0) return false;
+  temporary_.clear();
+  return true;
 }
 
 void AtomicFile::commit(Durability durability) {

@@ -51,6 +51,9 @@ class AtomicFile {
   void finish(Durability durability);
   /// Gives the finished file its name.
   void rename();
+  /// Likewise, and what had the name has the temporary one then. Returns false, with nothing changed, where the
+  /// file system cannot.
+  bool exchange() noexcept;
   void close();
 
   std::filesystem::path target_;
@@ -63,8 +66,8 @@ void writeFileAtomically(const std::filesystem::path& target, std::span<const st
 
 void writeFileAtomically(const std::filesystem::path& target, std::string_view text);
 
-/// Adds text at the end of a file, which is made if it is missing, and syncs it. What was added of it is removed
-/// again if not all could be. @throws core::Error(kIo).
+/// Adds text at the end of a file, which is made if it is missing, and syncs it and its name. What was added of it
+/// is removed again if not all could be. @throws core::Error(kIo).
 void appendToFile(const std::filesystem::path& target, std::string_view text);
 
 /// @throws core::Error(kIo) with the folder if no file can be made in it.
@@ -80,7 +83,7 @@ void syncFile(const std::filesystem::path& file);
 /// Makes the names in the folder of `file` durable. @throws core::Error(kIo).
 void syncFolderOf(const std::filesystem::path& file);
 
-/// Makes a folder, with those above it, where it is missing. @throws core::Error(kIo).
+/// Makes a folder, with those above it, where it is missing, and syncs their names. @throws core::Error(kIo).
 void makeFolders(const std::filesystem::path& folder);
 
 /// The folder of a path, "." for a bare name.

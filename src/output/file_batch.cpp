@@ -59,16 +59,16 @@ class FileBatch::Changes {
   Changes(const Changes&) = delete;
   Changes& operator=(const Changes&) = delete;
 
-  ~Changes() {
-    for (; !changes_.empty(); changes_.pop_back()) {
-      const Change& change = changes_.back();
-      if (change.moved || (change.linked && change.renamed))
-        std::rename(change.aside.c_str(), change.name.c_str());
-      else if (change.linked)
-        ::unlink(change.aside.c_str());
-      else if (change.renamed)
-        ::unlink(change.name.c_str());
-    }
+  ~Changes() { takeBack(); }
+
+  /// Gives all names back. Returns what to tell of those where that fails; empty if none does.
+  std::string takeBack() {
+    std::string lost;
+    for (; !changes_.empty(); changes_.pop_back())
+      if (const Change& change = changes_.back(); !takeBack(change))
+        lost += fmt::format("; {}, as it was, is now {}: rename it", core::printable(change.name.native()),
+                            core::printable(change.aside.native()));
+    return lost;
   }
 
   /// Moves the file that has this name, if any, out of the way, into `folder`.
@@ -82,14 +82,22 @@ class FileBatch::Changes {
   void putAside(const AtomicFile& file) { putAside(file.target(), folderOf(file.temporary())); }
 
   /// Gives a file the name of its target, without an instant in which that stands for nothing: the old one has a
-  /// second name before. Only where a file system knows no second names, the old one is moved.
+  /// second name before, or the two change names. Where a file system can do neither, a file alone is renamed,
+  /// which only cannot be taken back, and one of several has its old one moved.
   void replace(AtomicFile& file) {
     const mode_t kind = kindOf(file.target());
     if (kind == S_IFDIR) fail(file.target(), EISDIR);
     Change& change = begin(file.target(), folderOf(file.temporary()));
-    if (kind != 0) {
-      change.linked = ::link(change.name.c_str(), change.aside.c_str()) == 0;
-      if (!change.linked) move(change);
+    change.linked = kind != 0 && ::link(change.name.c_str(), change.aside.c_str()) == 0;
+    if (kind != 0 && !change.linked) {
+      if (exchange(change, file)) return;
+      if (changes_.capacity() == 1) {
+        changes_.clear();
+        return file.rename();
+      }
+      // Not in a folder that the next run empties: for an instant it is the only place of the file.
+      change.aside = freeName(folderOf(change.name), change.name);
+      move(change);
     }
     file.rename();
     change.renamed = true;
@@ -114,6 +122,21 @@ class FileBatch::Changes {
   Change& begin(const path& name, const path& folder) {
     POINSOT_EXPECT(changes_.size() < changes_.capacity());
     return changes_.emplace_back(Change{name, freeName(folder, name)});
+  }
+
+  static bool exchange(Change& change, AtomicFile& file) {
+    path temporary = file.temporary();
+    if (!file.exchange()) return false;
+    change.aside = std::move(temporary);
+    return change.linked = change.renamed = true;
+  }
+
+  /// Returns false if an old file keeps its hidden name.
+  static bool takeBack(const Change& change) {
+    if (change.moved || (change.linked && change.renamed))
+      return std::rename(change.aside.c_str(), change.name.c_str()) == 0;
+    if (change.linked || change.renamed) ::unlink((change.linked ? change.aside : change.name).c_str());
+    return true;
   }
 
   static void move(Change& change) {
@@ -189,15 +212,26 @@ void FileBatch::publish(Group& group, Changes& changes) {
   for (AtomicFile& file : group.beside) changes.replace(file);
 }
 
-void FileBatch::commit() {
-  std::size_t most = removed_.size();
-  for (const Group& group : groups_) most += 1 + 2 * group.beside.size() + group.removed.size();
-  Changes changes(most);
+void FileBatch::publish(Changes& changes) {
   for (const path& file : removed_) changes.putAside(file, folderOf(file));
   for (Group& group : groups_) publish(group, changes);
   for (const path& folder : folders_) syncFolderOf(folder / ".");
   // Text that was added to a file that others may write to cannot be taken back later, so it comes last.
   if (!appended_.empty()) appendToFile(appended_, appendedText_);
+}
+
+void FileBatch::commit() {
+  POINSOT_EXPECT(!std::exchange(isCommitted_, true));
+  std::size_t most = removed_.size();
+  for (const Group& group : groups_) most += 1 + 2 * group.beside.size() + group.removed.size();
+  Changes changes(most);
+  try {
+    publish(changes);
+  } catch (const core::Error& error) {
+    const std::string lost = changes.takeBack();
+    if (lost.empty()) throw;
+    throw core::Error(error.kind(), error.what() + lost);
+  }
   changes.keep();
 }
 

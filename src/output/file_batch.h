@@ -43,8 +43,8 @@ class FileBatch {
   /// Where the content of a file of add() is until commit(); the target itself if it is none of these.
   const std::filesystem::path& contentOf(const std::filesystem::path& target) const;
 
-  /// Gives all files their names. At most once. If it throws, every name stands for what it did before. Without
-  /// it, no name has changed and no temporary file is left.
+  /// Gives all files their names. If it throws, every name stands for what it did before. Without it, no name has
+  /// changed and no temporary file is left. @pre called at most once
   /// @throws core::Error(kIo) with the path that failed.
   void commit();
 
@@ -56,15 +56,17 @@ class FileBatch {
     std::vector<AtomicFile> beside;
     std::vector<std::filesystem::path> removed;
   };
-  class Changes;  // those of commit(), which can be taken back
+  class Changes;  // The names that commit() has changed so far.
   AtomicFile finished(AtomicFile file);
-  void publish(Group& group, Changes& changes);
+  void publish(Changes& changes);
+  static void publish(Group& group, Changes& changes);
 
   std::vector<Group> groups_;
   std::set<std::filesystem::path> folders_;  // of the files
   std::vector<std::filesystem::path> removed_;
   std::filesystem::path appended_;
   std::string appendedText_;
+  bool isCommitted_ = false;
 };
 
 }  // namespace poinsot::output

@@ -9,6 +9,7 @@
 //   FAULT_ROLE    worker or parent: in which processes
 //   FAULT_FOLDER  the folder, absolute; its files whose names begin with ".harness" do not count
 //   FAULT_MARK    a file to create when it has struck
+//   FAULT_WITHOUT what the file system cannot do: "link", or "link exchange"
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -36,6 +37,7 @@ std::string setting(const char* name) {
 struct Plan {
   std::string call = setting("FAULT_CALL"), kind = setting("FAULT_KIND"), at = setting("FAULT_AT");
   std::string folder = setting("FAULT_FOLDER"), mark = setting("FAULT_MARK");
+  std::string without = setting("FAULT_WITHOUT");
   bool inWorkers = setting("FAULT_ROLE") == "worker";
   long number = std::atol(at.c_str());
   bool onwards = at.ends_with('+');
@@ -45,6 +47,8 @@ const Plan& plan() {
   static const Plan made;
   return made;
 }
+
+bool isMissing(std::string_view ability) { return plan().without.find(ability) != std::string::npos; }
 
 bool concernsPath(std::string_view path) {
   const Plan& p = plan();
@@ -139,6 +143,10 @@ int close(int fd) {
 int link(const char* from, const char* to) {
   static auto* const next = real<int(const char*, const char*)>("link");
   if (plan().call == "link" && concernsPath(to) && strike("link") == Strike::kFail) return -1;
+  if (isMissing("link") && concernsPath(to)) {
+    errno = EPERM;
+    return -1;
+  }
   return next(from, to);
 }
 
@@ -150,6 +158,16 @@ int rename(const char* from, const char* to) {
   if (what == Strike::kSwap && (unlink(to) != 0 || link((plan().folder + "/.harness-other.png").c_str(), to) != 0))
     abort();
   return result;
+}
+
+int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned flags) {
+  static auto* const next = real<int(int, const char*, int, const char*, unsigned)>("renameat2");
+  if (isMissing("exchange") && concernsPath(to)) {
+    errno = EINVAL;
+    return -1;
+  }
+  if (plan().call == "rename" && concernsPath(to) && strike("rename") == Strike::kFail) return -1;
+  return next(fromFolder, from, toFolder, to, flags);
 }
 
 int remove(const char* path) {

@@ -43,13 +43,10 @@ std::vector<std::string> renderArguments(const Output& output, const std::vector
 }
 
 std::vector<std::string> environmentOf(const Fault& fault, int n, const ScratchFolder& folder) {
-  return {"LD_PRELOAD=" POINSOT_FAULT_INJECTOR,
-          "FAULT_CALL=" + fault.call,
-          "FAULT_KIND=" + fault.kind,
-          "FAULT_AT=" + std::to_string(n) + (fault.onwards ? "+" : ""),
-          "FAULT_ROLE=" + fault.role,
-          "FAULT_FOLDER=" + folder.path().string(),
-          "FAULT_MARK=" + (folder / kMark).string()};
+  return {"LD_PRELOAD=" POINSOT_FAULT_INJECTOR, "FAULT_CALL=" + fault.call,
+          "FAULT_KIND=" + fault.kind,           "FAULT_AT=" + std::to_string(n) + (fault.onwards ? "+" : ""),
+          "FAULT_ROLE=" + fault.role,           "FAULT_FOLDER=" + folder.path().string(),
+          "FAULT_WITHOUT=" + fault.without,     "FAULT_MARK=" + (folder / kMark).string()};
 }
 
 std::string callOf(const testing::TestParamInfo<Fault>& info) { return info.param.call + "_" + info.param.role; }

@@ -38,7 +38,8 @@ std::vector<std::string> renderArguments(const Output& output, const std::vector
 /// One call that goes wrong, as fault_injector.cpp has it.
 struct Fault {
   std::string call, role, kind;
-  bool onwards = false;  ///< all later ones too, as of a full disk
+  bool onwards = false;      ///< all later ones too, as of a full disk
+  std::string without = {};  ///< what the file system cannot do
 };
 
 /// For the names of parametrised tests.
