@@ -86,7 +86,7 @@ TASK
 join() {{
   place
   cat <<'JOIN'
-exec {join}
+{join}
 JOIN
 }}
 

@@ -60,7 +60,8 @@ std::string leftCommand(const Submission& submission) {
 }
 
 std::string joinCommand(const Submission& submission) {
-  return "\"$poinsot\" " + core::shellWords(submission.assemble);
+  return fmt::format("{} >/dev/null 2>&1 || \"$poinsot\" {}", leftCommand(submission),
+                     core::shellWords(submission.assemble));
 }
 
 }  // namespace poinsot::app

@@ -27,7 +27,7 @@ std::string shardCommand(const Submission& submission, const std::string& shard)
 /// The command that prints which shards have work left.
 std::string leftCommand(const Submission& submission);
 
-/// The command that joins them.
+/// The command that joins them, unless the output is complete.
 std::string joinCommand(const Submission& submission);
 
 }  // namespace poinsot::app

@@ -49,14 +49,10 @@ int assemble(const AssembleOptions& options) {
   const auto output = app::parseTarget(options.output), film = filmTarget(options, output);
   const auto folder = app::workFolderOf(output.path);
   const auto job = app::readJobFile(folder, output);
-  // Shards of a finished film leave nothing to join.
-  if (options.film.empty() && !std::filesystem::exists(folder) && app::isReadyFilm(output)) {
-    if (!options.quiet) writeErr(fmt::format("poinsot: {} is complete\n", core::printable(options.output)));
-    return kDone;
-  }
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: there are no segments of it here", core::printable(options.output)));
+                      fmt::format("{}: there are no segments of it here{}", core::printable(options.output),
+                                  app::isReadyFilm(output) ? "; the film itself is whole" : ""));
   if (film.kind == app::OutputKind::kFilm) enterFiles(options, folder, *job, film);
   app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
   output::FileBatch results;
