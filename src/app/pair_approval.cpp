@@ -65,8 +65,8 @@ void expectReplaceable(const fs::path& reference) {
     output::checkTarget(reference, true);
 }
 
-PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
-                          const fs::path& reference, bool exact) {
+PairApproval addApprovals(output::FileBatch& batch, const std::vector<Outcome>& outcomes,
+                          const std::vector<std::string>& patterns, const fs::path& reference, bool exact) {
   expectMeaning(outcomes, patterns);
   std::vector<const Outcome*> meant;
   for (const Outcome& outcome : outcomes)
@@ -74,7 +74,6 @@ PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vecto
       meant.push_back(&outcome);
   for (const Outcome* outcome : meant) expectNoLinkAbove(placeOf(*outcome, reference), reference);
   PairApproval approval;
-  output::FileBatch batch;
   for (const Outcome* outcome : meant) {
     if (!canBeApproved(*outcome)) {
       approval.complete = false;
@@ -86,7 +85,6 @@ PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vecto
     batch.add(copyOf(outcome->actual, place));
     approval.text += fmt::format("{}: {}\n", core::printable(place.native()), approvalText(*outcome));
   }
-  batch.commit();
   if (approval.text.empty()) approval.text = "nothing to approve: all of these are identical\n";
   return approval;
 }

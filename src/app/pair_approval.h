@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/outcome.h"
+#include "output/file_batch.h"
 
 namespace poinsot::app {
 
@@ -20,14 +21,15 @@ struct PairApproval {
 /// @throws core::Error(kIo) with the path and the reason.
 void expectReplaceable(const std::filesystem::path& reference);
 
-/// Copies pictures of the test over those of the reference: of the outcomes whose names the patterns mean (* for
-/// any characters), those that are not identical. If it throws, none is copied. Pictures that cannot be read and
+/// Adds copies of pictures of the test, for the places of those of the reference: of the outcomes whose names the
+/// patterns mean (* for any characters), those that are not identical. Pictures that cannot be read and
 /// those that only the reference has stay as they are, and make the approval incomplete.
 /// @param reference  folder for pictures that are new
 /// @param exact  whether pictures that are only stored in another way are copied, too
 /// @throws core::Error(kUsage) for a pattern that means no outcome; core::Error(kIo), also for a
 /// link among the folders below the reference's.
-PairApproval approvePairs(const std::vector<Outcome>& outcomes, const std::vector<std::string>& patterns,
-                          const std::filesystem::path& reference, bool exact);
+PairApproval addApprovals(output::FileBatch& batch, const std::vector<Outcome>& outcomes,
+                          const std::vector<std::string>& patterns, const std::filesystem::path& reference,
+                          bool exact);
 
 }  // namespace poinsot::app

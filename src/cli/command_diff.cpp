@@ -96,11 +96,6 @@ app::DiffRequest requestOf(const DiffOptions& options) {
 
 /// Enters the maps of pictures, or of the pairs of two folders.
 void enterMaps(output::RunFiles& files, const app::DiffRequest& request, const app::FolderNames* names) {
-  const auto enter = [&](const std::optional<fs::path>& map, const char* role) {
-    std::error_code ignored;
-    if (map && fs::exists(output::folderOf(*map), ignored)) files.writes(*map, role, app::mapKind());
-    if (map && !fs::exists(output::folderOf(*map), ignored)) files.claims(*map, role);  // it is made for it
-  };
   if (names == nullptr) {
     files.writes(request.map.value_or(""), "--map", app::mapKind());
     files.writes(request.difference.value_or(""), "--diff-image", app::mapKind());
@@ -110,8 +105,8 @@ void enterMaps(output::RunFiles& files, const app::DiffRequest& request, const a
   files.claims(request.difference.value_or(""), "--diff-image");
   for (const std::string& name : names->inBoth) {
     const app::DiffRequest own = app::requestForPair(request, name);
-    enter(own.map, "--map");
-    enter(own.difference, "--diff-image");
+    files.writesInNewFolder(own.map.value_or(""), "--map", app::mapKind());
+    files.writesInNewFolder(own.difference.value_or(""), "--diff-image", app::mapKind());
   }
 }
 
@@ -122,7 +117,7 @@ void expectNamesOfReports(const DiffOptions& options, Kind kind) {
                                                core::smallLettersHint(options.report, {".html", ".htm"})));
 }
 
-/// Before anything is compared. @param names  of two folders
+/// Enters all files, before anything is compared. @param names  of two folders
 void enterFiles(const DiffOptions& options, const app::DiffRequest& request, const app::FolderNames* names) {
   output::RunFiles files(options.force);
   files.reads(options.reference, "REFERENCE");
@@ -139,7 +134,7 @@ void enterFiles(const DiffOptions& options, const app::DiffRequest& request, con
   if (!options.curve.empty()) files.writes(options.curve, "--curve", app::curveKind(options.curve));
   files.writes(options.report, "--report", app::reportKind());
   files.writes(options.junit, "--junit", app::junitKind());
-  files.claims(options.markdown, "--markdown");
+  files.addsTo(options.markdown, "--markdown");
 }
 
 /// Compares in one of the three ways, and writes what was asked for about it.
@@ -255,8 +250,8 @@ class Diff {
 
   int finish(const std::vector<app::Outcome>& outcomes, const std::string& text) {
     addReports(outcomes);
-    results_.commit();
     if (!options_.update.empty()) return approve(outcomes);
+    results_.commit();
     say(text);
     const bool passes = app::countFailures(outcomes, options_.exact) == 0;
     if (!passes && !options_.quiet && !options_.json && app::countFailures(outcomes, false) == 0)
@@ -275,9 +270,11 @@ class Diff {
     if (!options_.markdown.empty()) results_.append(options_.markdown, app::markdownOf(outcomes, head));
   }
 
-  int approve(const std::vector<app::Outcome>& outcomes) const {
+  /// Replaces the pictures together with the reports.
+  int approve(const std::vector<app::Outcome>& outcomes) {
     const app::PairApproval approval =
-        app::approvePairs(outcomes, options_.update, options_.reference, options_.exact);
+        app::addApprovals(results_, outcomes, options_.update, options_.reference, options_.exact);
+    results_.commit();
     say(approval.text);
     return approval.complete ? kDone : kNo;
   }
