@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "app/picture_form.h"
 #include "app/pixel_digest.h"
@@ -37,8 +36,7 @@ fs::path placeOf(const std::vector<GoldenReference>& there, const std::string& r
   if (name.taken.contains(place.stem()))
     refusePlace(place, fmt::format("the test '{}'", (fs::path(name.name).parent_path() / place.stem()).native()),
                 renderer);
-  std::error_code ignored;
-  if (!fs::exists(descriptionOf(place), ignored)) return place;
+  if (!isDescription(descriptionOf(place))) return place;
   const std::string other = describedOrigin(place).renderer;
   if (other != renderer) refusePlace(place, fmt::format("'{}'", core::printable(other)), renderer);
   return place;
@@ -64,6 +62,13 @@ std::string textOf(const GoldenOrigin& origin) {
 
 }  // namespace
 
+void enterApproval(output::RunFiles& files, const fs::path& place) {
+  static const output::FileKind reference{"a reference", [](const fs::path&) { return true; }};
+  static const output::FileKind description{"a description of a reference", isDescription};
+  files.writesInNewFolder(place, "--update", reference);
+  files.writesInNewFolder(descriptionOf(place), "--update", description);
+}
+
 Approval GoldenApproval::add(const GoldenName& name, const Outcome& outcome) {
   const GoldenOrigin& origin = outcome.origin;
   const fs::path usual = usualFile(references_, name);
@@ -71,6 +76,8 @@ Approval GoldenApproval::add(const GoldenName& name, const Outcome& outcome) {
   output::makeFolders(usual.parent_path());
   const auto there = referencesOf(references_, name);
   Approval approval{placeOf(there, origin.renderer, name, usual, beside_), {}};
+  output::RunFiles files(force_);
+  enterApproval(files, approval.place);
   batch_.add(copyOf(outcome, approval.place));
   batch_.writeBeside(descriptionOf(approval.place), textOf(origin));
   if (beside_) return approval;

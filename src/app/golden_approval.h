@@ -7,6 +7,7 @@
 #include "app/golden_reference.h"
 #include "app/outcome.h"
 #include "output/file_batch.h"
+#include "output/run_files.h"
 
 namespace poinsot::app {
 
@@ -16,18 +17,25 @@ struct Approval {
   std::vector<std::filesystem::path> removed;  ///< references of other renderers
 };
 
+/// Enters a reference and its description as outputs. A picture in that place is a reference, whoever made it; a
+/// file in the description's place is replaced only if it is a description.
+/// @throws as RunFiles::writesInNewFolder()
+void enterApproval(output::RunFiles& files, const std::filesystem::path& place);
+
 /// Pictures that become references together: all, each with its description, or none.
 class GoldenApproval {
  public:
   /// @param references  their folder
   /// @param beside  whether references of other renderers stay. Else those are removed, because nobody looked at
   ///                what they should be now; except those of the same scene where the renderer had one before.
-  GoldenApproval(std::filesystem::path references, bool beside)
-      : references_(std::move(references)), beside_(beside) {}
+  /// @param force  whether any regular file may be replaced
+  GoldenApproval(std::filesystem::path references, bool beside, bool force = false)
+      : references_(std::move(references)), beside_(beside), force_(force) {}
 
   /// Adds the new picture of an outcome as the reference of its renderer. A copy is written, read again and held
   /// against the picture that was drawn and compared.
-  /// @throws core::Error(kIo), also if they differ; (kUsage) if the file of a renderer is that of another, or of
+  /// @throws as enterApproval(); core::Error(kIo), also if they differ; (kUsage) if the file of a renderer is that
+  /// of another, or of
   ///         another test.
   Approval add(const GoldenName& name, const Outcome& outcome);
 
@@ -38,6 +46,7 @@ class GoldenApproval {
  private:
   std::filesystem::path references_;
   bool beside_;
+  bool force_;
   output::FileBatch batch_;
 };
 

@@ -10,8 +10,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
-#include "output/target_check.h"
+#include "output/file_names.h"
 #include "scene/problem.h"
 
 namespace poinsot::app {
@@ -31,20 +30,6 @@ std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const st
     }
   }
   return renderers;
-}
-
-/// Whether the file system takes a folder's name in other letters for the same folder.
-bool ignoresCase(const fs::path& folder) {
-  std::error_code ignored;
-  fs::path there = fs::absolute(folder).lexically_normal();
-  while (!fs::exists(there, ignored) || there.filename().empty()) {
-    if (!there.has_relative_path()) return false;
-    there = there.parent_path();
-  }
-  std::string other = there.filename();
-  for (char& c : other)
-    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) c = static_cast<char>(c ^ ('a' ^ 'A'));
-  return other != there.filename().native() && fs::equivalent(there, there.parent_path() / other, ignored);
 }
 
 /// A file of a suite, and its use.
@@ -73,10 +58,7 @@ std::string sharedText(const SuiteFile& first, const SuiteFile& second) {
 /// The files of a suite, of which each has one use.
 class FileUses {
  public:
-  FileUses(const fs::path& references, const fs::path& output)
-      : references_(references),
-        output_(output),
-        ignoresCase_(app::ignoresCase(references) || app::ignoresCase(output)) {}
+  FileUses(const fs::path& references, const fs::path& output) : references_(references), output_(output) {}
 
   /// Adds the files that a run keeps: references, and images and masks, which tests may share.
   void addKept(const GoldenCase& one) {
@@ -87,6 +69,23 @@ class FileUses {
     if (!one.test.rule.mask.empty()) addInput({one.test.rule.mask, &one, "the mask"});
   }
 
+  /// Whether an image is its own reference. That is told where it is compared.
+  static bool isOwn(const SuiteFile& input, const SuiteFile& reference) {
+    return input.of == reference.of && input.file == input.of->actual;
+  }
+
+  /// Checks that approving no picture would change an image or a mask. After all are added.
+  void expectInputsApart() const {
+    for (const auto& [name, input] : inputs_)
+      if (const auto found = referenceFiles_.find(name);
+          found != referenceFiles_.end() && !isOwn(input, found->second))
+        throw scene::SceneErrors(
+            {{input.of->test.at,
+              fmt::format("{} is {} and would be {}, so approving would replace it; put it into another folder",
+                          core::printable(input.file.native()), textOf(input), textOf(found->second)),
+              "", 0, 0}});
+  }
+
   /// Adds the files that a run writes.
   void addWritten(const GoldenCase& one) {
     if (!one.test.scene.empty()) write({one.actual, &one, "the new picture"});
@@ -95,7 +94,7 @@ class FileUses {
   }
 
  private:
-  using Files = std::map<fs::path, SuiteFile>;
+  using Files = std::map<std::string, SuiteFile>;
 
   void addReference(const GoldenCase& one, const fs::path& picture) {
     add(referenceFiles_, {picture, &one, "the reference"});
@@ -103,8 +102,8 @@ class FileUses {
   }
 
   void addInput(const SuiteFile& file) {
-    std::error_code ignored;
-    inputs_.try_emplace(keyOf(fs::weakly_canonical(file.file, ignored)), file);
+    std::error_code ignored;  // a link is read, not replaced
+    inputs_.try_emplace(names_.of(fs::weakly_canonical(file.file, ignored)), file);
   }
 
   void write(const SuiteFile& file) {
@@ -113,13 +112,13 @@ class FileUses {
     add(written_, file);
   }
 
-  void add(Files& files, const SuiteFile& file) const {
-    const auto [first, isFree] = files.try_emplace(keyOf(file.file), file);
+  void add(Files& files, const SuiteFile& file) {
+    const auto [first, isFree] = files.try_emplace(names_.of(file.file), file);
     if (!isFree) throw scene::SceneErrors({{file.of->test.at, sharedText(first->second, file), "", 0, 0}});
   }
 
-  void expectKept(const Files& files, const SuiteFile& written) const {
-    const auto kept = files.find(keyOf(written.file));
+  void expectKept(const Files& files, const SuiteFile& written) {
+    const auto kept = files.find(names_.of(written.file));
     if (kept == files.end()) return;
     throw core::Error(
         core::ErrorKind::kUsage,
@@ -127,19 +126,8 @@ class FileUses {
                     core::printable(written.file.native()), textOf(written), textOf(kept->second)));
   }
 
-  /// Returns a key that is equal for two paths of one file. The file may be missing, or a link to be replaced.
-  fs::path keyOf(const fs::path& file) const {
-    const fs::path whole = fs::absolute(file).lexically_normal();
-    const auto [folder, isNew] = folders_.try_emplace(whole.parent_path());
-    std::error_code ignored;
-    if (isNew) folder->second = fs::weakly_canonical(folder->first, ignored);
-    const fs::path key = folder->second / whole.filename();
-    return ignoresCase_ ? fs::path(core::lowered(key.native())) : key;
-  }
-
   const fs::path &references_, &output_;
-  bool ignoresCase_;
-  mutable std::map<fs::path, fs::path> folders_;  // with links followed
+  output::FileNames names_;
   Files referenceFiles_, inputs_, written_;
 };
 
@@ -175,21 +163,9 @@ void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCa
   FileUses uses(manifest.references, output);
   for (const GoldenCase& one : cases)
     if (!one.test.isUnmatched) uses.addKept(one);
+  uses.expectInputsApart();
   for (const GoldenCase& one : cases)
     if (!one.test.isUnmatched) uses.addWritten(one);
-}
-
-void expectReferencesWritable(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
-  std::error_code ignored;
-  for (const GoldenCase& one : cases) {
-    if (one.test.isUnmatched) continue;
-    const fs::path usual = usualFile(manifest.references, one.reference());
-    fs::path folder = output::folderOf(usual);
-    if (fs::exists(folder, ignored))
-      for (const fs::path& file : {usual, descriptionOf(usual)}) output::checkTarget(file, true);
-    while (!fs::exists(folder, ignored)) folder = output::folderOf(folder);
-    output::checkFolderOf(folder / usual.filename());
-  }
 }
 
 }  // namespace poinsot::app

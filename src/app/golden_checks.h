@@ -24,8 +24,4 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
 void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
                       const std::filesystem::path& output);
 
-/// Checks that references of the cases could be written, before anything is drawn.
-/// @throws core::Error(kIo) with the path and the reason.
-void expectReferencesWritable(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases);
-
 }  // namespace poinsot::app

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -16,36 +17,36 @@ namespace poinsot::app {
 
 namespace fs = std::filesystem;
 
-GoldenOrigin describedOrigin(const fs::path& picture) {
-  const fs::path file = descriptionOf(picture);
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return {};
-  const auto origin = parseGoldenOrigin(core::readRegularFile(file, kMostDescription, core::ErrorKind::kIo));
-  if (!origin)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: is no description that poinsot wrote; remove it and approve again",
-                                  core::printable(file.native())));
-  return *origin;
+namespace {
+
+std::optional<GoldenOrigin> originIn(const fs::path& description) try {
+  return parseGoldenOrigin(core::readRegularFile(description, kMostDescription, core::ErrorKind::kIo));
+} catch (const core::Error&) {  // no regular file, or too large for one
+  return std::nullopt;
 }
+
+}  // namespace
+
+GoldenOrigin describedOrigin(const fs::path& picture) {
+  return originIn(descriptionOf(picture)).value_or(GoldenOrigin{});
+}
+
+bool isDescription(const fs::path& file) { return originIn(file).has_value(); }
 
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text) try {
   const auto json = parseJson(text);
-  if (!json.is_object()) return std::nullopt;
-  const auto textAt = [&](const char* key) {
-    const auto found = json.find(key);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-  };
-  return GoldenOrigin{textAt("renderer"), textAt("software"), textAt("scene")};
+  constexpr std::array kKeys{"renderer", "software", "scene"};
+  const auto isText = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
+  if (!json.is_object() || json.size() != kKeys.size() || !std::ranges::all_of(kKeys, isText)) return std::nullopt;
+  return GoldenOrigin{json["renderer"], json["software"], json["scene"]};
 } catch (const core::Error&) {
   return std::nullopt;
 }
 
-bool isApprovedBeside(const fs::path& picture, const fs::path& usual) try {
+bool isApprovedBeside(const fs::path& picture, const fs::path& usual) {
   const ReferenceStem stem = splitStem(picture.stem());
   return !stem.renderer.empty() && stem.name == usual.stem().native() &&
          picture.extension() == usual.extension() && slugOf(describedOrigin(picture).renderer) == stem.renderer;
-} catch (const core::Error&) {  // a description that cannot be read says nothing
-  return false;
 }
 
 std::vector<GoldenReference> referencesOf(const fs::path& folder, const GoldenName& name) {

@@ -25,18 +25,21 @@ struct GoldenReference {
   GoldenOrigin origin;
 };
 
-/// What a NAME.json says: a text that is missing is empty. Nothing where it is no JSON object.
+/// What a NAME.json says. Nothing where it is not an object of exactly these three texts, as GoldenApproval
+/// writes.
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 
-/// Returns the origin that the NAME.json of a picture describes; an empty one without that file.
-/// @throws core::Error(kIo) for a NAME.json that is none of ours.
+/// Whether a file is such a NAME.json.
+bool isDescription(const std::filesystem::path& file);
+
+/// Returns the origin that the NAME.json of a picture describes; an empty one if it describes none.
 GoldenOrigin describedOrigin(const std::filesystem::path& picture);
 
 /// Whether a picture was approved beside the usual one of a test: its description says for which renderer.
 bool isApprovedBeside(const std::filesystem::path& picture, const std::filesystem::path& usual);
 
 /// References of a test, the usual one first. A NAME@X counts only if its NAME@X.json says that it was approved
-/// for the renderer X. @throws core::Error(kIo) for a NAME.json that is none of ours, and for a link to a folder.
+/// for the renderer X. @throws core::Error(kIo) for a link to a folder.
 std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, const GoldenName& name);
 
 /// Which of them a picture is compared with: those of its own renderer, if there are any, else all.

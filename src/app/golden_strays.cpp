@@ -29,15 +29,6 @@ struct StrayFile {
   bool isMissing = false;  ///< a pattern of images would make it, if its image were there
 };
 
-/// Whether a JSON file is a description that GoldenApproval wrote.
-bool isDescription(const fs::path& file) try {
-  const auto json = parseJson(core::readRegularFile(file, kMostDescription, core::ErrorKind::kIo));
-  return json.is_object() && json.size() == 3 && json.contains("renderer") && json.contains("software") &&
-         json.contains("scene");
-} catch (const core::Error&) {
-  return false;
-}
-
 /// Finds the files of one folder that no test refers to.
 class StrayFinder {
  public:

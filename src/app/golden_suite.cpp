@@ -260,13 +260,6 @@ class Comparing {
   const scene::Limits& limits_;
 };
 
-/// Checks that the files of a case replace none that this program did not write. @throws core::Error(kIo)
-void expectReplaceable(const GoldenCase& one, const fs::path& output) {
-  std::error_code ignored;
-  for (const fs::path& file : filesMadeFor(one, output))
-    if (fs::exists(fs::symlink_status(file, ignored))) output::checkTarget(file, false);
-}
-
 /// One run over the cases: first all are drawn, then all compared.
 class Run {
  public:
@@ -305,13 +298,9 @@ class Run {
     outcomes_[place].name = one.name;
     outcomes_[place].rule = one.test.rule;
     try {
-      expectReplaceable(one, request_.output);
       if (one.test.scene.empty()) return;
-      output::makeFolders(one.actual.parent_path());
-      std::error_code ignored;
-      fs::remove(one.actual, ignored);  // of an earlier run
       drawings_.push_back(drawingOf(one, place, request_));
-    } catch (const core::Error& error) {  // of the place, or all that is wrong with the scene
+    } catch (const core::Error& error) {  // all that is wrong with the scene
       fail(place, error);
     }
   }
@@ -325,7 +314,13 @@ class Run {
 
   void draw() {
     std::vector<RenderRequest> requests;
-    for (const Drawing& drawing : drawings_) requests.push_back(drawing.request);
+    for (const Drawing& drawing : drawings_) {
+      const fs::path& picture = cases_[drawing.place].actual;
+      output::makeFolders(picture.parent_path());
+      std::error_code ignored;
+      fs::remove(picture, ignored);  // of an earlier run
+      requests.push_back(drawing.request);
+    }
     const auto made = makeStills(requests, jobsThatFit(requests), [](std::size_t, const auto&) {});
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       const std::size_t place = drawings_[i].place;
@@ -393,10 +388,10 @@ std::vector<GoldenCase> casesOf(const GoldenManifest& manifest, const GoldenRequ
   return request.only.empty() ? all : chosen(all, request.only);
 }
 
-std::vector<fs::path> filesMadeFor(const GoldenCase& one, const fs::path& output) {
-  std::vector<fs::path> files{one.fileIn(output, kMapEnding), one.fileIn(output, kDifferenceEnding)};
-  if (!one.test.scene.empty()) files.push_back(one.actual);
-  return files;
+void enterFilesMade(output::RunFiles& files, const GoldenCase& one, const fs::path& output) {
+  for (const std::string_view map : {kMapEnding, kDifferenceEnding})
+    files.writesInNewFolder(one.fileIn(output, map), "-o", mapKind());
+  if (!one.test.scene.empty()) files.writesInNewFolder(one.actual, "-o", output::drawnKind());
 }
 
 std::vector<Outcome> runGoldens(const GoldenManifest& manifest, const GoldenRequest& request) {

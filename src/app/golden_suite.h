@@ -34,8 +34,9 @@ struct GoldenCase {
   std::string variant() const { return test.image.empty() ? "" : test.variant; }
 };
 
-/// Files that a run may make for a case: its picture, unless another program makes that, and two maps.
-std::vector<std::filesystem::path> filesMadeFor(const GoldenCase& one, const std::filesystem::path& output);
+/// Enters the files that a run may make for a case: its picture, unless another program makes that, and two maps.
+/// @throws as RunFiles::writesInNewFolder()
+void enterFilesMade(output::RunFiles& files, const GoldenCase& one, const std::filesystem::path& output);
 
 struct GoldenRequest {
   /// Names of tests or of cases, * for any characters, or files as the manifest has them; empty: all.
@@ -46,7 +47,7 @@ struct GoldenRequest {
   bool reproducible = true;
   scene::Allowance allowance = {};
   std::string variant = {};           ///< of all images, in place of what their tests say
-  output::RunFiles* files = nullptr;  ///< of the run: gets what its scenes read
+  output::RunFiles* files = nullptr;  ///< of the run, with all that it writes: gets what its scenes read
 };
 
 /// The cases of a manifest that are asked for. @throws core::Error(kUsage) for a name that is none.

@@ -87,10 +87,13 @@ std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
 
 /// Enters the reports, which are of four kinds.
 void enterReports(output::RunFiles& files, const GoldenOptions& options) {
+  if (!options.outcome.empty() && fs::path(options.outcome).extension() != ".js")
+    refuse(fmt::format("outcome '{}': works: NAME.js{}", core::printable(options.outcome),
+                       core::smallLettersHint(options.outcome, {".js"})));
   files.writes(options.report, "--report", app::reportKind());
   files.writes(options.junit, "--junit", app::junitKind());
   files.writes(options.outcome, "--outcome", app::outcomeScriptKind());
-  files.claims(options.markdown, "--markdown");
+  files.addsTo(options.markdown, "--markdown");
 }
 
 /// One run of a suite.
@@ -163,31 +166,36 @@ class Golden {
 
   /// Checks that everything has a place where it can be written, and replaces nothing that somebody else wrote.
   void checkPlaces() {
-    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
-    if (options_.update) app::expectReferencesWritable(manifest_, cases);
-    if (!options_.unused) {
-      output::makeFolders(request_.output);
-      output::expectWritableFolder(request_.output);
-    }
-    enterFiles(cases);
+    enterFiles(app::casesOf(manifest_, request_));
+    if (options_.unused) return;
+    output::makeFolders(request_.output);
+    output::expectWritableFolder(request_.output);
   }
 
-  /// New pictures and maps are looked at where they are made; what is wrong with one fails its test only.
   void enterFiles(const std::vector<app::GoldenCase>& cases) {
     files_.reads(options_.manifest, "MANIFEST");
     files_.reads(app::userLimitsFile(), "your limits");
-    std::set<fs::path> folders;
     for (const app::GoldenCase& one : cases) {
       files_.reads(one.test.scene.empty() ? one.actual : one.test.scene, "the suite's file");
       files_.reads(one.test.rule.mask, "the suite's file");
-      folders.insert(app::usualFile(manifest_.references, one.reference()).parent_path());
     }
-    for (const fs::path& folder : folders)
-      for (const fs::path& file : app::filesIn(folder)) files_.reads(file, "the reference");
+    enterReferences(cases);
     for (const app::GoldenCase& one : cases)
-      for (const fs::path& file : app::filesMadeFor(one, options_.output)) files_.claims(file, "-o");
+      if (!one.test.isUnmatched && !options_.unused) app::enterFilesMade(files_, one, request_.output);
     enterReports(files_, options_);
     request_.files = &files_;
+  }
+
+  void enterReferences(const std::vector<app::GoldenCase>& cases) {
+    std::set<fs::path> folders;
+    for (const app::GoldenCase& one : cases) {
+      const fs::path usual = app::usualFile(manifest_.references, one.reference());
+      if (options_.update && !one.test.isUnmatched) app::enterApproval(files_, usual);
+      folders.insert(usual.parent_path());
+    }
+    if (options_.update) return;  // there are no reports, and expectFilesApart() looks at the rest
+    for (const fs::path& folder : folders)
+      for (const fs::path& file : app::filesIn(folder)) files_.reads(file, "the reference");
   }
 
   void say(const std::string& text) const {
@@ -296,12 +304,12 @@ class Golden {
   /// Whether it is written down what the reference was made with.
   static bool hasOrigin(const Outcome& outcome) {
     std::error_code ignored;
-    return fs::exists(fs::path(outcome.reference).replace_extension(".json"), ignored);
+    return app::isDescription(app::descriptionOf(outcome.reference));
   }
 
   /// Approves them together. Returns a line for each.
   std::string approve() const {
-    app::GoldenApproval approval(manifest_.references, options_.beside);
+    app::GoldenApproval approval(manifest_.references, options_.beside, options_.force);
     const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
     std::string lines = fmt::format("nothing to approve: {}\n", app::countsText(outcomes_));
     bool isFirst = true;
@@ -377,7 +385,10 @@ int runGolden(const GoldenOptions& options) {
   try {
     return Golden(options).run();
   } catch (const Error& error) {
-    write(error.what());
+    try {
+      write(error.what());
+    } catch (const Error&) {  // then it says that the run did not finish, which is true
+    }
     throw;
   }
 }

@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <system_error>
-
 #include "core/error.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
 #include "output/target_check.h"
 
 namespace poinsot::output {
@@ -32,22 +29,9 @@ void RunFiles::expectApart(const Entry& earlier, const Entry& later) {
                                 other.isOutput ? "writes, too" : "reads"));
 }
 
-/// The canonical folder and the name in it. The last part is not followed: an output replaces a link, not its
-/// target.
-std::string RunFiles::nameOf(const path& file) {
-  const path folder = folderOf(file);
-  const auto [known, isNew] = folders_.try_emplace(folder.native());
-  if (isNew) {
-    std::error_code failure;  // then the path as it is; checks of the file say what is wrong with it
-    const path canonical = std::filesystem::weakly_canonical(std::filesystem::absolute(folder), failure);
-    known->second = failure ? folder.native() : canonical.native();
-  }
-  return (path(known->second) / file.filename()).native();
-}
-
 void RunFiles::enter(Entry entry) {
   if (entry.file.empty()) return;
-  const auto [sameName, newName] = byName_.try_emplace(nameOf(entry.file), entries_.size());
+  const auto [sameName, newName] = byName_.try_emplace(names_.of(entry.file), entries_.size());
   if (!newName) expectApart(entries_[sameName->second], entry);
   struct stat status {};
   if (::stat(entry.file.c_str(), &status) == 0) {
@@ -59,12 +43,24 @@ void RunFiles::enter(Entry entry) {
 
 void RunFiles::reads(const path& file, std::string_view role) { enter({file, std::string(role), false}); }
 
-void RunFiles::claims(const path& file, std::string_view role) { enter({file, std::string(role), true}); }
+void RunFiles::claims(const path& name, std::string_view role) { enter({name, std::string(role), true}); }
 
 void RunFiles::writes(const path& file, std::string_view role, const FileKind& kind) {
   if (file.empty()) return;
   claims(file, role);
   checkTarget(file, force_, kind);
+}
+
+void RunFiles::writesInNewFolder(const path& file, std::string_view role, const FileKind& kind) {
+  if (file.empty()) return;
+  claims(file, role);
+  checkTargetInNewFolder(file, force_, kind);
+}
+
+void RunFiles::addsTo(const path& file, std::string_view role) {
+  if (file.empty()) return;
+  claims(file, role);
+  checkAddedTo(file);
 }
 
 void RunFiles::writes(const FramePattern& pattern, std::int64_t first, std::int64_t last, std::string_view role) {

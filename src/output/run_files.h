@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "output/file_kind.h"
+#include "output/file_names.h"
 #include "output/frame_pattern.h"
 
 namespace poinsot::output {
@@ -19,7 +20,7 @@ namespace poinsot::output {
 /// The files that one run reads and writes. Every output is entered before the work begins: no output may replace
 /// another one or an input of the run, and files of the user's are replaced only by --force.
 ///
-/// Files are compared as files, by device and inode, and by name in the folder that they are in; how a path is
+/// Files are compared as files, by device and inode, and by FileNames, where they are missing; how a path is
 /// spelled does not count. Roles name files in messages: "SCENE", "--manifest". An empty path is no file.
 class RunFiles {
  public:
@@ -34,10 +35,14 @@ class RunFiles {
   /// Enters all frames of a sequence. @throws as writes(), and checkSequence().
   void writes(const FramePattern& pattern, std::int64_t first, std::int64_t last, std::string_view role);
 
-  /// Enters an output without a look at what is there: text is added to it, its folder is not made yet, or it is a
-  /// folder itself.
-  /// @throws core::Error(kUsage) if another file of the run is the same.
-  void claims(const std::filesystem::path& file, std::string_view role);
+  /// Likewise where missing folders above the file are made for it. @throws as writes().
+  void writesInNewFolder(const std::filesystem::path& file, std::string_view role, const FileKind& kind);
+  /// Enters an output that text is added to, whatever it holds. @throws core::Error(kUsage) as writes();
+  /// core::Error(kIo) if it cannot be added to.
+  void addsTo(const std::filesystem::path& file, std::string_view role);
+
+  /// Enters a name without a look at what is there. @throws core::Error(kUsage) as writes().
+  void claims(const std::filesystem::path& name, std::string_view role);
 
  private:
   struct Entry {
@@ -46,7 +51,6 @@ class RunFiles {
     bool isOutput = false;
   };
   void enter(Entry entry);
-  std::string nameOf(const std::filesystem::path& file);
   /// @throws core::Error(kUsage) if one of the two is an output.
   static void expectApart(const Entry& earlier, const Entry& later);
 
@@ -54,7 +58,7 @@ class RunFiles {
   std::vector<Entry> entries_;
   std::map<std::string, std::size_t> byName_;                ///< index of an entry
   std::map<std::pair<dev_t, ino_t>, std::size_t> byNumber_;  ///< of those that exist
-  std::map<std::string, std::string> folders_;               ///< canonical names of folders
+  FileNames names_;
 };
 
 }  // namespace poinsot::output

@@ -69,12 +69,29 @@ void checkName(const std::filesystem::path& target) {
 
 }  // namespace
 
-void checkFolderOf(const std::filesystem::path& target) { checkFolder(folderOf(target)); }
-
 void checkTarget(const std::filesystem::path& target, bool force, const FileKind& kind) {
   checkName(target);
-  checkFolderOf(target);
+  checkFolder(folderOf(target));
   checkExisting(target, force, kind);
+}
+
+void checkTargetInNewFolder(const std::filesystem::path& target, bool force, const FileKind& kind) {
+  checkName(target);
+  std::filesystem::path folder = folderOf(target);
+  struct stat status {};
+  while (::stat(folder.c_str(), &status) < 0 && errno == ENOENT && folder != folderOf(folder))
+    folder = folderOf(folder);
+  checkFolder(folder);
+  if (folder == folderOf(target)) checkExisting(target, force, kind);
+}
+
+void checkAddedTo(const std::filesystem::path& target) {
+  checkName(target);
+  struct stat status {};
+  if (::stat(target.c_str(), &status) < 0) return checkFolder(folderOf(target));
+  if (S_ISDIR(status.st_mode)) refuse(target, "is a folder; text is added to a file");
+  if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) < 0)
+    refuse(target, fmt::format("cannot be added to: {}", std::strerror(errno)));
 }
 
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {

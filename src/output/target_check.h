@@ -15,9 +15,12 @@ namespace poinsot::output {
 /// @throws core::Error(kIo) naming the path, the reason and the way out.
 void checkTarget(const std::filesystem::path& target, bool force, const FileKind& kind = drawnKind());
 
-/// Checks that the folder of `target` exists and can be written to.
-/// @throws core::Error(kIo) with the message of checkTarget().
-void checkFolderOf(const std::filesystem::path& target);
+/// Likewise where missing folders above the target are made for it: the nearest one that exists must be writable.
+void checkTargetInNewFolder(const std::filesystem::path& target, bool force, const FileKind& kind);
+
+/// Fails early where text could not be added to a file, or the file could not be made.
+/// @throws core::Error(kIo) as checkTarget().
+void checkAddedTo(const std::filesystem::path& target);
 
 /// Likewise checks every frame first..last of a sequence. Its folder may be missing if the folder above exists.
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force);

@@ -128,10 +128,13 @@ class GoldenNames : public ::testing::Test {
 
 TEST_F(GoldenNames, AreRefusedWhereTwoFilesWouldBeOne) { compare(4000, false); }
 
-// A second name of the folder in other letters stands in for a file system that takes both for the same.
+// A second name of each folder in other letters stands in for a file system that takes both for the same.
 TEST_F(GoldenNames, AreComparedWithoutCaseWhereTheFileSystemDoes) {
-  std::filesystem::create_directory(folder_.path() / "ref");
-  std::filesystem::create_directory_symlink("ref", folder_.path() / "REF");
+  for (const char* const names : {"ref REF", "out OUT"}) {
+    const std::string both = names;
+    std::filesystem::create_directory(folder_.path() / both.substr(0, 3));
+    std::filesystem::create_directory_symlink(both.substr(0, 3), folder_.path() / both.substr(4));
+  }
   compare(1000, true);
 }
 

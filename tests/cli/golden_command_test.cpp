@@ -43,17 +43,16 @@ class GoldenCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-// A picture that cannot be written is no result, which --quiet leaves out.
+// A scene that cannot be drawn is no result, which --quiet leaves out.
 TEST_F(GoldenCommand, QuietReportsTestsThatCouldNotRun) {
   approve();
   EXPECT_EQ(golden({"--quiet"}).err, "");
-  fs::remove(folder_ / "out/golden/s.png");
-  fs::create_directories(folder_ / "out/golden/s.png/in the way");
+  folder_.put("s.toml", "[body]\n");
   const RunResult quiet = golden({"--quiet"});
   EXPECT_EQ(quiet.exitCode, 1);
   EXPECT_EQ(quiet.out, "");
   EXPECT_THAT(quiet.err, StartsWith("error      s: "));
-  EXPECT_THAT(quiet.err, HasSubstr("s.png"));
+  EXPECT_THAT(quiet.err, HasSubstr("s.toml:1:1"));
 }
 
 TEST_F(GoldenCommand, GoesThroughTheLifeOfASuite) {
@@ -90,14 +89,29 @@ TEST_F(GoldenCommand, KeepsWhatAPictureWasMadeWith) {
   EXPECT_EQ(origin["scene"].get<std::string>().size(), 64u);
 }
 
-TEST_F(GoldenCommand, TellsAnOriginThatIsNotItsOwn) {
+// Another program's file says nothing of the picture beside it.
+TEST_F(GoldenCommand, ComparesWithAPictureBesideAJsonOfOthers) {
   approve();
   folder_.put("golden/s.json", "[1]");
-  const RunResult result = golden();
-  EXPECT_EQ(result.exitCode, 1);
-  EXPECT_THAT(
-      result.out,
-      HasSubstr("error      s: golden/s.json: is no description that poinsot wrote; remove it and approve again"));
+  EXPECT_EQ(golden().out, "1 identical\n");
+  folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
+  EXPECT_EQ(golden().exitCode, 1);
+}
+
+// It may be the parameters of the user's own program.
+TEST_F(GoldenCommand, ReplacesNoJsonOfTheUsersUnlessForced) {
+  fs::create_directory(folder_ / "golden");
+  folder_.put("golden/s.json", "{\"renderer\": \"mine\", \"gain\": 3}");
+  const RunResult refused = golden({"--update"});
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_EQ(
+      refused.err,
+      "poinsot: error: golden/s.json: exists and was not written by poinsot as a description of a reference; "
+      "--force replaces it\n");
+  EXPECT_EQ(bytesOf(folder_ / "golden/s.json"), "{\"renderer\": \"mine\", \"gain\": 3}");
+  EXPECT_FALSE(fs::exists(folder_ / "golden/s.png"));
+  EXPECT_EQ(golden({"--update", "--force"}).exitCode, 0);
+  EXPECT_THAT(bytesOf(folder_ / "golden/s.json"), HasSubstr("llvmpipe"));
 }
 
 // Where an approved picture is of this renderer, only that counts; else any of those approved.
@@ -165,7 +179,9 @@ TEST_F(GoldenCommand, WritesNothingOverWhatIsNotItsOwn) {
 
   fs::create_directory(folder_ / "pictures");
   folder_.put("pictures/s.png", "somebody's");
-  EXPECT_THAT(golden({"-o", "pictures"}).out, HasSubstr("s.png: exists and was not written by poinsot"));
+  const RunResult refused = golden({"-o", "pictures"});
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_THAT(refused.err, HasSubstr("s.png: exists and was not written by poinsot; --force replaces it"));
   EXPECT_EQ(bytesOf(folder_ / "pictures/s.png"), "somebody's");
 }
 

@@ -7,17 +7,15 @@
 namespace poinsot {
 namespace {
 
-constexpr bool kNotForced = false;
-
 Output fixedName(std::string option, std::string value) {
-  return {std::move(option), value, value, true, true, false, false};
+  return {std::move(option), value, value, true, false, false};
 }
-Output beside(std::string file) { return {"", "", std::move(file), true, true, false, false}; }
-Output inFolder(std::string option, const std::string& folder, const std::string& name, bool isForced = true) {
-  return {std::move(option), folder, folder + "/" + name, isForced, true, false, false};
+Output beside(std::string file) { return {"", "", std::move(file), true, false, false}; }
+Output inFolder(std::string option, const std::string& folder, const std::string& name) {
+  return {std::move(option), folder, folder + "/" + name, true, false, false};
 }
 Output addedTo(std::string option, std::string value) {
-  return {std::move(option), value, value, true, true, true, true};
+  return {std::move(option), value, value, true, true, true};
 }
 
 const Words kScene{"s.toml", "look.toml"};
@@ -33,7 +31,7 @@ const std::vector<OutputCommand> kCommands{
      kScene},
     {"render",
      {"s.toml", "--quiet"},
-     {{"--output", "f_{frame}.png", "f_1.png", true, true, false, false},
+     {{"--output", "f_{frame}.png", "f_1.png", true, false, false},
       {"--manifest", "m.json"},
       {"--trace", "t.json"}},
      kScene,
@@ -56,7 +54,7 @@ const std::vector<OutputCommand> kCommands{
      {"s.toml", "--quiet"},
      {inFolder("--output", "pictures", "s.png"), beside("pictures/contact_sheet.png")},
      kScene},
-    {"submit", {"s.toml"}, {{"--output", "o.mp4", "o.mp4", true, false, false, false}}, kScene},
+    {"submit", {"s.toml"}, {{"--output", "o.mp4", "o.mp4", false, false, false}}, kScene},
     {"assemble",
      {"film.mp4", "--keep", "--quiet"},
      {fixedName("--output", "o.mp4"), beside("o.srt"), beside("o.vtt")},
@@ -65,7 +63,7 @@ const std::vector<OutputCommand> kCommands{
     {"trajectory", {"s.toml", "--at", "0"}, {fixedName("--output", "o.csv")}, kScene},
     {"new",
      {"--from", "football"},
-     {{"NAME", "n.toml", "n.toml", true, false, false, false}, beside("poinsot.schema.json")},
+     {{"NAME", "n.toml", "n.toml", false, false, false}, beside("poinsot.schema.json")},
      {"scenes/football.toml"}},
     {"diff",
      {"a.png", "b.png", "--mask", "mask.png", "--quiet"},
@@ -97,14 +95,21 @@ const std::vector<OutputCommand> kCommands{
      "Films"},
     {"golden",
      {"golden.toml", "--quiet"},
-     {inFolder("--output", "new", "s.png", kNotForced),
+     {inFolder("--output", "new", "s.png"),
       fixedName("--report", "r.html"),
       {"--junit", "j.xml"},
-      {"--outcome", "o.js"},
+      fixedName("--outcome", "o.js"),
       addedTo("--markdown", "s.md")},
      {"golden.toml", "s.toml", "look.toml", "golden/s.png"},
      {},
      1},
+    {"golden",
+     {"golden.toml", "--update", "--quiet"},
+     {inFolder("--output", "new", "s.png"), beside("golden/s.json")},
+     {"golden.toml", "s.toml", "look.toml"},
+     {},
+     0,
+     "Update"},
 };
 
 }  // namespace

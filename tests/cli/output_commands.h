@@ -15,7 +15,6 @@ struct Output {
   std::string option;  ///< names it; empty for a file beside the output of another option
   std::string value;   ///< of the option; `file` or its folder
   std::string file = value;
-  bool isForced = true;    ///< whether --force replaces files of others
   bool isKnown = true;     ///< whether an earlier one is known as such, and replaced
   bool isAddedTo = false;  ///< whether text is added to what is there
   bool isAnyName = true;   ///< whether the option takes a file of any name
