@@ -266,6 +266,11 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) :
 
 std::string TrackReader::mark() const { return tag(factsOf(kind_).readMarkKey); }
 
+bool TrackReader::namesOtherWriter() const {
+  const std::string writer = tag("encoder");  // "Lavf" alone: Matroska needs one, and "bitexact" has no version
+  return !writer.empty() && writer != "Lavf" && !writer.starts_with("poinsot ");
+}
+
 std::string TrackReader::comment() const { return tag(factsOf(kind_).originKey); }
 
 std::string TrackReader::tag(const std::string& name) const {

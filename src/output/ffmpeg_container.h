@@ -106,6 +106,9 @@ class TrackReader {
   AVRational timeBase() const { return format_->streams[0]->time_base; }
   /// What the file names as its encoder; empty if nothing.
   std::string mark() const;
+  /// Returns whether a program that keeps the texts of the films it copies, such as `ffmpeg -c copy`, wrote the
+  /// file.
+  bool namesOtherWriter() const;
   /// Returns the text in which the origin is; empty if there is none.
   std::string comment() const;
   /// False after the last packet. Times as stored, edit lists not applied.

@@ -197,11 +197,16 @@ bool isOwnFilm(const path& file) {
   const auto isMark = [](std::string_view text) { return text.starts_with("poinsot "); };
   if (!container) return false;
   try {
-    if (!isMadeWhole(*container)) return isMark(TrackReader(file, fileFormat(*container)).mark());
-    return std::ranges::any_of(animationTexts(file), isMark);
-  } catch (const Error&) {
-    return bearsSeal(file);
+    if (isMadeWhole(*container)) {
+      if (std::ranges::any_of(animationTexts(file), isMark)) return true;
+    } else {
+      const TrackReader film(file, fileFormat(*container));
+      if (film.namesOtherWriter()) return false;
+      if (isMark(film.mark())) return true;
+    }
+  } catch (const Error&) {  // too damaged to be read
   }
+  return bearsSeal(file);
 }
 
 }  // namespace poinsot::output

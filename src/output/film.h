@@ -42,7 +42,7 @@ void joinSegments(const std::vector<std::filesystem::path>& segments, const std:
                   const FilmTrack& track, const FilmTexts& texts = {},
                   const std::filesystem::path& temporaryFolder = {});
 
-/// The same film, complete, for a batch to give it its name.
+/// Makes the same film as joinSegments(), complete and synced, without its name: a batch gives it that.
 [[nodiscard]] AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
                                         const std::filesystem::path& target, const FilmTrack& track,
                                         const FilmTexts& texts = {},
@@ -85,8 +85,8 @@ FilmState filmState(const std::filesystem::path& film, const std::string& origin
 /// Whether a film is, byte for byte, as it was written, whatever its origin.
 bool isWholeFilm(const std::filesystem::path& film);
 
-/// Returns whether the file is a film written by this program: its mark says so, or, in a film too damaged to be
-/// read, its digest. False for a file that cannot be opened.
+/// Returns whether the file is a film written by this program: it holds the mark or the digest of one, and names
+/// no other program as its writer. False for a file that cannot be opened.
 bool isOwnFilm(const std::filesystem::path& path);
 
 }  // namespace poinsot::output
