@@ -22,6 +22,14 @@ class AtOnce : public httplib::TaskQueue {
   void shutdown() override {}
 };
 
+/// Threads that end with the scope, an exception included: the library's must be shut down before their
+/// destructor.
+class ScopedThreads : public httplib::ThreadPool {
+ public:
+  using ThreadPool::ThreadPool;
+  ~ScopedThreads() override { ThreadPool::shutdown(); }
+};
+
 /// A connection as the library reads and writes it.
 class Connection : public httplib::Stream {
  public:
@@ -74,17 +82,13 @@ Listener::Listener() {
 void Listener::widen() { ::listen(svr_sock_, SOMAXCONN); }
 
 void Listener::serve() {
-  httplib::ThreadPool threads(kThreads);
-  {
-    PendingConnections pending([&](core::FileHandle socket) {
-      auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // a job can be copied
-      threads.enqueue([this, shared] { answer(*shared); });
-    });
-    pending_ = &pending;
-    listen_after_bind();
-    pending_ = nullptr;
-  }
-  threads.shutdown();
+  ScopedThreads threads(kThreads);
+  PendingConnections pending([&](core::FileHandle socket) {
+    auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // a job can be copied
+    threads.enqueue([this, shared] { answer(*shared); });
+  });
+  pending_ = &pending;
+  listen_after_bind();
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {

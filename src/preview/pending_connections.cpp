@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <exception>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -62,18 +63,18 @@ void PendingConnections::watch(const std::stop_token& stop) {
   }
 }
 
-void PendingConnections::look(std::uint64_t number) {
+void PendingConnections::look(std::uint64_t number) try {
   const std::scoped_lock lock(mutex_);
   const auto found = pending_.find(number);
   if (found == pending_.end()) return;  // closed meanwhile
-  core::FileHandle& socket = found->second.socket;
-  const Header header = headerAt(socket.get());
+  const Header header = headerAt(found->second.socket.get());
   if (header == Header::kIncomplete) return;
-  if (header == Header::kComplete) {
-    epoll_ctl(events_.get(), EPOLL_CTL_DEL, socket.get(), nullptr);
-    admit_(std::move(socket));
-  }
+  core::FileHandle socket = std::move(found->second.socket);  // closed here unless it is admitted
   pending_.erase(found);
+  if (header != Header::kComplete) return;
+  epoll_ctl(events_.get(), EPOLL_CTL_DEL, socket.get(), nullptr);
+  admit_(std::move(socket));
+} catch (const std::exception&) {  // out of memory: this connection is closed, and the others stay
 }
 
 void PendingConnections::closeTimedOut() {

@@ -29,7 +29,7 @@ class PendingConnections {
   PendingConnections(const PendingConnections&) = delete;
   PendingConnections& operator=(const PendingConnections&) = delete;
 
-  /// From any thread.
+  /// Holds one more connection. Any thread may call it.
   void add(core::FileHandle socket);
 
  private:

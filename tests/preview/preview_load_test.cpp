@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The preview while others want more of it than there is.
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <future>
+#include <new>
 #include <string_view>
 
+#include "core/error.h"
 #include "core/file_handle.h"
+#include "preview/pending_connections.h"
 #include "preview/preview_fixture.h"
 
 namespace poinsot::preview {
@@ -49,16 +54,24 @@ class Stranger {
 
 class PreviewUnderLoad : public Preview {
  protected:
-  /// Of a small answer, the longest of several.
+  /// Returns how long the slowest of four small answers takes; the least of three attempts, as other processes may
+  /// delay one. A connection that must wait for a thread, or be retried, waits for seconds in each attempt.
   double slowestAnswer_s() const {
-    double slowest = 0;
-    for (int i = 0; i < 4; ++i) {
-      const auto begin = std::chrono::steady_clock::now();
-      const auto answer = get("film");
-      EXPECT_TRUE(answer && answer->status == 200);
-      slowest = std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    double least = 1e9;
+    for (int attempt = 0; attempt < 3 && least >= 1; ++attempt) {
+      double slowest = 0;
+      for (int i = 0; i < 4; ++i) slowest = std::max(slowest, answer_s());
+      least = std::min(least, slowest);
     }
-    return slowest;
+    return least;
+  }
+
+ private:
+  double answer_s() const {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto answer = get("film");
+    EXPECT_TRUE(answer && answer->status == 200);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 };
 
@@ -100,6 +113,40 @@ TEST_F(PreviewUnderLoad, AnswersWhilePagesWaitForAChange) {
   EXPECT_LT(slowestAnswer_s(), 1);
   EXPECT_EQ(get("scene?after=" + known)->status, 503);
   EXPECT_EQ(get("scene?after=0")->status, 200) << "what is there already waits for nothing";
+}
+
+TEST(PendingConnections, ClosesOneThatCannotBeAdmitted) {
+  std::promise<void> admitted;
+  int count = 0;
+  PendingConnections pending([&](const core::FileHandle&) {
+    if (++count == 1) throw std::bad_alloc();
+    admitted.set_value();
+  });
+  const auto connect = [&] {
+    int ends[2];
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends), 0);
+    pending.add(core::FileHandle(ends[0]));
+    EXPECT_EQ(::send(ends[1], "\r\n\r\n", 4, MSG_NOSIGNAL), 4);
+    return core::FileHandle(ends[1]);
+  };
+  const auto refused = connect();
+  char byte = 0;
+  EXPECT_LE(::recv(refused.get(), &byte, 1, 0), 0) << "the other side has hung up";
+  const auto other = connect();
+  EXPECT_EQ(admitted.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+}
+
+TEST(PreviewWithoutFiles, ReportsThatConnectionsCannotBeWatched) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kScene);
+  PreviewServer server(PreviewRequest{.fileName = (folder / "a.toml").string(), .overrides = {}, .allowance = {}});
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit none = before;
+  none.rlim_cur = 0;  // fewer than are open
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  EXPECT_THROW(server.run(), core::Error);
+  EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
 }
 
 }  // namespace
