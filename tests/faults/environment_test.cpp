@@ -47,6 +47,9 @@ const std::vector<Words>& makings() {
 }
 enum Made : int { kMp4, kGif, kEglFilm, kStill, kPdf, kGolden };
 
+/// The file that each command makes.
+constexpr const char* kMadeFiles[] = {"a.mp4", "a.gif", "e.mp4", "a.png", "a.pdf", "golden/s.png"};
+
 /// Settings, and what they might change: made by turns, or all of it under each where it is night.
 struct Family {
   std::vector<int> made;
@@ -126,7 +129,7 @@ class Environment : public testing::TestWithParam<int> {
     });
   }
 
-  /// All files that it makes, by name and bytes; how it fails, if it does.
+  /// Runs a command, which must succeed. Returns all files that it makes, by name and bytes.
   static std::string madeWith(const Words& settings, int which = GetParam()) {
     const ScratchFolder folder;
     folder.put("s.toml", kScene);
@@ -134,7 +137,10 @@ class Environment : public testing::TestWithParam<int> {
     fs::create_directory(folder / "home");
     folder.put("home/.drirc", kDriverSettings);
     const RunResult result = run(folder, makings()[static_cast<std::size_t>(which)], Stdout::kFile, settings);
-    std::string made = result.exitCode == 0 ? "" : result.err;
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const fs::path wanted = folder / kMadeFiles[which];
+    EXPECT_TRUE(fs::exists(wanted)) << wanted;
+    std::string made;
     std::set<fs::path> files(fs::recursive_directory_iterator(folder.path()), {});
     for (const fs::path& file : files)
       if (fs::is_regular_file(file) && !file.filename().native().starts_with(".harness"))
