@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <string_view>
-
 #include "app/work_folder.h"
 #include "app/work_left.h"
 #include "cli/console.h"
@@ -31,9 +28,7 @@ bool isShardOfFinishedFilm(const app::RenderRequest& request) {
 }
 
 std::string shaderCacheNote(const app::RenderRequest& request) {
-  const char* cache = std::getenv("POINSOT_CACHE");
-  const bool unwanted = cache && std::string_view(cache) == "off";
-  if (!request.shard || unwanted || !gl::shaderCacheFolder(request.reproducible).empty()) return "";
+  if (!request.shard || gl::isShaderCacheOff() || !gl::shaderCacheFolder(request.reproducible).empty()) return "";
   return "poinsot: note: each shard compiles its shaders anew, which takes up to 3 s, because there is no folder "
          "to "
          "keep them in; set HOME or POINSOT_CACHE to a folder of yours\n";

@@ -31,8 +31,7 @@ std::string_view setting(const char* name) {
 
 /// Where caches are kept; empty if nowhere. A relative path in the environment is none (XDG base directories).
 fs::path cacheHome() {
-  const std::string_view own = setting("POINSOT_CACHE");
-  if (!own.empty()) return own == "off" || !own.starts_with('/') ? fs::path() : fs::path(own);
+  if (const auto own = setting("POINSOT_CACHE"); !own.empty()) return own.starts_with('/') ? own : fs::path();
   if (const auto xdg = setting("XDG_CACHE_HOME"); xdg.starts_with('/')) return fs::path(xdg) / "poinsot";
   if (const auto home = setting("HOME"); home.starts_with('/')) return fs::path(home) / ".cache" / "poinsot";
   return {};
@@ -91,6 +90,8 @@ bool holdsOurOwnOnly(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool isShaderCacheOff() { return setting("POINSOT_CACHE") == "off"; }
 
 fs::path shaderCacheFolder(bool reproducible) {
   const fs::path home = cacheHome();

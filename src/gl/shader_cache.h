@@ -5,6 +5,9 @@
 
 namespace poinsot::gl {
 
+/// Returns whether the user turned the cache off, by POINSOT_CACHE=off.
+bool isShaderCacheOff();
+
 /// The folder in which Mesa keeps the machine code of shaders from one process to the next; made if need be. Empty
 /// where there is none: compiling takes each process 0.5 to 3 s then.
 ///
