@@ -42,21 +42,35 @@ struct Standing {
   app::WorkLeft left;
 };
 
-std::string jsonText(const StatusOptions& options, const Standing& standing) {
-  const auto& [job, status, left] = standing;
-  nlohmann::ordered_json json{{"output", app::utf8FromBytes(options.output)},
-                              {"complete", left.none()},
-                              {"joined", !left.joining},
-                              {"frames", {job.frames.first, job.frames.last}},
-                              {"segment_frames", job.segmentFrames},
-                              {"shards", job.shards}};
-  for (const auto& [state, word] : kStates) {
-    json[word] = nlohmann::ordered_json::array();
-    for (const app::FrameRange& segment : status.in(state)) json[word].push_back({segment.first, segment.last});
-  }
-  json["shards_to_run"] = app::shardsText(left.shards);
-  return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
+using Json = nlohmann::ordered_json;
+
+/// Returns the object that is printed of a film without segments: all keys, null or empty where segments tell.
+Json jsonOfFilm(const StatusOptions& options, bool whole) {
+  Json json{{"output", app::utf8FromBytes(options.output)},
+            {"complete", whole},
+            {"joined", whole},
+            {"frames", nullptr},
+            {"segment_frames", nullptr},
+            {"shards", nullptr}};
+  for (const auto& [state, word] : kStates) json[word] = Json::array();
+  json["shards_to_run"] = "";
+  return json;
 }
+
+Json jsonOf(const StatusOptions& options, const Standing& standing) {
+  const auto& [job, status, left] = standing;
+  Json json = jsonOfFilm(options, !left.joining);
+  json["complete"] = left.none();
+  json["frames"] = {job.frames.first, job.frames.last};
+  json["segment_frames"] = job.segmentFrames;
+  json["shards"] = job.shards;
+  for (const auto& [state, word] : kStates)
+    for (const app::FrameRange& segment : status.in(state)) json[word].push_back({segment.first, segment.last});
+  json["shards_to_run"] = app::shardsText(left.shards);
+  return json;
+}
+
+void print(const Json& json) { writeOut(json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n"); }
 
 /// Returns the line that says what to run next; empty if that is the render itself, or nothing.
 std::string leftText(const StatusOptions& options, const Standing& standing) {
@@ -87,7 +101,7 @@ std::string plainText(const StatusOptions& options, const Standing& standing) {
 int statusOfFilm(const StatusOptions& options, const std::filesystem::path& film) {
   const bool whole = output::isWholeFilm(film);
   if (options.json)
-    writeOut(nlohmann::ordered_json{{"complete", whole}}.dump() + "\n");
+    print(jsonOfFilm(options, whole));
   else if (!options.shards)
     writeOut(fmt::format("{}: {}\n", core::printable(options.output),
                          whole ? "complete" : "not as it was written; render with --resume makes it again"));
@@ -107,8 +121,10 @@ int status(const StatusOptions& options) {
   const Standing standing{*job, state, app::workLeft(*job, state, job->shards, target)};
   if (options.shards)
     writeOut(app::shardsText(standing.left.shards) + "\n");
+  else if (options.json)
+    print(jsonOf(options, standing));
   else
-    writeOut(options.json ? jsonText(options, standing) : plainText(options, standing));
+    writeOut(plainText(options, standing));
   return standing.left.none() ? kDone : kNo;
 }
 

@@ -98,6 +98,25 @@ TEST(Shards, AreToldWhenOnlyTheJoiningIsLeft) {
   EXPECT_EQ(shards.out, "\n");
 }
 
+TEST(Shards, HaveTheSameKeysInJsonWhenTheFilmIsFinished) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  const auto status = [&] { return nlohmann::json::parse(run(folder, {"status", "t.mp4", "--json"}).out); };
+  ASSERT_EQ(run(folder, renderArguments(kFilm, {"--shard", "1/2"})).exitCode, 0);
+  const auto open = status();
+  EXPECT_EQ(open.at("frames"), nlohmann::json({0, 17}));
+  ASSERT_EQ(run(folder, renderArguments(kFilm, {"--reproducible", "--resume"})).exitCode, 0);
+  const auto finished = status();
+  EXPECT_EQ(finished.at("complete"), true);
+  EXPECT_EQ(finished.at("joined"), true);
+  const auto keys = [](const nlohmann::json& json) {
+    std::vector<std::string> names;
+    for (const auto& [key, value] : json.items()) names.push_back(key);
+    return names;
+  };
+  EXPECT_EQ(keys(finished), keys(open));
+}
+
 TEST(Shards, MakeNothingOfAFinishedFilmAndLeaveItComplete) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
