@@ -52,8 +52,8 @@ void expectDraws() {
   // Away from every edge, so that outlines are not enough.
   if (pixelAt(2, 2) == kTriangle && pixelAt(kSide - 2, kSide - 2) == kGround) return;
   throw core::Error(core::ErrorKind::kGraphics,
-                    "the back end reports success but does not draw: a triangle did not come out as drawn; is a "
-                    "debugging variable of Mesa's set, as LP_NO_RAST or GALLIUM_NOOP?");
+                    "the back end reports success but does not draw: a triangle did not come out as drawn; "
+                    "choose another --backend or reinstall Mesa; `poinsot doctor` tests the back ends");
 }
 
 }  // namespace poinsot::gl

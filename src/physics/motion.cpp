@@ -11,9 +11,13 @@
 namespace poinsot::physics {
 
 void refuseTime(double t_s) {
-  const char* why = std::isfinite(t_s) ? "so far from the start that the motion is beyond the range of numbers"
-                                       : "not a motion time";
-  throw core::Error(core::ErrorKind::kLimit, fmt::format("t = {} s: {}", t_s, why));
+  if (!std::isfinite(t_s))
+    throw core::Error(core::ErrorKind::kLimit, fmt::format("t = {} s: must be a finite number of seconds", t_s));
+  throw core::Error(
+      core::ErrorKind::kLimit,
+      fmt::format("t = {} s: so far from the start that the motion is beyond the range of numbers, or "
+                  "|omega t| beyond {:g}; choose a time nearer to 0",
+                  t_s, kFarthestPhase_rad));
 }
 
 Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state) {
