@@ -17,10 +17,10 @@ void removeClaimedFolder(const std::filesystem::path& folder);
 /// Removes the claimed folders named poinsot-?????? in `place` whose processes ended without removing them
 /// (SIGKILL).
 ///
-/// A lock tells, which the kernel releases; process numbers mean nothing where containers share /tmp. So that no
-/// living folder is ever taken for an abandoned one, a folder stays unless all of this holds: it is no link, this
-/// user's and only this user's (0700), claimed, and claimed under the running kernel, as locks may not reach
-/// another machine. Whatever goes wrong leaves it to the next start.
+/// A process that lives holds a lock, which the kernel releases when it ends; process numbers mean nothing where
+/// containers share /tmp. A folder is removed only if it is no link, belongs to this user and to no other (0700),
+/// is claimed, and was claimed under the running kernel, because locks may not reach another machine. If anything
+/// goes wrong, it is left to the next start.
 void removeAbandonedFolders(const std::filesystem::path& place) noexcept;
 
 }  // namespace poinsot::app

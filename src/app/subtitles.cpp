@@ -136,7 +136,7 @@ std::vector<path> ownSubtitleFiles(const path& film) {
   return own;
 }
 
-// The .vtt knows the .srt, so it is there before that and longer than that.
+// The .vtt holds the digest by which the .srt is recognised, so it comes first and goes last.
 void addSubtitles(output::FileBatch& batch, const std::vector<Subtitle>& subtitles, const path& film,
                   const path& temporaryFolder) {
   const auto names = subtitleFiles(film);

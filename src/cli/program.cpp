@@ -16,7 +16,8 @@
 namespace poinsot::cli {
 namespace {
 
-/// The end of the stack is a signal; 96 KiB were enough for the gallery, and what nests takes more.
+/// Refuses a small stack, because an overflow ends the process by a signal. The gallery needs 96 KiB; nested
+/// scenes need more.
 void requireStack() {
   constexpr rlim_t kLeast = 1 << 20;
   rlimit stack{};

@@ -21,7 +21,7 @@ class DecayingMotion final : public Motion {
       : free_(axes, omega0_B, q0_WB), rate_(rate) {}
 
   RigidBodyState at(double t_s) const override;
-  /// The same; nothing where at() throws.
+  /// Returns the state at t_s; nothing where at() throws.
   std::optional<RigidBodyState> find(double t_s) const;
 
   const PrincipalAxes& axes() const override { return free_.axes(); }

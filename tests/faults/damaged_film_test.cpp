@@ -88,7 +88,7 @@ TEST_P(DamagedFilmOfEachSort, IsMadeOfTheSegmentsThatAreThere) {
 }
 
 // Nothing in it says that it was ours.
-TEST_P(DamagedFilmOfEachSort, OfWhichNothingIsLeftIsAnothersFile) {
+TEST_P(DamagedFilmOfEachSort, IsRefusedIfNothingOfItIsLeft) {
   const std::string text(whole_.size(), 'x');
   put(text);
   const RunResult refused = render({"--resume"});

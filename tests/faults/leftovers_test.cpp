@@ -69,7 +69,7 @@ class Leftovers : public testing::TestWithParam<std::vector<std::string>> {
   const ScratchFolder folder_, temporary_;
 };
 
-TEST_P(Leftovers, OfAKillAreGoneAfterTheNextStart) {
+TEST_P(Leftovers, AreRemovedByTheNextStart) {
   std::size_t most = 0;
   std::set<fs::path> inMemory;
   // Machines differ in when the folders appear, and in when the film is ready: later and later, until all are
