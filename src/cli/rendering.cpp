@@ -166,6 +166,48 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
                      reused, summary.wall_s);
 }
 
+/// Returns what the options ask for, without what depends on the machine and on the files.
+app::RenderRequest renderRequest(const RenderOptions& options, const app::OutputTarget& target,
+                                 app::SceneRequest request, const scene::Scene& scene,
+                                 const app::FrameRange& frames, std::optional<double> time_s,
+                                 const app::PictureForm& form, const PartsOptions& parts) {
+  app::RenderRequest render{std::move(request),
+                            target,
+                            frames,
+                            time_s,
+                            1,
+                            requestedBackend(options),
+                            options.reproducible,
+                            form,
+                            parts.segmentFrames,
+                            parts.resume,
+                            parts.keep};
+  const int cells = render.scene.sweep ? app::SweepGrid(render.scene).cells : 1;
+  render.worker_bytes = app::workerMemory_bytes(target, scene, form, cells);
+  if (!parts.shard.empty()) render.shard = app::parseShard(parts.shard);
+  if (parts.shardsLeft > 0) render.shard = app::Shard{1, parts.shardsLeft};
+  if (render.shard) render.reproducible = true;  // the machines of a cluster differ
+  if (render.shard || isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
+  if (!parts.manifest.empty()) render.manifest = parts.manifest;
+  if (!options.trace.empty()) render.trace = options.trace;
+  return render;
+}
+
+/// Makes what was asked for, showing progress. @throws core::Error, app::Interrupted
+int make(const RenderOptions& options, app::RenderRequest render, const PartsOptions& parts) {
+  const app::OutputTarget target = render.target;
+  const app::FrameRange frames = render.frames;
+  std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
+  if (target.stream) render.target.path = parked.emplace().path() / target.path;
+  prepareFolder(render.target);
+  app::watchInterrupts();
+  const auto summary = runWithProgress(options, std::move(render));
+  if (!options.quiet && options.progress != "json")
+    writeErr(damageNote(target, summary) + "poinsot: " + readyText(parts, target, frames, summary) + "\n");
+  if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
+  return kDone;
+}
+
 }  // namespace
 
 Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target) {
@@ -206,25 +248,8 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   output::RunFiles files = checkMakeable(options, target, scene, frames, form);
   files.writes(parts.manifest, "--manifest", app::manifestKind());
   files.writes(options.trace, "--trace", app::traceKind());
-  app::RenderRequest render{std::move(request),
-                            target,
-                            frames,
-                            time_s,
-                            1,
-                            requestedBackend(options),
-                            options.reproducible,
-                            form,
-                            parts.segmentFrames,
-                            parts.resume,
-                            parts.keep};
-  const int cells = render.scene.sweep ? app::SweepGrid(render.scene).cells : 1;
-  render.worker_bytes = app::workerMemory_bytes(target, scene, form, cells);
-  if (!parts.shard.empty()) render.shard = app::parseShard(parts.shard);
-  if (parts.shardsLeft > 0) render.shard = app::Shard{1, parts.shardsLeft};
-  if (render.shard) {
-    render.reproducible = true;  // the machines of a cluster differ
-    render.job = app::jobFileOf(render, scene);
-  }
+  app::RenderRequest render =
+      renderRequest(options, target, std::move(request), scene, frames, time_s, form, parts);
   if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
   if (!options.dryRun && isShardOfFinishedFilm(render)) {
     if (!options.quiet) writeErr("poinsot: " + completeText(parts, target) + "\n");
@@ -234,19 +259,7 @@ int renderTo(const RenderOptions& options, const app::OutputTarget& target, app:
   if (!options.quiet && options.progress != "json")
     writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
              sharedSubtitlesNote(target, scene, frames) + shaderCacheNote(render));
-  if (isMadeInParts(target) && !render.job) render.job = app::jobFileOf(render, scene);
-  if (options.dryRun) return describe(render, scene);
-  std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
-  if (target.stream) render.target.path = parked.emplace().path() / target.path;
-  prepareFolder(render.target);
-  if (!parts.manifest.empty()) render.manifest = parts.manifest;
-  if (!options.trace.empty()) render.trace = options.trace;
-  app::watchInterrupts();
-  const auto summary = runWithProgress(options, std::move(render));
-  if (!options.quiet && options.progress != "json")
-    writeErr(damageNote(target, summary) + "poinsot: " + readyText(parts, target, frames, summary) + "\n");
-  if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
-  return kDone;
+  return options.dryRun ? describe(render, scene) : make(options, std::move(render), parts);
 }
 
 }  // namespace poinsot::cli
