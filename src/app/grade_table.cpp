@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "app/grade_columns.h"
 #include "app/trajectory_number.h"
 #include "core/error.h"
 #include "core/regular_file.h"
@@ -19,15 +20,6 @@ namespace poinsot::app {
 namespace {
 
 constexpr std::ptrdiff_t kFewestNames = 2;  // that make a comment a header
-constexpr std::size_t kForeign = static_cast<std::size_t>(-1);
-
-struct Vector {
-  TrajectoryPlace place;
-  std::size_t length;
-};
-
-constexpr Vector kVectors[] = {{kQAt, 4},  {kOmegaBAt, 3}, {kOmegaWAt, 3},
-                               {kLWAt, 3}, {kRateBAt, 3},  {kRateWAt, 3}};
 
 struct Field {
   std::string_view text;
@@ -68,29 +60,6 @@ void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t 
   }
 }
 
-/// "time", "Time [s]", "t_s", "t (s)".
-bool meansTime(std::string_view name) {
-  const auto startsWith = [&](std::string_view word) {
-    return std::ranges::equal(name.substr(0, word.size()), word, {}, [](char c) { return c | 0x20; });
-  };
-  return startsWith("time") ||
-         (startsWith("t") && name.size() > 1 && std::string_view("_ ([/").find(name[1]) != std::string_view::npos);
-}
-
-std::size_t columnNamed(std::string_view name) {
-  const auto* found = std::ranges::find(kTrajectoryColumns, name, &TrajectoryColumn::name);
-  return found == kTrajectoryColumns.end() ? kForeign
-                                           : static_cast<std::size_t>(found - kTrajectoryColumns.begin());
-}
-
-/// "L_W_x, L_W_y, L_W_z".
-std::string namesOf(const Vector& vector) {
-  std::string names;
-  for (const TrajectoryColumn& column : std::span(kTrajectoryColumns).subspan(vector.place, vector.length))
-    names.append(names.empty() ? "" : ", ").append(column.name);
-  return names;
-}
-
 /// A reader's position in a file.
 struct Cursor {
   std::string_view rest;  ///< lines that are still to be read
@@ -105,7 +74,7 @@ class Reader {
 
   TrajectoryTable table() {
     readHeader();
-    TrajectoryTable table(known_, core::printable(fileName_));
+    TrajectoryTable table(columns_.known(), core::printable(fileName_));
     while (nextLine()) {
       if (table.rows() == kMostTableRows) refuse(fmt::format("more than {} rows", kMostTableRows));
       readRow();
@@ -146,7 +115,9 @@ class Reader {
     hasComments_ = true;
     if (names_) return;
     splitFields(cursor_.line, fields_, cursor_.line.find('#') + 1);
-    const auto known = [](const Field& field) { return columnNamed(field.text) != kForeign; };
+    const auto known = [](const Field& field) {
+      return GradeColumns::columnNamed(field.text) != GradeColumns::kForeign;
+    };
     if (std::ranges::count_if(fields_, known) >= kFewestNames) names_ = cursor_;
   }
 
@@ -163,26 +134,14 @@ class Reader {
 
   void readHeader() {
     findHeader();
-    for (const Field& field : fields_) {
-      columns_.push_back(columnNamed(field.text));
-      if (columns_.back() == kForeign) continue;
-      if (has(columns_.back()))
-        fail(fmt::format("column {} is there twice", field.text), cursor_.number, field.column);
-      known_.push_back(columns_.back());
-    }
-    checkColumns();
-    row_.resize(known_.size());
-  }
-
-  bool has(std::size_t column) const { return std::ranges::find(known_, column) != known_.end(); }
-
-  /// ", not qx, qy": the names that say nothing to us; a few.
-  std::string foreign() const {
-    std::string names;
-    for (std::size_t i = 0, count = 0; i < fields_.size() && count < 8; ++i)
-      if (columns_[i] == kForeign && ++count > 0)
-        names += (names.empty() ? "" : ", ") + core::printable(std::string(fields_[i].text));
-    return names.empty() ? "" : ", not " + names;
+    std::vector<std::string> names;
+    for (const Field& field : fields_) names.emplace_back(field.text);
+    columns_ = GradeColumns(names);
+    if (const auto twice = columns_.repeated())
+      fail(fmt::format("column {} is there twice", names[*twice]), cursor_.number, fields_[*twice].column);
+    if (!columns_.hasTime()) fail(withoutTime(), cursor_.number);
+    if (const std::string lack = columns_.lack(); !lack.empty()) fail(lack, cursor_.number);
+    row_.resize(columns_.known().size());
   }
 
   /// What to say of a first line without t.
@@ -194,30 +153,9 @@ class Reader {
                  ? "no line names the columns: this one holds numbers, and no comment above has names that "
                    "are known here; name them as in t,q_w,q_x,q_y,q_z,..., with or without a # before"
                  : "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
-    const auto field = std::ranges::find_if(fields_, [](const Field& f) { return meansTime(f.text); });
-    const std::string meant =
-        field == fields_.end() ? "" : fmt::format("; is it '{}'?", core::printable(std::string(field->text)));
+    const std::string meant = columns_.timeHint();
     return "no column t" +
            (meant.empty() ? "; the first line names the columns, separated by commas or blanks" : meant);
-  }
-
-  void checkColumns() const {
-    if (!has(kTimeAt)) fail(withoutTime(), cursor_.number);
-    for (const Vector& vector : kVectors) checkVector(vector);
-    if (!has(kQAt) && !has(kOmegaBAt) && !has(kOmegaWAt))
-      fail("no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z" + foreign(),
-           cursor_.number);
-  }
-
-  void checkVector(const Vector& vector) const {
-    std::size_t count = 0, missing = 0;
-    for (std::size_t i = vector.place; i < vector.place + vector.length; ++i) {
-      count += has(i);
-      if (!has(i)) missing = i;
-    }
-    if (count > 0 && count < vector.length)
-      fail(fmt::format("column {} is missing; give all of {}", kTrajectoryColumns[missing].name, namesOf(vector)),
-           cursor_.number);
   }
 
   void readRow() {
@@ -227,12 +165,10 @@ class Reader {
            cursor_.number);
     std::size_t next = 0;
     for (std::size_t i = 0; i < fields_.size(); ++i)
-      if (columns_[i] != kForeign) row_[next++] = number(fields_[i], columns_[i]);
+      if (columns_[i] != GradeColumns::kForeign) row_[next++] = number(fields_[i], columns_[i]);
   }
 
-  int timeColumn() const {
-    return fields_[static_cast<std::size_t>(std::ranges::find(columns_, kTimeAt) - columns_.begin())].column;
-  }
+  int timeColumn() const { return fields_[columns_.timeAt().value()].column; }
 
   double number(const Field& field, std::size_t column) const {
     const auto value = parseNumber(field.text);
@@ -249,8 +185,7 @@ class Reader {
   bool hasComments_ = false;
   std::string fileName_;
   std::vector<Field> fields_;
-  std::vector<std::size_t> columns_;  // of the file: which of ours, or foreign
-  std::vector<std::size_t> known_;    // ours that are there, in the file's order
+  GradeColumns columns_;
   std::vector<double> row_;
 };
 
@@ -264,6 +199,40 @@ TrajectoryTable::TrajectoryTable(const std::vector<std::size_t>& columns, std::s
 
 TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName) {
   return Reader(csv, fileName).table();
+}
+
+TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& named) {
+  const auto refuse = [](core::ErrorKind kind, const std::string& what) { throw core::Error(kind, what); };
+  std::vector<std::string> names;
+  for (const NamedColumn& one : named) names.push_back(one.name);
+  const GradeColumns columns(names);
+  if (const auto twice = columns.repeated())
+    refuse(core::ErrorKind::kUsage, fmt::format("column {} is there twice", names[*twice]));
+  if (!columns.hasTime()) refuse(core::ErrorKind::kUsage, "no column t" + columns.timeHint());
+  if (const std::string lack = columns.lack(); !lack.empty()) refuse(core::ErrorKind::kUsage, lack);
+
+  const std::span<const double> times_s = named[*columns.timeAt()].values;
+  if (times_s.empty()) refuse(core::ErrorKind::kUsage, "no rows");
+  if (times_s.size() > kMostTableRows)
+    refuse(core::ErrorKind::kLimit, fmt::format("{} rows; at most {} are graded", times_s.size(), kMostTableRows));
+  std::vector<std::span<const double>> known;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (columns[i] == GradeColumns::kForeign) continue;
+    known.push_back(named[i].values);
+    if (known.back().size() != times_s.size())
+      refuse(core::ErrorKind::kUsage,
+             fmt::format("{} has {} rows, t has {}", names[i], known.back().size(), times_s.size()));
+  }
+
+  TrajectoryTable table(columns.known(), "table");
+  std::vector<double> row(known.size());
+  for (std::size_t k = 0; k < times_s.size(); ++k) {
+    if (!std::isfinite(times_s[k]))
+      refuse(core::ErrorKind::kUsage, fmt::format("t[{}]: no time: {}", k, times_s[k]));
+    for (std::size_t i = 0; i < known.size(); ++i) row[i] = known[i][k];
+    table.append(row, {});
+  }
+  return table;
 }
 
 TrajectoryTable readTrajectoryTable(const std::string& fileName) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,5 +61,16 @@ TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fi
 
 /// The same for a regular file. @throws core::Error(kIo) also if it cannot be read.
 TrajectoryTable readTrajectoryTable(const std::string& fileName);
+
+/// A column in memory.
+struct NamedColumn {
+  std::string name;
+  std::span<const double> values;
+};
+
+/// The same of columns in memory, in any order; foreign names are ignored.
+/// @throws core::Error(kUsage) for columns that cannot be graded, of other lengths, or a time that is not finite;
+/// core::Error(kLimit) for more than kMostTableRows.
+TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& columns);
 
 }  // namespace poinsot::app

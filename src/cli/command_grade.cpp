@@ -2,15 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <optional>
-#include <utility>
 
-#include "app/grade.h"
 #include "app/grade_text.h"
-#include "app/trajectory_number.h"
+#include "app/scene_grade.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -18,8 +13,6 @@
 #include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "scene/make_motion.h"
-#include "scene/units.h"
 
 namespace poinsot::cli {
 namespace {
@@ -28,19 +21,6 @@ struct GradeOptions : SceneOptions {
   std::string theirs, limit;
   bool json = false;
 };
-
-/// --max-attitude-error: rad, or with a unit.
-std::optional<double> limit_rad(const std::string& word) {
-  if (word.empty()) return std::nullopt;
-  const auto number = app::parseNumber(word);
-  const auto quantity =
-      number ? scene::Quantity{*number, ""} : scene::parseQuantity(word, scene::Dimension::kAngle);
-  if (quantity.ok() && quantity.value >= 0) return quantity.value;
-  throw core::Error(
-      core::ErrorKind::kUsage,
-      fmt::format("--max-attitude-error '{}': an angle that is not negative, such as 1e-6 (rad) or '0.1 deg'",
-                  core::printable(word)));
-}
 
 /// Returns whether the attitude keeps to the limit; if not, standard error says by how much it is off and when.
 /// @throws core::Error(kIo) if the file has no attitude.
@@ -57,63 +37,13 @@ bool within(const app::Grade& grade, double limit_rad, const std::string& fileNa
   return false;
 }
 
-bool isFarOff(const app::Grade& grade) {
-  constexpr double kFarOff = 0.1;  // rad, or of omega
-  return std::ranges::any_of(grade.quantities, [](const app::GradedQuantity& quantity) {
-    return quantity.errors && quantity.errors->rms > kFarOff;
-  });
-}
-
-/// Of a motion that is not ours, times far beyond the film's may be milliseconds, or another clock's.
-std::string timeNote(const app::Grade& grade, const scene::Scene& scene, const physics::TimeSpan& span) {
-  constexpr double kFar = 20;
-  const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
-  const double theirs_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
-  if (grade.fit || !isFarOff(grade) || !(std::abs(end_s) > 0) || theirs_s < kFar * std::abs(end_s)) return "";
-  return fmt::format(
-      "their times go to {:.4g} s, the film's motion to {:.4g} s; t is the motion's time in seconds", theirs_s,
-      end_s);
-}
-
-/// Returns the errors of a log whose first row is taken at motion time 0; empty if the motion is too long from
-/// there, too.
-std::string firstRowNote(const app::MotionMaker& maker, const app::TrajectoryTable& theirs) {
-  try {
-    return app::firstRowNote(app::gradeFromZero(maker, theirs));
-  } catch (const core::Error&) {
-    return "";  // what is wrong with the log as it is written is reported instead
-  }
-}
-
-/// Makes the motion over their times. @throws core::Error(kLimit) if a driven motion is too long; for a log on a
-/// clock's time, far from 0, the message also gives its errors from the first row on.
-std::unique_ptr<const physics::Motion> motionOver(const app::MotionMaker& maker,
-                                                  const app::TrajectoryTable& theirs) {
-  const physics::TimeSpan span = app::spanOf(theirs);
-  try {
-    return maker(span);
-  } catch (const core::Error& error) {
-    if (error.kind() != core::ErrorKind::kLimit || span.from_s <= span.to_s - span.from_s) throw;
-    const std::string note = firstRowNote(maker, theirs);
-    if (note.empty()) throw;
-    throw core::Error(error.kind(),
-                      fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s, note));
-  }
-}
-
 int gradeTheirs(const GradeOptions& options) {
-  const auto limit = limit_rad(options.limit);
+  const bool limited = !options.limit.empty();
+  const double limit_rad = limited ? app::attitudeLimit_rad("--max-attitude-error", options.limit) : 0;
   const scene::Scene scene = loadScene(options);
-  const app::TrajectoryTable theirs = app::readTrajectoryTable(options.theirs);
-  const physics::TimeSpan span = app::spanOf(theirs);
-  const app::MotionMaker maker = [&](const physics::TimeSpan& wanted) {
-    return scene::makeMotion(scene, wanted.from_s, wanted.to_s);
-  };
-  const auto motion = motionOver(maker, theirs);
-  app::Grade grade = app::grade(*motion, theirs, maker);
-  if (std::string note = timeNote(grade, scene, span); !note.empty()) grade.notes.push_back(std::move(note));
+  const app::Grade grade = app::gradeAgainst(scene, app::readTrajectoryTable(options.theirs));
   writeOut(options.json ? app::gradeJson(grade, options.theirs, scene.name) : app::gradeTable(grade));
-  return !limit || within(grade, *limit, options.theirs) ? kDone : kNo;
+  return !limited || within(grade, limit_rad, options.theirs) ? kDone : kNo;
 }
 
 }  // namespace

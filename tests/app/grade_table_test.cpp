@@ -156,5 +156,42 @@ TEST(GradeTable, LinesAndRowsAreLimited) {
   EXPECT_EQ(limitOn(rows + "0,1,2,3\n"), "a.csv:4000002: more than 4000000 rows");
 }
 
+/// What trajectoryTableOf() says of columns that it refuses; empty if it takes them.
+std::string refusal(const std::vector<NamedColumn>& columns) {
+  try {
+    trajectoryTableOf(columns);
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GradeTable, TakesColumnsInMemory) {
+  const std::vector<double> x{1, 4}, y{2, 5}, z{3, std::nan("")}, t_s{0.5, 1.5}, note{7};
+  const auto t =
+      trajectoryTableOf({{"note", note}, {"omega_B_z", z}, {"omega_B_x", x}, {"t", t_s}, {"omega_B_y", y}});
+  ASSERT_EQ(t.rows(), 2u);
+  EXPECT_EQ(t.t_s(1), 1.5);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(t.at(0, kOmegaBAt + i), static_cast<double>(i + 1));
+  EXPECT_TRUE(std::isnan(t.at(1, kOmegaBAt + 2)));
+  EXPECT_FALSE(t.has(kQAt));
+}
+
+TEST(GradeTable, RejectsColumnsInMemoryByTheirNames) {
+  const std::vector<double> two{1, 2}, three{1, 2, 3}, endless{0, INFINITY}, none;
+  const auto with = [&](const std::vector<double>& t_s, const std::vector<double>& z) {
+    return refusal({{"t", t_s}, {"omega_B_x", two}, {"omega_B_y", two}, {"omega_B_z", z}});
+  };
+  EXPECT_EQ(with(two, two), "");
+  EXPECT_EQ(with(two, three), "omega_B_z has 3 rows, t has 2");
+  EXPECT_EQ(with(endless, two), "t[1]: no time: inf");
+  EXPECT_EQ(with(none, two), "no rows");
+  EXPECT_EQ(refusal({{"t", two}, {"t", two}}), "column t is there twice");
+  EXPECT_EQ(refusal({{"T [s]", two}}), "no column t; is it 'T [s]'?");
+  EXPECT_EQ(refusal({{"t", two}, {"omega_B_x", two}}),
+            "column omega_B_z is missing; give all of omega_B_x, omega_B_y, omega_B_z");
+}
+
 }  // namespace
 }  // namespace poinsot::app
