@@ -78,13 +78,12 @@ void setLevel(image::NearRule& limits, std::string_view name, std::string_view w
 
 bool isWhole(double value) { return value == std::floor(value) && std::abs(value) <= 1e6; }
 
-/// Adds the painted pixels of a rule's mask.
-void addMaskFile(image::IgnoreMask& mask, const std::filesystem::path& file) {
-  const image::AnyImage painted = image::readPngAsStored(file).picture;
+/// Adds the pixels of a mask at which it is painted. @param name  of the mask, for messages
+void addMask(image::IgnoreMask& mask, const image::AnyImage& painted, const std::string& name) {
   const image::PixelSize size = std::visit([](const auto& p) { return p.size; }, painted);
   if (size != mask.size())
-    refuse(fmt::format("mask {}: its size is {}x{}; the picture's is {}x{}", core::printable(file.native()),
-                       size.width, size.height, mask.size().width, mask.size().height));
+    refuse(fmt::format("{}: its size is {}x{}; the picture's is {}x{}", name, size.width, size.height,
+                       mask.size().width, mask.size().height));
   mask.add(painted);
 }
 
@@ -144,7 +143,7 @@ void expectCanRefuse(const image::NearRule& limits, std::string_view name, std::
 }
 
 std::optional<image::IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::PixelSize size) {
-  if (rule.ignore.empty() && rule.mask.empty()) return std::nullopt;
+  if (rule.ignore.empty() && rule.mask.empty() && !rule.painted) return std::nullopt;
   image::IgnoreMask mask(size);
   for (const image::PixelRect& box : rule.ignore) {
     if (box.left >= size.width || box.top >= size.height)
@@ -152,7 +151,9 @@ std::optional<image::IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::Pi
                          size.height));
     mask.add(box);
   }
-  if (!rule.mask.empty()) addMaskFile(mask, rule.mask);
+  if (!rule.mask.empty())
+    addMask(mask, image::readPngAsStored(rule.mask).picture, "mask " + core::printable(rule.mask.native()));
+  if (rule.painted) addMask(mask, *rule.painted, "mask");
   if (mask.comparedPixels() == 0) refuse("the ignored places cover the whole picture: nothing is left to compare");
   return mask;
 }

@@ -17,9 +17,10 @@ namespace poinsot::app {
 /// How far a picture may be from its reference, and where.
 struct PictureRule {
   image::NearRule limits = {};
-  std::vector<image::PixelRect> ignore = {};  ///< places that are not compared
-  std::filesystem::path mask = {};            ///< PNG whose painted pixels are not compared; empty for none
-  std::string reason = {};                    ///< why it may be farther than by default
+  std::vector<image::PixelRect> ignore = {};    ///< places that are not compared
+  std::filesystem::path mask = {};              ///< PNG whose painted pixels are not compared; empty for none
+  std::optional<image::AnyImage> painted = {};  ///< the same of a picture in memory
+  std::string reason = {};                      ///< why it may be farther than by default
 };
 
 /// A limit as it is written on a command line and in a golden.toml: "0-2", "0-1e-3"; of pixels a number or a
