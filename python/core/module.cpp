@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "answers.h"
 #include "app/alt_text.h"
 #include "app/report_scene.h"
 #include "core/version.h"
@@ -102,6 +103,7 @@ PYBIND11_MODULE(_core, module) {
   translateErrors();
   declareScene(module);
   declareTrajectory(module);
+  declareAnswers(module);
   module.attr("version") = core::version();
 }
 

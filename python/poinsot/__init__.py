@@ -16,8 +16,11 @@ ones. R_WB and q_WB take components in B to components in W.
 """
 
 from ._core import version as __version__
+from ._diff import diff
 from ._errors import Error, FileError, LimitError, PhysicsError, Problem, RenderError, SceneError, UsageError
+from ._explain import explain
 from ._film import Film
+from ._packages import MissingPackageError
 from ._scene import Scene, load, loads
 from ._trajectory import Trajectory
 
@@ -26,6 +29,7 @@ __all__ = [
     "FileError",
     "Film",
     "LimitError",
+    "MissingPackageError",
     "PhysicsError",
     "Problem",
     "RenderError",
@@ -33,6 +37,9 @@ __all__ = [
     "SceneError",
     "Trajectory",
     "UsageError",
+    "__version__",
+    "diff",
+    "explain",
     "load",
     "loads",
 ]

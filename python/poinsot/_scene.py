@@ -10,12 +10,12 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core, _program, _toml
+from . import _check, _core, _grade, _program, _sweep, _toml
 from ._film import Film
 from ._trajectory import Trajectory
 
@@ -138,6 +138,7 @@ class Scene:
             T=rows.T.reshape(t.shape),
             rate_B=rows.rate_B.reshape(*t.shape, 3),
             rate_W=rows.rate_W.reshape(*t.shape, 3),
+            columns=tuple(_core.trajectory_columns(self._core)),
         )
 
     def info(self) -> dict[str, Any]:
@@ -145,10 +146,86 @@ class Scene:
         facts: dict[str, Any] = json.loads(self._core.info_json())
         return facts
 
+    def check(self) -> dict[str, Any]:
+        """What `poinsot check` says of the scene, and what a film of it takes.
+
+        Returns a dictionary: ok; problems, why no picture can be drawn; notes, what is allowed and may be a slip (both
+        lists of Problem, with file, line, column and message); estimates: frames, film_memory_bytes of a worker that
+        makes the film as an MP4, picture_memory_bytes of render(). load() already raises what is wrong with the text
+        itself, as SceneError.
+        """
+        return _check.check(self._core)
+
+    def grade(self, table: Any, *, max_attitude_error: float | str | None = None) -> dict[str, Any]:
+        """How far another engine's trajectory is off the motion of this scene, and from when on.
+
+        table: a path of a CSV file, a dictionary of arrays, a structured array, a pandas.DataFrame or a Trajectory. Its
+            columns are those of `poinsot trajectory`, in any order: t (motion time in s) and at least one of q_w, q_x,
+            q_y, q_z, of omega_B_x, omega_B_y, omega_B_z (rad/s), of omega_W_x, ...; others are ignored. Vectors may be
+            one array, too: q_WB or q_WB_xyzw (..., 4), omega_B, omega_W, L_W, rate_B, rate_W (..., 3).
+        max_attitude_error: the largest attitude error that passes, in rad or with a unit: "0.1 deg".
+
+        Returns the dictionary of `poinsot grade --json`: file (None for a table in memory), scene, rows, from_s, to_s,
+        quantities (each None where its columns are absent, or its errors largest, largest_at_s, final, rms, drift),
+        fits (None, or how else the table has to be read to fit), notes; and passes, None without a max_attitude_error.
+        A number that is not finite is None.
+
+        Raises UsageError for a table that cannot be graded, FileError for such a file, LimitError.
+        """
+        return _grade.grade(self._core, table, max_attitude_error)
+
+    def sweep_map(self, *, shape: tuple[int, int] = (91, 181)) -> dict[str, Any]:
+        """Computes the stability map that `poinsot sweep --map` draws: the time from flip to flip of this body, for
+        each direction of L in it, with the scene's |L|.
+
+        shape: how many values theta and phi have.
+
+        Returns a dictionary. P are the principal axes e1, e2, e3, in the order of moments.
+        theta: (n,) angle of L from e3, 0 to pi, rad. phi: (m,) its azimuth from e1 towards e2, 0 to 2 pi, rad.
+        flip_interval: (n, m) s, inf on the separatrix and about the middle axis.
+        direction_P, direction_B: (n, m, 3) unit vectors along L, in P and along the body's axes.
+        moments: (3,) kg m^2. R_BP: (3, 3) takes components in P to those in B. L: |L|, kg m^2/s.
+        scene: theta, phi and flip_interval of the scene's own L at its start.
+        separatrix_P: (2, k, 3) the two great circles of directions that never come back.
+        scale: least and most, s: the ends of the map's colours, logarithmic between them or not.
+        labels: of theta, phi and flip_interval, for plots; TeX as matplotlib takes it.
+
+        Source: 2K/lambda of the closed form, see docs/physics.md. Raises PhysicsError if the body is not free, is at
+        rest, or has two equal moments; UsageError for another shape.
+        """
+        return _sweep.sweep_map(self._core, shape)
+
     def alt_text(self) -> str:
         """The picture in words, for readers who do not see it."""
         return self._core.alt_text()
 
+    @overload
+    def render(
+        self,
+        t: float | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        transparent: bool = False,
+        bits: Literal[8] = 8,
+    ) -> NDArray[np.uint8]: ...
+    @overload
+    def render(
+        self,
+        t: float | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        transparent: bool = False,
+        bits: Literal[16],
+    ) -> NDArray[np.uint16]: ...
+    @overload
+    def render(
+        self,
+        t: float | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        transparent: bool = False,
+        bits: int,
+    ) -> NDArray[np.uint8] | NDArray[np.uint16]: ...
     def render(
         self,
         t: float | None = None,
@@ -156,7 +233,7 @@ class Scene:
         size: tuple[int, int] | None = None,
         transparent: bool = False,
         bits: int = 8,
-    ) -> NDArray[Any]:
+    ) -> NDArray[np.uint8] | NDArray[np.uint16]:
         """The picture at film time t in s; without one, at the scene's time.still.
 
         size: width and height in pixels, in place of the scene's.

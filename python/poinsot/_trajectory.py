@@ -1,10 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """The motion as arrays."""
 
-from dataclasses import dataclass
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from . import _columns, _packages
+
+if TYPE_CHECKING:
+    from pandas import DataFrame  # type: ignore[import]
+    from scipy.spatial.transform import Rotation  # type: ignore[import]
 
 Array = NDArray[np.float64]
 
@@ -14,6 +24,8 @@ class Trajectory:
     """The motion at some times, each array with the shape of `t` in front of the shape of one value.
 
     B: the body's axes, as the scene describes the body. W: inertial axes, z up.
+
+    motion[key] selects times as t[key] does: motion[-1], motion[::10], motion[motion.t > 1]. Its arrays are copies.
     """
 
     t: Array  #: motion time, s
@@ -25,11 +37,55 @@ class Trajectory:
     T: Array  #: (...) energy of rotation, J
     rate_B: Array  #: (..., 3) rate at which the attitude turns in B, rad/s; omega_B unless motion.dissipation acts
     rate_W: Array  #: (..., 3) the same vector in W
+    columns: tuple[str, ...] = field(repr=False)  #: names of to_frame()'s columns: those of the program's CSV
 
     @property
     def L_B(self) -> Array:
         """(..., 3) angular momentum along the body's axes, kg m^2/s."""
         return np.asarray(np.einsum("...ji,...j->...i", self.R_WB, self.L_W))
+
+    @property
+    def q_WB_xyzw(self) -> Array:
+        """(..., 4) the quaternion q_WB with its scalar last, x, y, z, w: the order of SciPy, ROS and glTF."""
+        return self.q_WB[..., [1, 2, 3, 0]]
+
+    @property
+    def rotation(self) -> Rotation:
+        """The attitude as a scipy.spatial.transform.Rotation, from B to W: rotation.apply(omega_B) is omega_W.
+
+        One rotation for a single time; else as many as times, flattened in C order. Raises MissingPackageError without
+        SciPy.
+        """
+        transform = _packages.imported("scipy.spatial.transform", "Trajectory.rotation")
+        return transform.Rotation.from_quat(self.q_WB_xyzw if self.t.ndim == 0 else self.q_WB_xyzw.reshape(-1, 4))
+
+    def to_frame(self) -> DataFrame:
+        """A pandas.DataFrame with the columns of `poinsot trajectory`: t, q_w, q_x, q_y, q_z, omega_B_x, ..., T.
+
+        A row for each time, in the order of t flattened in C order; units as of the arrays. rate_B and rate_W are there
+        only if motion.dissipation makes them other vectors than omega. Raises MissingPackageError without pandas.
+        """
+        pandas = _packages.imported("pandas", "Trajectory.to_frame()")
+        return pandas.DataFrame(dict(self._flat()))
+
+    def _flat(self) -> Iterator[tuple[str, Array]]:
+        for name in ("t", "q_WB", "omega_B", "omega_W", "L_W", "T", "rate_B", "rate_W"):
+            for column, values in _columns.split(name, getattr(self, name)):
+                if column in self.columns:
+                    yield column, values
+
+    def __getitem__(self, key: Any) -> Trajectory:
+        rows = np.arange(self.t.size).reshape(self.t.shape)[key]
+        names = [one.name for one in fields(self) if one.name != "columns"]
+        arrays = {name: getattr(self, name) for name in names}
+        picked = {
+            name: np.array(array.reshape(self.t.size, *array.shape[self.t.ndim :])[rows])
+            for name, array in arrays.items()
+        }
+        return Trajectory(**picked, columns=self.columns)
+
+    def __iter__(self) -> Iterator[Trajectory]:
+        return (self[i] for i in range(len(self)))
 
     def __len__(self) -> int:
         return len(self.t)

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "answers.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <span>
+
+#include "app/scene_grade.h"
+#include "app/trajectory_row.h"
+#include "checkup.h"
+#include "diff.h"
+#include "grade.h"
+#include "image/flip.h"
+#include "scene/explanation.h"
+#include "stability.h"
+
+namespace poinsot::python {
+namespace {
+
+namespace py = pybind11;
+using Words = LoadedScene::Words;
+
+std::string diffOf(const PictureSource& reference, const PictureSource& test,
+                   std::vector<std::pair<std::string, std::string>> rule, std::vector<std::vector<double>> ignore,
+                   const PictureSource& mask, double pixelsPerDegree, int jobs, std::vector<std::string> limits) {
+  return diffJson(reference, test,
+                  {std::move(rule), std::move(ignore), mask, pixelsPerDegree, jobs, std::move(limits)});
+}
+
+/// Title, help, and rows of name and text.
+using Explained = std::tuple<std::string, std::string, std::vector<std::pair<std::string, std::string>>>;
+
+std::vector<Explained> explanationsOf(const std::string& word) {
+  std::vector<Explained> all;
+  for (const scene::Explanation& one : scene::explain(word)) {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const auto& row : one.rows) rows.emplace_back(row.name, row.text);
+    all.emplace_back(one.title, one.help, std::move(rows));
+  }
+  return all;
+}
+
+Words namesOf(std::span<const app::TrajectoryColumn> columns) {
+  Words names;
+  for (const app::TrajectoryColumn& column : columns) names.emplace_back(column.name);
+  return names;
+}
+
+Words trajectoryColumns(const LoadedScene& scene) {
+  return namesOf(app::trajectoryColumns(scene.scene().motion.forcing.dissipation));
+}
+
+void declareClasses(const py::module_& module) {
+  py::class_<Remark>(module, "Remark")
+      .def_readonly("file", &Remark::file)
+      .def_readonly("line", &Remark::line)
+      .def_readonly("column", &Remark::column)
+      .def_readonly("message", &Remark::message);
+  py::class_<Checkup>(module, "Checkup")
+      .def_readonly("problems", &Checkup::problems)
+      .def_readonly("notes", &Checkup::notes)
+      .def_readonly("film_memory", &Checkup::filmMemory_bytes)
+      .def_readonly("picture_memory", &Checkup::pictureMemory_bytes);
+  py::class_<StabilityNumbers>(module, "StabilityNumbers")
+      .def_readonly("flip_interval", &StabilityNumbers::flipInterval)
+      .def_readonly("moments", &StabilityNumbers::moments)
+      .def_readonly("R_BP", &StabilityNumbers::R_BP)
+      .def_readonly("L_P", &StabilityNumbers::L_P)
+      .def_readonly("separatrix_P", &StabilityNumbers::separatrix)
+      .def_readonly("scene_interval", &StabilityNumbers::sceneInterval_s)
+      .def_readonly("least", &StabilityNumbers::least_s)
+      .def_readonly("most", &StabilityNumbers::most_s)
+      .def_readonly("logarithmic", &StabilityNumbers::logarithmic);
+}
+
+}  // namespace
+
+void declareAnswers(py::module_& module) {
+  declareClasses(module);
+  module.attr("all_trajectory_columns") = namesOf(app::kTrajectoryColumns);
+  module.attr("flip_pixels_per_degree") = image::kFlipPixelsPerDegree;
+  module.def("attitude_limit", &app::attitudeLimit_rad);
+  module.def("checkup", &checkupOf, py::call_guard<py::gil_scoped_release>());
+  module.def("diff", &diffOf);
+  module.def("explain", &explanationsOf);
+  module.def("grade_file", py::overload_cast<const LoadedScene&, const std::string&>(&gradeJson));
+  module.def("grade_columns",
+             py::overload_cast<const LoadedScene&, const Words&, const std::vector<Column>&>(&gradeJson));
+  module.def("stability", &stabilityOf);
+  module.def("trajectory_columns", &trajectoryColumns);
+}
+
+}  // namespace poinsot::python

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "checkup.h"
+
+#include "app/memory.h"
+#include "core/error.h"
+#include "scene/problem.h"
+#include "stage/stage.h"
+
+namespace poinsot::python {
+namespace {
+
+Remark remarkOf(const core::SourceLocation& where, const std::string& message) {
+  return {where.file, where.line, where.column, message};
+}
+
+/// The stage finds what the motion lacks.
+std::vector<Remark> problemsOf(const LoadedScene& loaded) {
+  try {
+    const stage::Stage stage(loaded.scene());
+    return {};
+  } catch (const core::Error& error) {
+    return {
+        remarkOf(error.where().value_or(core::SourceLocation{loaded.request().fileName, 0, 0}), error.message())};
+  }
+}
+
+double memory_bytes(const scene::Scene& scene, const std::optional<output::FilmFormat>& film) {
+  return app::workerMemory_bytes({scene.output.width, scene.output.height}, film) + app::meshMemory_bytes(scene);
+}
+
+}  // namespace
+
+Checkup checkupOf(const LoadedScene& loaded) {
+  const scene::Scene& scene = loaded.scene();
+  Checkup checkup{problemsOf(loaded), {}, memory_bytes(scene, output::FilmFormat{}), memory_bytes(scene, {})};
+  for (const scene::Doubt& doubt : scene.doubts) checkup.notes.push_back(remarkOf(doubt.where, doubt.message));
+  return checkup;
+}
+
+}  // namespace poinsot::python

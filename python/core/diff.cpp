@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diff.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <variant>
+
+#include "app/diff_json.h"
+#include "app/file_diff.h"
+#include "app/user_limits.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/film_reader.h"
+
+namespace poinsot::python {
+namespace {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// Pixels of 1 to 4 channels as RGB or RGBA.
+template <class Sample>
+image::BasicImage<Sample> expanded(const Sample* samples, image::PixelSize size, int channels) {
+  const bool grey = channels < 3, alpha = channels % 2 == 0;
+  image::BasicImage<Sample> picture(size, alpha ? 4 : 3);
+  if (!grey) {
+    std::copy_n(samples, picture.pixels.size(), picture.pixels.begin());
+    return picture;
+  }
+  auto next = picture.pixels.begin();
+  const std::size_t pixels = picture.pixels.size() / (alpha ? 4 : 3);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    next = std::fill_n(next, 3, *samples++);
+    if (alpha) *next++ = *samples++;
+  }
+  return picture;
+}
+
+template <class Sample>
+app::DiffPicture pictureOf(const py::array& array) {
+  const auto samples = py::array_t<Sample, py::array::c_style>::ensure(array);
+  const auto side = [&](py::ssize_t axis) { return static_cast<int>(array.shape(axis)); };
+  const int channels = side(2);
+  return {expanded(samples.data(), {side(1), side(0)}, channels), {channels, false, sizeof(Sample) == 2}};
+}
+
+using Source = std::variant<fs::path, app::DiffPicture>;
+
+Source sourceOf(const PictureSource& source) {
+  if (py::isinstance<py::bytes>(source)) return fs::path(py::cast<std::string>(source));
+  const auto array = py::cast<py::array>(source);
+  return array.itemsize() == 2 ? pictureOf<std::uint16_t>(array) : pictureOf<std::uint8_t>(array);
+}
+
+image::NearRule limitsOf(const DiffAsk& ask) {
+  image::NearRule limits;
+  for (const auto& [key, word] : ask.rule)
+    if (key == "like") limits = app::namedLimits("rule", word);
+  for (const auto& [key, word] : ask.rule) {
+    if (key == "like") continue;
+    const auto known = std::ranges::find(app::ruleLimits(), std::string_view(key), &app::RuleLimit::key);
+    if (known == app::ruleLimits().end()) {
+      std::vector<std::string_view> keys{"like"};
+      for (const app::RuleLimit& limit : app::ruleLimits()) keys.emplace_back(limit.key);
+      refuse(
+          fmt::format("rule: no limit is called '{}'; there are {}", core::printable(key), fmt::join(keys, ", ")));
+    }
+    known->set(limits, "rule: " + key, word);
+  }
+  app::expectCanRefuse(limits, "rule");
+  return limits;
+}
+
+app::DiffRequest requestOf(const DiffAsk& ask) {
+  app::DiffRequest request{{limitsOf(ask)}, ask.pixelsPerDegree, {}, {}, app::limitsOf(app::userLimitsFile())};
+  for (const std::vector<double>& box : ask.ignore) request.rule.ignore.push_back(app::ignoredBox("ignore", box));
+  for (const std::string& word : ask.limits) request.limits.setByWord(word);
+  if (ask.mask.is_none()) return request;
+  Source mask = sourceOf(ask.mask);
+  if (const auto* file = std::get_if<fs::path>(&mask))
+    request.rule.mask = *file;
+  else
+    request.rule.painted = std::get<app::DiffPicture>(std::move(mask)).pixels;
+  return request;
+}
+
+bool isFilm(const Source& source) {
+  const auto* file = std::get_if<fs::path>(&source);
+  return file != nullptr && output::isFilm(*file);
+}
+
+app::DiffPicture read(Source&& source) {
+  if (auto* picture = std::get_if<app::DiffPicture>(&source)) return std::move(*picture);
+  image::PngPicture png = image::readPngAsStored(std::get<fs::path>(source));
+  return {std::move(png.picture), png.stored, std::move(png.color)};
+}
+
+/// Names of files as the program prints them; empty of an array.
+std::string nameOf(const Source& source) {
+  const auto* file = std::get_if<fs::path>(&source);
+  return file != nullptr ? file->native() : "";
+}
+
+std::string comparedJson(Source reference, Source test, const app::DiffRequest& request, int jobs) {
+  const app::DiffNames names{nameOf(reference), nameOf(test)};
+  const bool film = isFilm(reference), testIsFilm = isFilm(test);
+  if (film != testIsFilm)
+    refuse(fmt::format("the {} is a film, the {} a picture: give two of a kind", film ? "reference" : "test",
+                       film ? "test" : "reference"));
+  const auto expectOneSize = [](const std::string& mismatch, bool compared) {
+    if (!compared && !mismatch.empty()) refuse(mismatch + ": pictures of different sizes are not compared");
+  };
+  if (film) {
+    const app::FilmDiff diff = app::diffFilms(names.reference, names.test, request, jobs);
+    expectOneSize(diff.mismatch, !diff.frames.empty());
+    return app::diffJson(diff, names, request);
+  }
+  const app::PictureDiff diff =
+      app::comparePictures(read(std::move(reference)), read(std::move(test)), request).diff;
+  expectOneSize(diff.mismatch, diff.hasFigures);
+  return app::diffJson(diff, names, request);
+}
+
+}  // namespace
+
+std::string diffJson(const PictureSource& reference, const PictureSource& test, const DiffAsk& ask) {
+  Source a = sourceOf(reference), b = sourceOf(test);
+  const app::DiffRequest request = requestOf(ask);
+  const py::gil_scoped_release others;
+  return comparedJson(std::move(a), std::move(b), request, ask.jobs);
+}
+
+}  // namespace poinsot::python

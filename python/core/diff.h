@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace poinsot::python {
+
+/// One of two pictures: the name of a PNG or a film as bytes, or an array of rows, columns, and 1 to 4 channels
+/// (grey, grey and alpha, RGB, RGB and alpha) of uint8 or uint16, without gaps.
+using PictureSource = pybind11::object;
+
+/// How pictures are compared, by the names of poinsot.diff().
+struct DiffAsk {
+  std::vector<std::pair<std::string, std::string>> rule;  ///< keys and words as in a golden.toml: "max", "0-2"
+  std::vector<std::vector<double>> ignore;                ///< left, top, width, height
+  PictureSource mask;                                     ///< None for none
+  double pixelsPerDegree = 0;
+  int jobs = 1;                     ///< frames of films at a time
+  std::vector<std::string> limits;  ///< as after --limit
+};
+
+/// What `diff --json` says of two pictures or two films.
+/// @throws core::Error(kUsage) for a rule that there is not, and for pictures that cannot be compared: of
+/// different size, a film beside a picture; as app::compareFiles() and app::diffFilms().
+std::string diffJson(const PictureSource& reference, const PictureSource& test, const DiffAsk& ask);
+
+}  // namespace poinsot::python

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may be wrong with a scene that was loaded, and what its pictures take."""
+
+from typing import Any
+
+from . import _core
+from ._errors import Problem
+
+
+def check(core: _core.Scene) -> dict[str, Any]:
+    """Checks a scene as Scene.check() says."""
+    found = _core.checkup(core)
+    problems, notes = (
+        [Problem(one.file, one.line, one.column, one.message) for one in remarks]
+        for remarks in (found.problems, found.notes)
+    )
+    estimates = {
+        "frames": core.frame_count,
+        "film_memory_bytes": found.film_memory,
+        "picture_memory_bytes": found.picture_memory,
+    }
+    return {"ok": not problems, "problems": problems, "notes": notes, "estimates": estimates}

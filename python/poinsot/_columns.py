@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Columns of a trajectory, one number a row, and the arrays of vectors that they are components of."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import UsageError
+
+#: Arrays of vectors, and the columns of their components, as in the program's CSV.
+PARTS: Mapping[str, Sequence[str]] = {
+    "q_WB": [f"q_{part}" for part in "wxyz"],
+    "q_WB_xyzw": [f"q_{part}" for part in "xyzw"],
+    **{name: [f"{name}_{part}" for part in "xyz"] for name in ("omega_B", "omega_W", "L_W", "rate_B", "rate_W")},
+}
+
+
+def split(name: str, values: Any) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    """Columns of an array, flattened in C order: a vector's components, anything else by itself."""
+    array = doubles(name, values)
+    parts = PARTS.get(name)
+    if parts is None:
+        yield name, array.ravel()
+        return
+    if array.ndim == 0 or array.shape[-1] != len(parts):
+        raise UsageError(f"{name}: shape {array.shape}; its last axis must have {len(parts)} components")
+    for i, part in enumerate(parts):
+        yield part, np.ascontiguousarray(array[..., i]).ravel()
+
+
+def doubles(name: str, values: Any) -> NDArray[np.float64]:
+    """An array of real numbers; of the time t also timedelta64, as seconds. Raises UsageError for anything else."""
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+        raise UsageError(f"{name}: has masked values; fill or remove them, as with {name}.compressed()")
+    array = np.asarray(values)
+    if array.dtype.kind == "m" and name == "t":
+        return np.asarray(array / np.timedelta64(1, "s"), dtype=np.float64)
+    if array.dtype.kind not in "iufO":
+        raise UsageError(f"{name}: values of the type {array.dtype}; real numbers are expected")
+    try:
+        return np.asarray(array, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise UsageError(f"{name}: real numbers are expected: {error}") from error

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Comparing pictures: arrays, files and PIL images."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._errors import UsageError
+
+_MOST_PER_DEGREE = 1000
+
+
+def diff(
+    reference: Any,
+    test: Any,
+    rule: str | Mapping[str, Any] | None = None,
+    *,
+    ignore: Sequence[tuple[int, int, int, int]] = (),
+    mask: Any = None,
+    pixels_per_degree: float = _core.flip_pixels_per_degree,
+    jobs: int | None = None,
+    limits: Mapping[str, int | str] | None = None,
+) -> dict[str, Any]:
+    """Compares two pictures, or two films frame by frame: the figures and the verdict of `poinsot diff --json`.
+
+    reference, test: each a path of a PNG or a film, a PIL image, or an array of uint8 or uint16: (height, width) or
+        (height, width, 1) grey, (height, width, 2) grey and alpha, 3 RGB, 4 RGBA; sRGB, alpha straight, rows from the
+        top. Both may be of different kinds; a film goes with a film only.
+    rule: what counts as near. A name, "same", "near" (the default) or "other_driver", or a dictionary with the keys of
+        a [rule] in a golden.toml: like (a name), max and level (of 255), pixels, flip_mean, flip_max. A limit is a
+        number or the program's word: {"max": 4, "pixels": "0-0.5%"}.
+    ignore: boxes (x, y, width, height) in pixels from the top left that are not compared.
+    mask: a picture as above, or an array of bool (height, width); where it is painted, pixels are not compared.
+    pixels_per_degree: of view, for FLIP, 1 to 1000.
+    jobs: frames of films that are compared at a time; one for each CPU if not given.
+    limits: as of load(); the memory counts.
+
+    Returns a dictionary, among its keys: verdict ("identical", "near" or "different"), beyond (limits that do not hold,
+    in words), notes, differing_pixels, differing_share, max_difference, mean_difference and rmse (of 255), psnr_db,
+    ssim (mean, worst, worst_at), flip (mean, min, quartiles, max), change (in words), places, worst_pixels, limits. A
+    figure that is undefined is None. reference and test are the paths, None for a picture in memory. Films have frames
+    (the figures of each), worst_frame and film (where they differ) in place of most of these.
+
+    Raises UsageError for pictures of different sizes, FileError, LimitError.
+    """
+    if not 1 <= pixels_per_degree <= _MOST_PER_DEGREE:
+        raise UsageError(f"pixels_per_degree = {pixels_per_degree}: from 1 to {_MOST_PER_DEGREE}")
+    if jobs is not None and jobs < 1:
+        raise UsageError(f"jobs = {jobs}: at least 1")
+    result: dict[str, Any] = json.loads(
+        _core.diff(
+            _source("reference", reference),
+            _source("test", test),
+            _rule(rule),
+            [[float(number) for number in box] for box in ignore],
+            None if mask is None else _source("mask", _painted(mask)),
+            float(pixels_per_degree),
+            jobs or len(os.sched_getaffinity(0)),
+            [f"{name}={value}" for name, value in (limits or {}).items()],
+        )
+    )
+    for side, picture in (("reference", reference), ("test", test)):
+        result[side] = result[side] if _is_path(picture) else None
+    return result
+
+
+def _is_path(it: Any) -> bool:
+    return isinstance(it, (str, os.PathLike))
+
+
+def _source(side: str, it: Any) -> bytes | NDArray[Any]:
+    """A file's name as bytes, or pixels with three axes."""
+    if _is_path(it):
+        if os.path.isdir(it):
+            raise UsageError(f"{side}: {os.fspath(it)} is a folder; compare its pictures one by one")
+        return os.fsencode(it)
+    array = _pil_pixels(side, it) if hasattr(it, "getbands") else np.asarray(it)
+    if array.dtype.kind != "u" or array.dtype.itemsize > 2:
+        raise UsageError(
+            f"{side}: samples of the type {array.dtype}; uint8 or uint16 are compared, for example "
+            "(255 * picture).round().astype(numpy.uint8)"
+        )
+    if array.ndim == 2:
+        array = array[:, :, np.newaxis]
+    if array.ndim != 3 or 0 in array.shape or array.shape[2] > 4:
+        raise UsageError(f"{side}: shape {np.shape(it)}; expected (height, width) or (height, width, 1 to 4)")
+    return np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("="))
+
+
+def _pil_pixels(side: str, image: Any) -> NDArray[Any]:
+    """Pixels of a PIL image, as they show."""
+    if image.mode in ("P", "PA") or "transparency" in image.info:
+        see_through = image.mode == "PA" or "transparency" in image.info
+        return np.asarray(image.convert("RGBA" if see_through else "RGB"))
+    if image.mode == "1":
+        return np.asarray(image.convert("L"))
+    pixels = np.asarray(image)
+    if image.mode.startswith("I") and pixels.min() >= 0 and pixels.max() <= np.iinfo(np.uint16).max:
+        return pixels.astype(np.uint16)  # PIL reads a grey PNG of 16 bits as numbers of 32
+    if image.mode in ("L", "LA", "RGB", "RGBA"):
+        return pixels
+    raise UsageError(f'{side}: a PIL image of the mode {image.mode}; convert it, for example by convert("RGB")')
+
+
+def _painted(mask: Any) -> Any:
+    if isinstance(mask, np.ndarray) and mask.dtype == np.bool_:
+        return mask.astype(np.uint8) * np.uint8(255)
+    return mask
+
+
+def _rule(rule: str | Mapping[str, Any] | None) -> list[tuple[str, str]]:
+    if rule is None:
+        return []
+    if isinstance(rule, str):
+        return [("like", rule)]
+    if isinstance(rule, Mapping):
+        return [(str(key), _word(str(key), value)) for key, value in rule.items()]
+    raise UsageError(f"rule: got {type(rule).__name__}; expected a name or a dictionary of limits")
+
+
+def _word(key: str, value: Any) -> str:
+    """A limit as a golden.toml has it: a range from 0."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (bool, np.bool_)) or not np.isscalar(value) or np.iscomplexobj(value):
+        raise UsageError(f"rule: {key} = {value!r}: expected a number, or a text such as '0-2'")
+    number = repr(value.item() if isinstance(value, np.generic) else value)
+    return number if key == "level" else f"0-{number}"

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A trajectory as pandas and SciPy know it, and trajectories of others graded.
+
+Oracles: the program's CSV and JSON, NumPy's indexing, SciPy's rotations.
+"""
+
+import io
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import poinsot
+
+RACKET = "scenes/tennis_racket.toml"
+
+
+@pytest.fixture
+def pandas():
+    return pytest.importorskip("pandas", reason="python3-pandas is not installed")
+
+
+@pytest.fixture
+def rotations():
+    return pytest.importorskip("scipy.spatial.transform", reason="python3-scipy is not installed").Rotation
+
+
+@pytest.mark.parametrize("overrides", [{}, {"motion.dissipation.alpha": 0.5}])
+def test_a_frame_is_the_programs_table(pandas, program, overrides):
+    words = [word for key, value in overrides.items() for word in ("-D", f"{key}={value}")]
+    table = program("trajectory", RACKET, "--at=2.25,0,7.5", *words)
+    frame = poinsot.load(RACKET, overrides).trajectory([2.25, 0, 7.5]).to_frame()
+    assert ("rate_B_x" in frame.columns) == bool(overrides)
+    expected = pandas.read_csv(io.BytesIO(table), float_precision="round_trip")
+    pandas.testing.assert_frame_equal(frame, expected, check_exact=True)
+
+
+def test_a_frame_has_a_row_for_each_time_of_any_shape(pandas, racket):
+    times = np.linspace(0, 5, 6).reshape(2, 3)
+    grid = racket.trajectory(times)
+    pandas.testing.assert_frame_equal(grid.to_frame(), racket.trajectory(times.ravel()).to_frame(), check_exact=True)
+    assert np.array_equal(grid.to_frame()[["L_W_x", "L_W_y", "L_W_z"]], grid.L_W.reshape(6, 3))
+    assert (len(racket.trajectory(1.5).to_frame()), len(racket.trajectory([]).to_frame())) == (1, 0)
+
+
+def test_a_rotation_takes_the_bodys_components_to_inertial_ones(rotations, racket):
+    motion = racket.trajectory(np.linspace(0, 7, 50))
+    # measured 4.5e-16, and 1.8e-15 of 4.2 rad/s
+    assert np.abs(motion.rotation.as_matrix() - motion.R_WB).max() < 2e-15
+    assert np.abs(motion.rotation.apply(motion.omega_B) - motion.omega_W).max() < 2e-14
+    assert np.abs(rotations.from_quat(motion.q_WB_xyzw).as_matrix() - motion.R_WB).max() < 2e-15
+    assert racket.trajectory(1.5).rotation.single
+    grid = racket.trajectory([[0, 1], [2, 3]])
+    assert np.abs(grid.rotation.as_matrix() - grid.R_WB.reshape(4, 3, 3)).max() < 2e-15
+
+
+def test_the_quaternion_comes_in_both_orders(racket):
+    motion = racket.trajectory([[0, 1], [2, 3]])
+    assert np.array_equal(motion.q_WB_xyzw[..., 3], motion.q_WB[..., 0])
+    assert np.array_equal(motion.q_WB_xyzw[..., :3], motion.q_WB[..., 1:])
+
+
+@pytest.mark.parametrize(
+    "key",
+    [
+        *(0, -1, slice(None, None, -2), slice(5, 2), [2, 0], (1, 2), (slice(None), 1), (Ellipsis, 0)),
+        np.array([True, False, True]),
+    ],
+    ids=repr,
+)
+def test_rows_are_selected_as_numpy_selects_times(racket, key):
+    motion = racket.trajectory(np.arange(12.0).reshape(3, 4))
+    picked, places = motion[key], np.arange(12).reshape(3, 4)[key]
+    assert np.array_equal(picked.t, motion.t.ravel()[places])
+    assert np.array_equal(picked.T, motion.T.ravel()[places])
+    assert np.array_equal(picked.R_WB, motion.R_WB.reshape(12, 3, 3)[places])
+    assert np.array_equal(picked.L_B, motion.L_B.reshape(12, 3)[places])
+    assert picked.R_WB.shape == (*picked.t.shape, 3, 3)
+
+
+def test_a_trajectory_is_gone_through_time_by_time(racket):
+    motion = racket.trajectory([0.0, 1.5, 4.0])
+    assert [float(one.t) for one in motion] == [0.0, 1.5, 4.0]
+    with pytest.raises(IndexError):
+        motion[3]
+
+
+@pytest.mark.parametrize(
+    "module, use",
+    [("pandas", lambda motion: motion.to_frame()), ("scipy.spatial.transform", lambda motion: motion.rotation)],
+)
+def test_a_missing_package_is_named(racket, monkeypatch, module, use):
+    monkeypatch.setitem(sys.modules, module, None)  # as if it were not installed
+    with pytest.raises(poinsot.MissingPackageError, match=f"needs the package {module.split('.')[0]}: ") as caught:
+        use(racket.trajectory([0, 1]))
+    assert isinstance(caught.value, ImportError)
+
+
+def test_nothing_optional_is_imported_before_it_is_used():
+    code = "import sys, poinsot; sys.exit(any(name in sys.modules for name in ('pandas', 'scipy', 'PIL')))"
+    assert subprocess.run(["/usr/bin/python3", "-B", "-c", code]).returncode == 0
+
+
+# ---- grading
+
+
+@pytest.fixture
+def engine(racket):
+    """A log with a slow drift of the attitude about z and a smaller one of omega, as arrays."""
+    t = np.linspace(0, 7, 40)
+    motion = racket.trajectory(t)
+    half = 0.5e-4 * t
+    w, x, y, z = motion.q_WB.T
+    c, s = np.cos(half), np.sin(half)
+    q = np.stack([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w], axis=-1)
+    return {"t": t, "q_WB": q, "omega_B": motion.omega_B * (1 + 1e-6 * t[:, np.newaxis])}
+
+
+def columns_of(engine):
+    """The same, a column for each component, and one that means nothing."""
+    columns = {"t": engine["t"], "note": np.array(["x"] * len(engine["t"]))}
+    columns |= {f"q_{part}": engine["q_WB"][:, i] for i, part in enumerate("wxyz")}
+    return columns | {f"omega_B_{part}": engine["omega_B"][:, i] for i, part in enumerate("xyz")}
+
+
+@pytest.fixture
+def log(tmp_path, engine):
+    """Its CSV file."""
+    columns = columns_of(engine)
+    rows = zip(*columns.values(), strict=True)
+    lines = [columns, *([it if isinstance(it, str) else repr(float(it)) for it in row] for row in rows)]
+    (tmp_path / "log.csv").write_text("".join(",".join(line) + "\n" for line in lines))
+    return tmp_path / "log.csv"
+
+
+def test_the_drift_that_was_put_in_is_found(racket, engine):
+    grade = racket.grade(engine)
+    attitude, omega = grade["quantities"]["attitude"], grade["quantities"]["omega_B"]
+    assert attitude["largest"] == pytest.approx(7e-4, rel=1e-9)  # rad: 1e-4 t
+    assert attitude["rms"] == pytest.approx(1e-4 * np.sqrt(np.mean(engine["t"] ** 2)), rel=1e-9)
+    size = np.linalg.norm(racket.trajectory(engine["t"]).omega_B, axis=1)
+    assert omega["largest"] == pytest.approx((1e-6 * engine["t"] * size).max() / size.max(), rel=1e-8)
+    assert (attitude["largest_at_s"], attitude["drift"]["kind"]) == (7.0, "drift")
+    assert grade["passes"] is None
+
+
+def test_a_grade_is_the_programs(racket, program, log, engine):
+    expected = json.loads(program("grade", RACKET, log, "--json"))
+    grade = racket.grade(log)
+    assert {**expected, "passes": None} == grade
+    scalar_last = {"t": engine["t"], "q_WB_xyzw": engine["q_WB"][:, [1, 2, 3, 0]], "omega_B": engine["omega_B"]}
+    for table in (engine, columns_of(engine), structured(engine), scalar_last):
+        assert racket.grade(table) == {**grade, "file": None}
+
+
+def structured(engine):
+    table = np.zeros(len(engine["t"]), dtype=[("t", "f8"), ("q_WB", "f8", 4), ("omega_B", ">f8", 3)])
+    for name in table.dtype.names:
+        table[name] = engine[name]
+    return table
+
+
+def test_frames_are_graded(pandas, racket, engine, log):
+    expected = {**racket.grade(log), "file": None}
+    frame = pandas.DataFrame(columns_of(engine))
+    assert racket.grade(frame) == expected
+    assert racket.grade(frame.set_index("t")) == expected
+    doubled = pandas.concat([frame, frame[["q_w"]]], axis=1)
+    with pytest.raises(poinsot.UsageError, match="column q_w is there twice"):
+        racket.grade(doubled)
+    own = racket.trajectory([0, 1, 2])
+    assert racket.grade(own.to_frame())["quantities"] == racket.grade(own)["quantities"]
+
+
+@pytest.mark.parametrize(
+    "limit, word", [(1e-3, "1e-3"), (5e-4, "5e-4"), ("0.1 deg", "0.1 deg"), ("0.01 deg", "0.01 deg")]
+)
+def test_a_grade_passes_where_the_programs_exit_code_is_0(racket, log, limit, word):
+    program = [os.environ["POINSOT_TESTED_PROGRAM"], "grade", RACKET, str(log), "--max-attitude-error", word]
+    code = subprocess.run(program, capture_output=True).returncode
+    assert code in (0, 1)
+    assert racket.grade(log, max_attitude_error=limit)["passes"] == (code == 0)
+
+
+def test_a_clock_in_timedeltas_is_in_seconds(racket, engine):
+    ms = {**engine, "t": (engine["t"] * 1000).round().astype("m8[ms]")}
+    s = {**engine, "t": (engine["t"] * 1000).round() / 1000}
+    assert racket.grade(ms)["quantities"] == racket.grade(s)["quantities"]
+
+
+GOOD = {"t": [0.0, 1.0], "omega_B": np.ones((2, 3))}
+
+
+@pytest.mark.parametrize(
+    "table, message",
+    [
+        (3, "table: got int"),
+        ([1, 2], "table: got list"),
+        ({}, "no column t"),
+        ({"time": [1.0]}, "no column t; is it 'time'"),
+        ({"t": [0, 1]}, "no motion to grade"),
+        ({"t": [0, 1], "q_w": [1, 1]}, "column q_z is missing"),
+        ({**GOOD, "t": [0, 1, 2]}, "omega_B_x has 2 rows, t has 3"),
+        ({**GOOD, "t": [0, np.nan]}, r"t\[1\]: no time: nan"),
+        ({**GOOD, "t": [], "omega_B": np.ones((0, 3))}, "no rows"),
+        ({**GOOD, "omega_B": np.ones((3, 2))}, r"omega_B: shape \(3, 2\); its last axis must have 3"),
+        ({**GOOD, "omega_B": np.ones((2, 3)) * 1j}, "omega_B: values of the type complex"),
+        ({**GOOD, "T": np.array(["a", "b"])}, "T: values of the type <U1"),
+        ({**GOOD, "T": np.array([1, "b"], object)}, "T: real numbers are expected"),
+        ({**GOOD, "t": np.ma.array([0, 1], mask=[0, 1])}, "t: has masked values"),
+        ({**GOOD, "t": np.array(["2024-01-01", "2024-01-02"], "M8[D]")}, "t: values of the type datetime64"),
+    ],
+    ids=lambda it: it if isinstance(it, str) else "",
+)
+def test_what_cannot_be_graded_is_refused(racket, table, message):
+    with pytest.raises(poinsot.UsageError, match=message):
+        racket.grade(table)
+
+
+def test_bad_limits_files_and_times_are_refused(racket, tmp_path):
+    for limit in (-1, "3 kg", "", float("nan")):
+        with pytest.raises(poinsot.UsageError, match="max_attitude_error"):
+            racket.grade(GOOD, max_attitude_error=limit)
+    with pytest.raises(poinsot.UsageError, match="no attitude"):
+        racket.grade(GOOD, max_attitude_error=1)
+    with pytest.raises(poinsot.FileError, match="none.csv"):
+        racket.grade(tmp_path / "none.csv")
+    with pytest.raises(poinsot.LimitError, match="so far from the start"):
+        racket.grade({**GOOD, "t": [0, 1e300]})
