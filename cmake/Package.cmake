@@ -44,6 +44,8 @@ if(POINSOT_PYTHON)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), "
     "python3-numpy, poinsot (= ${PROJECT_VERSION})")
+  # What single functions and the examples import.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-scipy, python3-pil, python3-matplotlib, jupyter-notebook")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 "For Python: the exact motion of rotating rigid bodies as numpy arrays, their
 pictures and films, also in notebooks.")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -7,7 +8,17 @@ import pytest
 
 import poinsot
 
-SCENES = Path(__file__).parents[2] / "scenes"
+ROOT = Path(__file__).parents[2]
+SCENES = ROOT / "scenes"
+PAGES = [ROOT / "docs/python.md", ROOT / "python/README.md"]
+
+
+def snippets(page):
+    """Python of a page, each piece with the line that it begins at."""
+    text = page.read_text()
+    found = [(text.count("\n", 0, one.start(1)) + 1, one[1]) for one in re.finditer(r"```python\n(.*?)```", text, re.S)]
+    assert text.count("```python") == len(found) > 0
+    return found
 
 
 @pytest.fixture

@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from conftest import PAGES, snippets
 
 import poinsot
 from poinsot import _core
@@ -22,7 +23,7 @@ def mypy(*words, cwd):
     return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True)
 
 
-def test_the_package_and_its_users_are_checked(tmp_path):
+def test_the_package_its_users_and_the_snippets_of_its_pages_are_checked(tmp_path):
     (tmp_path / "user.py").write_text(
         "import poinsot\n"
         "scene = poinsot.load('a.toml', {'style.theme': 'dark'})\n"
@@ -37,8 +38,11 @@ def test_the_package_and_its_users_are_checked(tmp_path):
         "wrong: NDArray[uint8] = scene.render(bits=16)\n"
         "print(poinsot.__version__, poinsot.diff(plain, plain)['rmse'], scene.trajectory(1)[...].rotation)\n"
     )
-    said = mypy("user.py", cwd=tmp_path)
-    assert re.findall(r"([0-9]+): error", said.stdout) == ["6", "11"], said.stdout
+    for page in PAGES:
+        code = "\n".join(code for _, code in snippets(page))
+        (tmp_path / f"{page.stem}.py").write_text(code)
+    said = mypy("user.py", *(f"{page.stem}.py" for page in PAGES), cwd=tmp_path)
+    assert re.findall(r"([0-9]+): error", said.stdout) == ["6", "11"], said.stdout  # and none of the pages' snippets
     within = mypy("-p", "poinsot", cwd=tmp_path)
     assert within.returncode == 0, within.stdout
 

@@ -93,6 +93,16 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
       "END\n"
       "PATH=$PWD/root/usr/bin:$PATH PYTHONPATH=root/usr/lib/python3/dist-packages /usr/bin/python3 -B try.py\n"
       "cmp film.mp4 python.mp4");
+  // Pages lead to one another and to the examples, which run from where they lie.
+  run("cd root/usr/share/doc/python3-poinsot\n"
+      "for page in README.md python.md; do\n"
+      "  for link in $(grep -o '](\\([^)#]*\\)' $page | cut -c3-); do ls -d $link >/dev/null; done\n"
+      "done\n"
+      "ls examples/lecture15.ipynb");
+  run("PATH=$PWD/root/usr/bin:$PATH PYTHONPATH=root/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 "
+      "root/usr/share/doc/python3-poinsot/examples/compare_pictures.py | grep '^again *identical'");
+  for (const char* used : {"python3-pandas", "python3-scipy", "python3-pil"})
+    EXPECT_THAT(field("Suggests", "python3-poinsot"), HasSubstr(used));
 #endif
 }
 
