@@ -17,6 +17,7 @@
 #include "app/time_limit.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/interruption.h"
 
 namespace poinsot::app {
 namespace {
@@ -77,6 +78,9 @@ void watch(int signal) {
   sigaction(signal, &action, nullptr);
 }
 
+/// Lets signals end long computations of this thread.
+void interruptComputations() { static const core::InterruptionCheck check(throwIfInterrupted); }
+
 void openWakePipe() {
   if (wakePipe[0] < 0 && pipe2(wakePipe, O_CLOEXEC | O_NONBLOCK) != 0)
     throw core::Error(core::ErrorKind::kIo, "cannot open a pipe");
@@ -88,6 +92,7 @@ void watchInterrupts() {
   openWakePipe();
   for (const int signal : kNoted) watch(signal);
   watching = 1;
+  interruptComputations();
 }
 
 void watchInterruptsAsWorker() {
@@ -97,6 +102,7 @@ void watchInterruptsAsWorker() {
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGHUP, SIG_IGN);
   watch(SIGTERM);
+  interruptComputations();
   const sigset_t held = notedSignals();  // since the fork
   sigprocmask(SIG_UNBLOCK, &held, nullptr);
 }

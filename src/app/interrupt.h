@@ -20,8 +20,9 @@ class Interrupted : public std::exception {
   int signal_;
 };
 
-/// From now on the three signals are noted. One that was ignored at the start (nohup) stays so. A SIGINT more than
-/// half a second after the first signal ends the process at once.
+/// From now on the three signals are noted, and throwIfInterrupted() is the core::InterruptionCheck of this
+/// thread. One that was ignored at the start (nohup) stays so. A SIGINT more than half a second after the first
+/// signal ends the process at once. Call it on the main thread.
 void watchInterrupts();
 /// The same in a forked worker, which knows nothing of what its parent noted. It notes only SIGTERM: a terminal
 /// sends Ctrl-C to the whole group, and the parent decides what becomes of its workers.

@@ -50,7 +50,7 @@ class DrivenMotion final : public Motion {
   /// attitude, anywhere in the span; what cannot be reached in double precision is said in the report.
   /// @throws core::Error(kPhysics) for a start that FreeMotion refuses, a forcing that validate() refuses, a span
   /// or a tolerance that is not finite, a tolerance that is not positive; (kLimit) for a run of more steps than
-  /// allowed.
+  /// allowed. The integration calls core::checkInterruption().
   DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
                const Forcing& forcing, const TimeSpan& span, double tolerance_rad = kDefaultTolerance_rad,
                double allowedSteps = kDefaultSteps);

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/interruption.h"
 
 namespace poinsot::physics {
 namespace {
@@ -65,6 +66,7 @@ DrivenTrajectory::DrivenTrajectory(const Splitting& splitting, const Composition
 
 DrivenState DrivenTrajectory::integrated(const Run& run, DrivenState state) {
   for (std::size_t k = 0; k < run.whole; ++k) {
+    core::checkInterruption();
     if (k % stride_ == 0) checkpoints_.push_back(state);
     step(state, run, k);
   }

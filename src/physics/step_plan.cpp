@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/interruption.h"
 
 namespace poinsot::physics {
 namespace {
@@ -102,6 +103,7 @@ std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
   std::vector<PilotStep> steps;
   DrivenState after;
   for (double since = 0; since < length;) {
+    core::checkInterruption();
     h_ = std::min(h_, longest());
     const double h = std::min(h_, length - since);
     const double error = tried(piece, sense * since, sense * h, after);

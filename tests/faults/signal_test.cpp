@@ -48,6 +48,18 @@ TEST_P(Signal, AtAnyMomentEndsItInTwoSecondsAndIsGoneOnFrom) {
   EXPECT_GE(midway, 2);  // else the moments were no good
 }
 
+// 30000 s under a torque take a quarter of a minute.
+TEST(SignalWhileIntegrating, EndsTheProgramInASecond) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  ProgramRun running(folder, {"trajectory", "tiny.toml", "-D", "motion.torque.body=[0.1,0.2,0.3]", "--at=3e4"});
+  usleep(1'000'000);
+  const auto sent = steady_clock::now();
+  running.signal(SIGINT);
+  EXPECT_EQ(running.wait().exitCode, 128 + SIGINT);
+  EXPECT_LT(secondsSince(sent), 1.0);  // 0.05
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, Signal, testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/interruption.h"
 #include "physics/driven_testing.h"
 
 namespace poinsot::physics {
@@ -136,6 +137,19 @@ TEST(DrivenRefusal, DecayTracedBackTooFar) {
   c.forcing.dragRate_P.setConstant(1);
   c.span = {-1000, 0};
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("start the run later"));
+}
+
+// 1e5 s of a heavy top take more than half a minute. The check is called every 50 ms: by the pilot first, then by
+// the runs.
+TEST(DrivenRefusal, InterruptionEndsTheIntegration) {
+  struct Enough : std::exception {};
+  for (const int calls : {1, 20}) {
+    int left = calls;
+    const core::InterruptionCheck check([&] {
+      if (--left == 0) throw Enough();
+    });
+    EXPECT_THROW(heavyTop(1e5).motion(), Enough);
+  }
 }
 
 TEST(DrivenRefusal, TimesOutsideTheSpan) {
