@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -17,45 +18,56 @@ namespace {
 namespace py = pybind11;
 using core::ErrorKind;
 
-const char* className(ErrorKind kind) {
+/// As poinsot/_errors.py has the kinds.
+const char* nameOf(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::kUsage:
-      return "UsageError";
+      return "usage";
     case ErrorKind::kScene:
-      return "SceneError";
+      return "scene";
     case ErrorKind::kLimit:
-      return "LimitError";
+      return "limit";
     case ErrorKind::kPhysics:
-      return "PhysicsError";
+      return "physics";
     case ErrorKind::kGraphics:
     case ErrorKind::kEncode:
-      return "RenderError";
+      return "render";
     case ErrorKind::kIo:
-      return "FileError";
+      return "file";
   }
-  return "Error";
+  return "";
 }
 
-py::object errorClass(const char* name) { return py::module_::import("poinsot._errors").attr(name); }
+py::object inErrors(const char* name) { return py::module_::import("poinsot._errors").attr(name); }
 
-void raise(const py::object& error) { PyErr_SetObject(py::type::of(error).ptr(), error.ptr()); }
+std::string inPython(const std::string& message) { return py::cast<std::string>(inErrors("in_python")(message)); }
 
-py::list problemsOf(const scene::SceneErrors& errors) {
-  const py::object problem = errorClass("Problem");
-  py::list all;
-  for (const scene::Problem& one : errors.problems())
-    all.append(problem(one.where.file, one.where.line, one.where.column, one.message));
-  return all;
+template <class... Facts>
+void raise(ErrorKind kind, const std::string& text, const Facts&... facts) {
+  const py::object error = inErrors("made")(nameOf(kind), text, facts...);
+  PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
 }
 
-/// Of overrides without the command line's -D.
-scene::SceneErrors inPython(const scene::SceneErrors& errors) {
-  constexpr std::string_view kOption = "-D ";
+/// Takes the option off the place of an override. @returns the key; empty for a problem of a file.
+std::string takeOverride(scene::Problem& problem) {
+  constexpr std::string_view kOption = "-D ";  // stands where a file's name does otherwise
+  std::string& place = problem.where.file;
+  if (problem.where.line != 0 || !place.starts_with(kOption)) return "";
+  place.erase(0, kOption.size());
+  return place.substr(0, place.find('='));
+}
+
+void raise(const scene::SceneErrors& errors) {
+  const py::object makeProblem = inErrors("Problem");
   std::vector<scene::Problem> problems = errors.problems();
-  for (scene::Problem& problem : problems)
-    if (problem.where.line == 0 && problem.where.file.starts_with(kOption))
-      problem.where.file.erase(0, kOption.size());
-  return scene::SceneErrors(std::move(problems), errors.omitted());
+  py::list listed;
+  for (scene::Problem& problem : problems) {
+    const std::string key = takeOverride(problem);
+    problem.message = inPython(problem.message);
+    listed.append(makeProblem(key.empty() ? problem.where.file : "", problem.where.line, problem.where.column,
+                              problem.message, key));
+  }
+  raise(errors.kind(), scene::SceneErrors(std::move(problems), errors.omitted()).what(), listed);
 }
 
 }  // namespace
@@ -64,11 +76,10 @@ void translateErrors() {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
-    } catch (const scene::SceneErrors& thrownErrors) {
-      const scene::SceneErrors errors = inPython(thrownErrors);
-      raise(errorClass("SceneError")(errors.what(), problemsOf(errors)));
+    } catch (const scene::SceneErrors& errors) {
+      raise(errors);
     } catch (const core::Error& error) {
-      raise(errorClass(className(error.kind()))(error.what()));
+      raise(error.kind(), inPython(error.what()));
     }
   });
 }

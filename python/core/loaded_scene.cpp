@@ -39,12 +39,6 @@ LoadedScene::LoadedScene(app::SceneRequest request)
 
 std::int64_t LoadedScene::frameCount() const { return app::frameCount(scene_.time.duration_s, scene_.time.fps); }
 
-std::vector<double> LoadedScene::motionTimes_s(const std::vector<double>& filmTimes_s) const {
-  const auto clock = stage::filmClock(scene_);
-  std::vector<double> times_s;
-  times_s.reserve(filmTimes_s.size());
-  for (const double t_s : filmTimes_s) times_s.push_back(clock.motionTime_s(t_s));
-  return times_s;
-}
+scene::FilmClock LoadedScene::clock() const { return stage::filmClock(scene_); }
 
 }  // namespace poinsot::python

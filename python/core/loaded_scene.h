@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/scene_request.h"
+#include "motions.h"
+#include "scene/film_clock.h"
 
 namespace poinsot::python {
 
@@ -27,11 +29,15 @@ class LoadedScene {
   const app::SceneRequest& request() const { return request_; }
   const scene::Scene& scene() const { return scene_; }
   const scene::Limits& limits() const { return request_.allowance.limits; }
-  /// Different for each one there ever was in this process.
+  /// Different for each scene of this process.
   std::uint64_t number() const { return number_; }
   std::int64_t frameCount() const;
-  /// Film times to motion times, s.
-  std::vector<double> motionTimes_s(const std::vector<double>& filmTimes_s) const;
+  /// From film times to motion times, s. @pre the film times are from 0 to the film's duration.
+  scene::FilmClock clock() const;
+  /// The scene's motion, as Motions::over().
+  std::shared_ptr<const physics::Motion> motionOver(double from_s, double to_s) const {
+    return motions_->over(scene_, from_s, to_s);
+  }
 
  private:
   explicit LoadedScene(app::SceneRequest request);
@@ -39,6 +45,7 @@ class LoadedScene {
   app::SceneRequest request_;
   scene::Scene scene_;
   std::uint64_t number_;
+  std::unique_ptr<Motions> motions_ = std::make_unique<Motions>();
 };
 
 }  // namespace poinsot::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What poinsot/*.py is made of: the layers as Python sees them. Docstrings, defaults and rich display are there;
+// The layers as poinsot/*.py sees them. Docstrings, defaults, checks of arguments and rich display are there;
 // types are in poinsot/_core.pyi.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -12,18 +12,38 @@
 #include "errors.h"
 #include "loaded_scene.h"
 #include "pictures.h"
+#include "signals.h"
 #include "trajectory.h"
 
 namespace poinsot::python {
 namespace {
 
 namespace py = pybind11;
-using ReleaseGil = py::call_guard<py::gil_scoped_release>;
-using Size = std::optional<std::pair<int, int>>;
+using Interruptible = py::call_guard<WithoutGil>;
+using SharedScene = std::shared_ptr<LoadedScene>;
+using Size = std::optional<std::pair<std::int64_t, std::int64_t>>;
 
-PictureAsk askOf(std::optional<double> time_s, const Size& size, bool transparent, int bits) {
-  PictureAsk ask{time_s, std::nullopt, transparent, bits};
-  if (size) ask.size = image::PixelSize{size->first, size->second};
+/// A file's name or a part of it, which need not be UTF-8.
+py::str fileText(const std::string& name) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<Py_ssize_t>(name.size())));
+}
+
+Doubles motionTimes(const LoadedScene& scene, const Doubles& filmTimes_s) {
+  Doubles times_s(std::vector<py::ssize_t>(filmTimes_s.shape(), filmTimes_s.shape() + filmTimes_s.ndim()));
+  const scene::FilmClock clock = scene.clock();
+  std::transform(filmTimes_s.data(), filmTimes_s.data() + filmTimes_s.size(), times_s.mutable_data(),
+                 [&](double t_s) { return clock.motionTime_s(t_s); });
+  return times_s;
+}
+
+PictureAsk askOf(const LoadedScene& scene, std::optional<double> time_s, const Size& size, bool transparent,
+                 int bits) {
+  const scene::Output& own = scene.scene().output;
+  PictureAsk ask{time_s.value_or(scene.scene().time.stillTime_s()), {own.width, own.height}, transparent, bits};
+  if (!size) return ask;
+  requireSides(size->first, size->second, scene.limits());
+  ask.size = {static_cast<int>(size->first), static_cast<int>(size->second)};
   return ask;
 }
 
@@ -36,33 +56,31 @@ py::array arrayOf(image::BasicImage<Sample> picture) {
                              owner);
 }
 
-py::array picture(const LoadedScene& scene, std::optional<double> time_s, const Size& size, bool transparent,
+py::array picture(const SharedScene& scene, std::optional<double> time_s, const Size& size, bool transparent,
                   int bits) {
   image::AnyImage drawn;
   {
-    const py::gil_scoped_release others;
-    drawn = pictureOf(scene, askOf(time_s, size, transparent, bits));
+    const WithoutGil others;
+    drawn = pictureOf(scene, askOf(*scene, time_s, size, transparent, bits));
   }
   return std::visit([](auto& image) { return arrayOf(std::move(image)); }, drawn);
 }
 
-py::bytes png(const LoadedScene& scene, std::optional<double> time_s, const Size& size) {
+py::bytes png(const SharedScene& scene, std::optional<double> time_s, const Size& size) {
   std::vector<std::uint8_t> file;
   {
-    const py::gil_scoped_release others;
-    file = pngOf(scene, askOf(time_s, size, false, 8));
+    const WithoutGil others;
+    file = pngOf(scene, askOf(*scene, time_s, size, false, 8));
   }
   return {reinterpret_cast<const char*>(file.data()), file.size()};
 }
 
 void declareScene(const py::module_& module) {
-  py::class_<LoadedScene>(module, "Scene")
-      .def_static("of_file", &LoadedScene::ofFile, ReleaseGil())
-      .def_static("of_text", &LoadedScene::ofText, ReleaseGil())
-      .def_property_readonly("name", [](const LoadedScene& it) { return it.scene().name; })
-      .def_property_readonly("file_name", [](const LoadedScene& it) { return it.request().fileName; })
+  py::class_<LoadedScene, SharedScene>(module, "Scene")
+      .def_static("of_file", &LoadedScene::ofFile, Interruptible())
+      .def_static("of_text", &LoadedScene::ofText, Interruptible())
+      .def_property_readonly("name", [](const LoadedScene& it) { return fileText(it.scene().name); })
       .def_property_readonly("text", [](const LoadedScene& it) { return it.request().text; })
-      .def_property_readonly("overrides", [](const LoadedScene& it) { return it.request().overrides; })
       .def_property_readonly(
           "size",
           [](const LoadedScene& it) { return std::pair(it.scene().output.width, it.scene().output.height); })
@@ -73,15 +91,17 @@ void declareScene(const py::module_& module) {
                              })
       .def_property_readonly("duration", [](const LoadedScene& it) { return it.scene().time.duration_s; })
       .def_property_readonly("frame_count", &LoadedScene::frameCount)
-      .def("motion_times", &LoadedScene::motionTimes_s, ReleaseGil())
+      .def("require_sides", [](const LoadedScene& it, std::int64_t width,
+                               std::int64_t height) { requireSides(width, height, it.limits()); })
+      .def("motion_times", &motionTimes)
       .def("trajectory", &trajectoryOf)
       .def("picture", &picture)
       .def("png", &png)
       .def(
           "info_json", [](const LoadedScene& it) { return app::reportJson(app::sceneReport(it.scene())); },
-          ReleaseGil())
+          Interruptible())
       .def(
-          "alt_text", [](const LoadedScene& it) { return app::altText(it.scene()); }, ReleaseGil());
+          "alt_text", [](const LoadedScene& it) { return app::altText(it.scene()); }, Interruptible());
 }
 
 void declareTrajectory(const py::module_& module) {
@@ -97,14 +117,51 @@ void declareTrajectory(const py::module_& module) {
       .def_readonly("note", &TrajectoryArrays::note);
 }
 
-}  // namespace
-
-PYBIND11_MODULE(_core, module) {
+void declare(py::module_ module) {
+  rememberMainThread();
   translateErrors();
   declareScene(module);
   declareTrajectory(module);
   declareAnswers(module);
   module.attr("version") = core::version();
+  const auto finish = [] {
+    const py::gil_scoped_release others;
+    leaveThreadsAlone();
+    finishPictures();
+  };
+  py::module_::import("atexit").attr("register")(py::cpp_function(finish));
 }
 
+/// Fills the module, each time that it is imported. pybind11 registers a class once in a process, and waits for
+/// ever for the GIL of another interpreter.
+int fill(PyObject* object) {
+  if (PyInterpreterState_Get() != PyInterpreterState_Main()) {
+    PyErr_SetString(PyExc_ImportError,
+                    "poinsot works in the main interpreter only, not in a subinterpreter; with mod_wsgi set "
+                    "WSGIApplicationGroup %{GLOBAL}, else start another process");
+    return -1;
+  }
+  static PyObject* first = nullptr;
+  if (first != nullptr) return PyDict_Merge(PyModule_GetDict(object), PyModule_GetDict(first), 0);
+  try {
+    declare(py::reinterpret_borrow<py::module_>(object));
+  } catch (py::error_already_set& error) {
+    error.restore();
+    return -1;
+  }
+  first = Py_NewRef(object);
+  return 0;
+}
+
+PyModuleDef_Slot slots[] = {{Py_mod_exec, reinterpret_cast<void*>(fill)},
+#ifdef Py_mod_multiple_interpreters
+                            {Py_mod_multiple_interpreters, Py_MOD_MULTIPLE_INTERPRETERS_NOT_SUPPORTED},
+#endif
+                            {0, nullptr}};
+PyModuleDef definition{PyModuleDef_HEAD_INIT, "_core", nullptr, 0, nullptr, slots, nullptr, nullptr, nullptr};
+
+}  // namespace
 }  // namespace poinsot::python
+
+// Not PYBIND11_MODULE: its own first step hangs in a subinterpreter.
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core() { return PyModuleDef_Init(&poinsot::python::definition); }

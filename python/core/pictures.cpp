@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <variant>
 
 #include "app/frames_cache.h"
@@ -12,21 +13,27 @@
 #include "core/error.h"
 #include "gl/offscreen_context.h"
 #include "image/png_file.h"
+#include "signals.h"
 
 namespace poinsot::python {
 namespace {
 
 using Artist = app::OwningThread<app::FramesCache>;
+using core::ErrorKind;
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+/// Ends a picture whose caller has left.
+class Abandoned : public std::exception {};
+
+std::atomic<pid_t> owner = 0;  // the process that draws; 0 before the first picture
 
 /// A process forked from one that draws has OpenGL's locks but none of its threads: it would wait for ever.
 void refuseFork() {
-  static const pid_t owner = getpid();
-  if (owner != getpid())
-    refuse(
-        "this process is a fork of one that has drawn pictures, and cannot draw; start it with the method "
-        "\"spawn\": multiprocessing.get_context(\"spawn\")");
+  pid_t expected = 0;
+  if (owner.compare_exchange_strong(expected, getpid()) || expected == getpid()) return;
+  throw core::Error(
+      ErrorKind::kUsage,
+      "this process is a fork of one that has drawn pictures, and cannot draw; start it with the method "
+      "\"spawn\": multiprocessing.get_context(\"spawn\")");
 }
 
 /// Lives as long as the process: OpenGL has no business in the interpreter's end.
@@ -39,55 +46,68 @@ Artist& artist() {
   return drawing;
 }
 
-double timeOf(const scene::Scene& scene, const PictureAsk& ask) {
-  const double time_s = ask.time_s.value_or(scene.time.stillTime_s());
-  if (!(time_s >= 0 && time_s <= scene.time.duration_s))
-    refuse(fmt::format("t = {} s: the film lasts from 0 to {} s", time_s, scene.time.duration_s));
-  return time_s;
-}
-
-image::PixelSize sizeOf(const LoadedScene& loaded, const PictureAsk& ask) {
-  const scene::Output& output = loaded.scene().output;
-  const image::PixelSize size = ask.size.value_or(image::PixelSize{output.width, output.height});
-  const std::int64_t most = loaded.limits()[scene::Limit::kSide];
-  if (std::min(size.width, size.height) < scene::kLeastSide || std::max(size.width, size.height) > most)
-    refuse(
-        fmt::format("size {}x{}: sides from {} to {} pixels", size.width, size.height, scene::kLeastSide, most));
-  return size;
+/// Waits for a result, and leaves it if a signal's handler raises something.
+template <class Result>
+Result awaited(std::future<Result> result, std::atomic<bool>& abandoned) {
+  try {
+    while (result.wait_for(kPatience) != std::future_status::ready) checkSignals();
+  } catch (...) {
+    abandoned = true;
+    throw;
+  }
+  return result.get();
 }
 
 /// Calls `use` with the picture, on the thread that drew it.
 template <class Use>
-auto withPicture(const LoadedScene& loaded, const PictureAsk& ask, const Use& use) {
-  const double time_s = timeOf(loaded.scene(), ask);
-  const image::PixelSize size = sizeOf(loaded, ask);
-  if (ask.bits != 8 && ask.bits != 16) refuse(fmt::format("bits = {}: 8 or 16", ask.bits));
-  const std::string key =
-      fmt::format("{} {}x{} {} {}", loaded.number(), size.width, size.height, ask.transparent, ask.bits);
-  const auto load = [&] {
-    scene::Scene scene = loaded.scene();
-    scene.output.width = size.width;
-    scene.output.height = size.height;
-    return app::drawableOf(std::move(scene));
-  };
-  return artist().with([&](app::FramesCache& cache) {
-    app::SceneFrames& frames =
-        *cache.of(key, load, {std::nullopt, ask.transparent, ask.bits}, loaded.limits()).frames;
-    frames.setTime(time_s);
+auto withPicture(const std::shared_ptr<LoadedScene>& loaded, const PictureAsk& ask, const Use& use) {
+  const app::PictureForm form{std::nullopt, ask.transparent, ask.bits};
+  const auto abandoned = std::make_shared<std::atomic<bool>>(false);
+  auto drawn = artist().begin([=](app::FramesCache& cache) {
+    const auto check = [&] {
+      if (*abandoned) throw Abandoned();
+    };
+    check();
+    const core::InterruptionCheck whileIntegrating(check);
+    const auto load = [&] {
+      scene::Scene scene = loaded->scene();
+      scene.output.width = ask.size.width;
+      scene.output.height = ask.size.height;
+      return app::drawableOf(std::move(scene));
+    };
+    const std::string key = fmt::format("{} {}x{} {} {}", loaded->number(), ask.size.width, ask.size.height,
+                                        form.transparent, form.bits);
+    app::SceneFrames& frames = *cache.of(key, load, form, loaded->limits()).frames;
+    frames.setTime(ask.time_s);
     return use(frames.frame(0).picture);
   });
+  return awaited(std::move(drawn), *abandoned);
 }
 
 }  // namespace
 
-image::AnyImage pictureOf(const LoadedScene& scene, const PictureAsk& ask) {
+void requireSides(std::int64_t width, std::int64_t height, const scene::Limits& limits) {
+  const std::int64_t most = limits[scene::Limit::kSide];
+  const auto text = [&] {
+    return fmt::format("size=({}, {}): sides are from {} to {} pixels", width, height, scene::kLeastSide, most);
+  };
+  if (std::min(width, height) < scene::kLeastSide) throw core::Error(ErrorKind::kUsage, text());
+  if (std::max(width, height) > most)
+    throw core::Error(ErrorKind::kLimit, text() + "; " + howToRaise(scene::Limit::kSide));
+}
+
+image::AnyImage pictureOf(const std::shared_ptr<LoadedScene>& scene, const PictureAsk& ask) {
   return withPicture(scene, ask, [](const image::AnyImage& picture) { return picture; });
 }
 
-std::vector<std::uint8_t> pngOf(const LoadedScene& scene, const PictureAsk& ask) {
+std::vector<std::uint8_t> pngOf(const std::shared_ptr<LoadedScene>& scene, const PictureAsk& ask) {
   return withPicture(scene, ask, [](const image::AnyImage& picture) {
     return std::visit([](const auto& image) { return image::encodePng(image); }, picture);
   });
+}
+
+void finishPictures() {
+  if (owner == getpid()) artist().begin([](app::FramesCache&) {}).wait();
 }
 
 }  // namespace poinsot::python

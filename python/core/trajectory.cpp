@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trajectory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
 
 #include "app/trajectory_accuracy.h"
 #include "app/trajectory_times.h"
+#include "core/error.h"
 #include "physics/motion.h"
-#include "scene/make_motion.h"
+#include "signals.h"
 
 namespace poinsot::python {
 namespace {
 
 namespace py = pybind11;
+using Shape = std::vector<py::ssize_t>;
 
-/// n of some shape, to be filled in order.
+/// An array to be filled in order.
 class Rows {
  public:
-  Rows(py::ssize_t n, const std::vector<py::ssize_t>& shapeOfOne) : array_(shape(n, shapeOfOne)) {
+  Rows(Shape shape, const Shape& shapeOfOne) {
+    shape.insert(shape.end(), shapeOfOne.begin(), shapeOfOne.end());
+    array_ = Doubles(shape);
     next_ = array_.mutable_data();
   }
   template <class Values>
@@ -24,46 +34,100 @@ class Rows {
     next_ = std::copy(values.begin(), values.end(), next_);
   }
   void add(double value) { *next_++ = value; }
-  py::array_t<double> take() { return std::move(array_); }
+  Doubles take() { return std::move(array_); }
 
  private:
-  static std::vector<py::ssize_t> shape(py::ssize_t n, const std::vector<py::ssize_t>& shapeOfOne) {
-    std::vector<py::ssize_t> all{n};
-    all.insert(all.end(), shapeOfOne.begin(), shapeOfOne.end());
-    return all;
+  Doubles array_;
+  double* next_ = nullptr;
+};
+
+/// "times[1, 2]: " for the k-th of an array; nothing for a single time.
+std::string placeOf(std::size_t k, const Shape& shape) {
+  if (shape.empty()) return "";
+  std::vector<std::size_t> index(shape.size());
+  for (std::size_t axis = shape.size(); axis-- > 0; k /= static_cast<std::size_t>(shape[axis]))
+    index[axis] = k % static_cast<std::size_t>(shape[axis]);
+  return fmt::format("times[{}]: ", fmt::join(index, ", "));
+}
+
+/// Does it. What it throws begins with what `origin` returns.
+template <class Action, class Origin>
+auto naming(const Action& action, const Origin& origin) {
+  try {
+    return action();
+  } catch (const core::Error& error) {
+    throw core::Error(error.kind(), origin() + error.message());
+  }
+}
+
+/// The motion that gives the rows.
+std::shared_ptr<const physics::Motion> motionFor(const LoadedScene& loaded, std::span<const double> times_s,
+                                                 const Shape& shape,
+                                                 const std::optional<std::pair<double, double>>& span_s) {
+  const auto [earliest, latest] = std::ranges::minmax(times_s);
+  const std::pair<double, double> ends_s = span_s.value_or(std::pair(earliest, latest));
+  const auto origin = [&] {
+    if (span_s) return fmt::format("span=({}, {}): ", span_s->first, span_s->second);
+    const auto farthest = std::ranges::max_element(times_s, {}, [](double t_s) { return std::abs(t_s); });
+    return placeOf(static_cast<std::size_t>(farthest - times_s.begin()), shape) +
+           fmt::format("t = {} s: ", *farthest);
+  };
+  return naming([&] { return loaded.motionOver(ends_s.first, ends_s.second); }, origin);
+}
+
+/// The arrays of a trajectory while they are filled.
+class Table {
+ public:
+  explicit Table(const Shape& shape)
+      : q_WB_(shape, {4}),
+        R_WB_(shape, {3, 3}),
+        omega_B_(shape, {3}),
+        omega_W_(shape, {3}),
+        L_W_(shape, {3}),
+        T_(shape, {}),
+        rate_B_(shape, {3}),
+        rate_W_(shape, {3}) {}
+
+  void add(const physics::Motion& motion, const physics::RigidBodyState& state) {
+    using RowByRow = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    q_WB_.add(std::array{state.q_WB.w(), state.q_WB.x(), state.q_WB.y(), state.q_WB.z()});
+    R_WB_.add(RowByRow(state.q_WB.toRotationMatrix()).reshaped<Eigen::RowMajor>());
+    omega_B_.add(state.omega_B);
+    omega_W_.add(state.omega_W);
+    L_W_.add(state.L_W);
+    T_.add(state.kineticEnergy);
+    rate_B_.add(physics::turningRate_B(motion, state));
+    rate_W_.add(physics::turningRate_W(motion, state));
   }
 
-  py::array_t<double> array_;
-  double* next_ = nullptr;
+  TrajectoryArrays take(std::string note) {
+    return {q_WB_.take(), R_WB_.take(),   omega_B_.take(), omega_W_.take(), L_W_.take(),
+            T_.take(),    rate_B_.take(), rate_W_.take(),  std::move(note)};
+  }
+
+ private:
+  Rows q_WB_, R_WB_, omega_B_, omega_W_, L_W_, T_, rate_B_, rate_W_;
 };
 
 }  // namespace
 
-TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const std::vector<double>& times_s) {
-  const auto n = static_cast<py::ssize_t>(times_s.size());
-  Rows q_WB(n, {4}), R_WB(n, {3, 3}), omega_B(n, {3}), omega_W(n, {3}), L_W(n, {3}), T(n, {});
-  Rows rate_B(n, {3}), rate_W(n, {3});
+TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const Doubles& times,
+                              const std::optional<std::pair<double, double>>& span_s) {
+  const Shape shape(times.shape(), times.shape() + times.ndim());
+  const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
+  Table table(shape);
   std::string note;
-  if (n > 0) {
-    const py::gil_scoped_release others;
-    const app::TrajectoryTimes times(times_s);
-    note = app::accuracyNote(loaded.scene(), times);
-    const auto motion = scene::makeMotion(loaded.scene(), times.earliest_s(), times.latest_s());
-    for (const double t_s : times_s) {
-      const physics::RigidBodyState state = motion->at(t_s);
-      q_WB.add(std::array{state.q_WB.w(), state.q_WB.x(), state.q_WB.y(), state.q_WB.z()});
-      R_WB.add(
-          Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(state.q_WB.toRotationMatrix()).reshaped<Eigen::RowMajor>());
-      omega_B.add(state.omega_B);
-      omega_W.add(state.omega_W);
-      L_W.add(state.L_W);
-      T.add(state.kineticEnergy);
-      rate_B.add(physics::turningRate_B(*motion, state));
-      rate_W.add(physics::turningRate_W(*motion, state));
+  if (!times_s.empty()) {
+    const WithoutGil others;
+    const auto [earliest, latest] = std::ranges::minmax(times_s);
+    note = app::accuracyNote(loaded.scene(), app::TrajectoryTimes({earliest, latest}));
+    const auto motion = motionFor(loaded, times_s, shape, span_s);
+    for (std::size_t k = 0; k < times_s.size(); ++k) {
+      core::checkInterruption();
+      table.add(*motion, naming([&] { return motion->at(times_s[k]); }, [&] { return placeOf(k, shape); }));
     }
   }
-  return {q_WB.take(),   R_WB.take(), omega_B.take(), omega_W.take(), L_W.take(), T.take(), rate_B.take(),
-          rate_W.take(), note};
+  return table.take(note);
 }
 
 }  // namespace poinsot::python

@@ -13,7 +13,7 @@ _MOST_INLINE_BYTES = 32 << 20
 
 @dataclass(frozen=True)
 class Film:
-    """A film that was made. In a notebook it plays where it stands, and is kept in the notebook."""
+    """A film that was made. In a notebook it plays in place, and its bytes are kept in the notebook."""
 
     path: Path
     size: tuple[int, int]  #: width and height in pixels
@@ -21,6 +21,11 @@ class Film:
     duration: float  #: s
 
     def _repr_html_(self) -> str:
+        place = html.escape(str(self.path))
+        if "{frame" in self.path.name:
+            return f"<p>{self.frame_count} pictures: {place}</p>"
+        if not self.path.is_file():
+            return f"<p>The film {place} is no longer there: it was moved or removed.</p>"
         source = self._source()
         suffix = self.path.suffix.lower()
         width = f'style="max-width: 100%; width: {min(self.size[0], 960)}px"'
@@ -28,7 +33,7 @@ class Film:
             return f'<video src="{source}" controls loop {width}></video>'
         if suffix in _PICTURE:
             return f'<img src="{source}" {width}>'
-        return html.escape(str(self.path))
+        return place
 
     def _source(self) -> str:
         """The film itself; of a long one its place."""

@@ -3,44 +3,45 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from ._errors import Error, FileError, RenderError, UsageError
+from ._errors import Error, FileError, cannot_write, in_python, made, says_limit
 
-_EXIT = {2: UsageError, 3: RenderError, 4: FileError}  # as the program's manual page has them
+_VARIABLE = "POINSOT_PROGRAM"
 
 
-def path() -> str:
-    """$POINSOT_PROGRAM, or that of this package, or the first on the path."""
-    named = os.environ.get("POINSOT_PROGRAM")
+def _found() -> tuple[str, str]:
+    """The program, and what it is called in messages."""
+    named = os.environ.get(_VARIABLE)
+    if named:
+        return named, f"{_VARIABLE}={named}"
     own = Path(__file__).with_name("program")
-    found = named or (str(own) if own.exists() else shutil.which("poinsot"))
+    found = str(own) if own.exists() else shutil.which("poinsot")
     if not found:
-        raise FileError("the program poinsot is not installed, which makes films and figures")
-    return found
+        raise FileError(f"the program poinsot, which makes films and figures, is not installed; set {_VARIABLE}")
+    return found, f"the program {found}"
 
 
-def run(command: str, words: Sequence[str], progress: Callable[[int, int], object] | None = None) -> None:
-    """Runs one of its commands to the end. `progress` is called with (done, total) frames.
+def run(
+    command: str,
+    output: str,
+    words: Sequence[str],
+    progress: Callable[[int, int], object] | None = None,
+) -> None:
+    """Runs one of its commands, which makes the file `output`, to the end. Calls `progress` with (done, total) frames.
 
-    Ctrl-C, or whatever else `progress` raises, asks the program to stop and waits for it: what was complete is kept for
-    resume=True.
+    Ctrl-C, and whatever `progress` raises, makes the program stop, and is raised when it has: what was complete is kept
+    for resume=True.
     """
+    # A word that begins with "-" would be an option.
+    place = os.path.join(".", output) if output.startswith("-") else output
     said: list[str] = []
-    # In a process group of its own: the Ctrl-C of a terminal reaches it once, through us.
-    with subprocess.Popen(
-        [path(), command, "--progress=json", *words],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        text=True,
-        errors="replace",
-        process_group=0,
-    ) as process:
+    with _started([command, "--progress=json", "-o", place, *words]) as process:
         assert process.stderr
         try:
             for line in process.stderr:
@@ -54,7 +55,36 @@ def run(command: str, words: Sequence[str], progress: Callable[[int, int], objec
             process.communicate()
             raise
     if process.returncode:
-        raise _EXIT.get(process.returncode, Error)("".join(said).strip() or f"poinsot ended with {process.returncode}")
+        raise _failure(process.returncode, "".join(said), output)
+
+
+def _started(words: Sequence[str]) -> subprocess.Popen[str]:
+    program, called = _found()
+    try:
+        # In a process group of its own: the Ctrl-C of a terminal reaches it once, through us.
+        return subprocess.Popen(
+            [program, *words],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            process_group=0,
+        )
+    except OSError as error:
+        raise FileError(f"{called}: cannot be started: {error.strerror}", error.errno, program) from error
+
+
+def _failure(status: int, said: str, output: str) -> Error:
+    text = in_python(re.sub(r"^poinsot: (error: )?", "", said, flags=re.MULTILINE)).strip()
+    match status:  # as the program's manual page has them
+        case 2:
+            return made("limit" if says_limit(text) else "usage", text)
+        case 3:
+            return made("render", text)
+        case 4:
+            return cannot_write(text, output)
+    return Error(text or f"the program ended with {status}")
 
 
 def _event(line: str) -> dict[str, int] | None:

@@ -8,20 +8,67 @@ import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from . import _check, _core, _grade, _program, _sweep, _toml
+from . import _arguments, _check, _core, _grade, _program, _sweep, _times, _toml
+from ._core import Scene as _CoreScene
+from ._errors import SceneError, cannot_read
 from ._film import Film
+from ._times import Time, Times
 from ._trajectory import Trajectory
 
 _DISPLAY_WIDTH = 960  # of a picture in a notebook, pixels
+_OVERRIDES = '{"style.theme": "dark"}'  # an example
 
 Path_ = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class _Source:
+    """What a scene is made from."""
+
+    file_name: str
+    overrides: tuple[str, ...]
+    limits: tuple[str, ...]
+    asset_roots: tuple[str, ...]
+    text: str | None = None  # that of the file, if not given
+
+    def scene(self) -> Scene:
+        """Reads and checks it. Raises SceneError, LimitError, FileError."""
+        words = list(self.overrides), list(self.limits), [os.fsencode(root) for root in self.asset_roots]
+        file = os.fsencode(self.file_name)
+        if self.text is not None:
+            return Scene._of(_CoreScene.of_text(self.text, file, *words), self)
+        try:
+            core = _CoreScene.of_file(file, *words)
+        except SceneError as error:
+            if error.problems:
+                raise
+            raise cannot_read(str(error), self.file_name) from None
+        return Scene._of(core, replace(self, text=core.text))
+
+    def elsewhere(self) -> _Source:
+        """The same for a process in another folder."""
+        roots = tuple(os.path.abspath(root) for root in self.asset_roots)
+        return replace(self, file_name=os.path.abspath(self.file_name), asset_roots=roots)
+
+
+def _source(
+    file_name: str, overrides: object, limits: object, asset_roots: object, text: str | None = None
+) -> _Source:
+    roots = _arguments.paths("asset_roots", asset_roots)
+    return _Source(file_name, _words(overrides), tuple(_arguments.limits(limits)), tuple(roots), text)
+
+
+def _words(overrides: object) -> tuple[str, ...]:
+    given = _arguments.table("overrides", overrides, _OVERRIDES)
+    return tuple(_toml.override(key, value) for key, value in given.items())
 
 
 def load(
@@ -37,9 +84,10 @@ def load(
     limits: limits to raise or lower, as {"side": 16384, "memory": "4 GiB"}.
     asset_roots: more folders in which files that the scene names may lie.
 
-    Raises SceneError with everything that is wrong and where, or that the file cannot be read; LimitError.
+    Raises SceneError with everything that is wrong and where; FileError, which is also a FileNotFoundError or the like;
+    LimitError; UsageError.
     """
-    return Scene(_core.Scene.of_file(os.fspath(path), *_words(overrides, limits, asset_roots)), limits, asset_roots)
+    return _source(_arguments.path("path", path), overrides, limits, asset_roots).scene()
 
 
 def loads(
@@ -59,9 +107,8 @@ def loads(
     folder: where files that it names lie.
     Others, and what is raised: as load().
     """
-    text = source if isinstance(source, str) else _toml.document(dict(source))
-    file_name = str(Path(folder) / f"{name}.toml")
-    return Scene(_core.Scene.of_text(text, file_name, *_words(overrides, limits, asset_roots)), limits, asset_roots)
+    file_name = Path(_arguments.path("folder", folder)) / f"{_arguments.stem('name', name)}.toml"
+    return _source(str(file_name), overrides, limits, asset_roots, _toml.scene_text(source)).scene()
 
 
 class Scene:
@@ -70,10 +117,27 @@ class Scene:
     Film time runs from 0 to `duration`; motion time is the physics' own, and may run slower or faster.
     """
 
-    def __init__(self, core: _core.Scene, limits: Mapping[str, int | str] | None, asset_roots: Sequence[Path_]):
-        self._core = core
-        self._limits = dict(limits or {})
-        self._asset_roots = tuple(os.fspath(root) for root in asset_roots)
+    _core: _CoreScene
+    _source: _Source
+
+    def __init__(self) -> None:
+        raise TypeError("a scene is made by poinsot.load() or poinsot.loads()")
+
+    @classmethod
+    def _of(cls, core: _CoreScene, source: _Source) -> Scene:
+        scene = cls.__new__(cls)
+        scene._core = core
+        scene._source = source
+        return scene
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _Source.scene, (self._source.elsewhere(),)
+
+    def __copy__(self) -> Scene:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
+        return self  # nothing of it changes
 
     @property
     def name(self) -> str:
@@ -84,6 +148,13 @@ class Scene:
     def text(self) -> str:
         """The scene file, as it was when it was loaded."""
         return self._core.text
+
+    @property
+    def overrides(self) -> dict[str, Any]:
+        """Keys that load(), loads() and replace() have set. Values are as the scene was read: plain numbers, texts, lists
+        and dictionaries, also where arrays were given. The dictionary is a new one each time.
+        """
+        return _toml.overridden(self._source.overrides)
 
     @property
     def size(self) -> tuple[int, int]:
@@ -107,37 +178,40 @@ class Scene:
 
     def replace(self, overrides: Mapping[str, Any]) -> Scene:
         """The scene with some keys set anew, as by load(). Raises as load()."""
-        words = self._core.overrides + _overrides(overrides)
-        core = _core.Scene.of_text(
-            self._core.text, self._core.file_name, words, _limits(self._limits), list(self._asset_roots)
-        )
-        return Scene(core, self._limits, self._asset_roots)
+        new = {word.partition("=")[0]: word for word in _words(overrides)}
+        kept = [word for word in self._source.overrides if word.partition("=")[0] not in new]
+        return replace(self._source, overrides=(*kept, *new.values())).scene()
 
-    def motion_time(self, t: ArrayLike) -> NDArray[np.float64]:
-        """Motion time at film times, in s; of the shape of `t`."""
-        film = np.asarray(t, dtype=np.float64)
-        return np.array(self._core.motion_times(film.ravel().tolist())).reshape(film.shape)
+    def motion_time(self, t: Times) -> NDArray[np.float64]:
+        """Motion time at film times, in s; of the shape of `t`. Raises UsageError for a time outside the film."""
+        return self._core.motion_times(_times.film_times("t", t, self.duration))
 
-    def trajectory(self, times: ArrayLike) -> Trajectory:
-        """The motion at motion times in s, of any shape and in any order; exact at any time where no torque acts.
+    def trajectory(self, times: Times, *, span: tuple[Time, Time] | None = None) -> Trajectory:
+        """The motion at motion times, of any shape and in any order; exact at any time where no torque acts.
 
-        Raises UsageError for a time that is not finite, LimitError for one so far that the motion is beyond the
-        range of numbers, PhysicsError. Warns of times so far that the attitude is no longer exact to rounding.
+        times: in s, or as timedelta or timedelta64.
+        span: the first and the last motion time over which a driven motion is integrated; without it, those of `times`
+        and 0. The last bits depend on the span. A scene keeps its latest four spans, so more times of the same span cost
+        little.
+
+        Ctrl-C is heard. Raises UsageError for a time that is not finite, and LimitError for one outside the span or so
+        far that the motion is beyond the range of numbers; PhysicsError. Warns of times so far that the attitude is no
+        longer exact to rounding.
         """
-        t = np.array(times, dtype=np.float64)
-        rows = self._core.trajectory(t.ravel().tolist())
+        t = _times.times("times", times)
+        rows = self._core.trajectory(t, _times.span(span))
         if rows.note:
             warnings.warn(rows.note, stacklevel=2)
         return Trajectory(
             t=t,
-            q_WB=rows.q_WB.reshape(*t.shape, 4),
-            R_WB=rows.R_WB.reshape(*t.shape, 3, 3),
-            omega_B=rows.omega_B.reshape(*t.shape, 3),
-            omega_W=rows.omega_W.reshape(*t.shape, 3),
-            L_W=rows.L_W.reshape(*t.shape, 3),
-            T=rows.T.reshape(t.shape),
-            rate_B=rows.rate_B.reshape(*t.shape, 3),
-            rate_W=rows.rate_W.reshape(*t.shape, 3),
+            q_WB=rows.q_WB,
+            R_WB=rows.R_WB,
+            omega_B=rows.omega_B,
+            omega_W=rows.omega_W,
+            L_W=rows.L_W,
+            T=rows.T,
+            rate_B=rows.rate_B,
+            rate_W=rows.rate_W,
             columns=tuple(_core.trajectory_columns(self._core)),
         )
 
@@ -202,7 +276,7 @@ class Scene:
     @overload
     def render(
         self,
-        t: float | None = None,
+        t: Time | None = None,
         *,
         size: tuple[int, int] | None = None,
         transparent: bool = False,
@@ -211,7 +285,7 @@ class Scene:
     @overload
     def render(
         self,
-        t: float | None = None,
+        t: Time | None = None,
         *,
         size: tuple[int, int] | None = None,
         transparent: bool = False,
@@ -220,7 +294,7 @@ class Scene:
     @overload
     def render(
         self,
-        t: float | None = None,
+        t: Time | None = None,
         *,
         size: tuple[int, int] | None = None,
         transparent: bool = False,
@@ -228,7 +302,7 @@ class Scene:
     ) -> NDArray[np.uint8] | NDArray[np.uint16]: ...
     def render(
         self,
-        t: float | None = None,
+        t: Time | None = None,
         *,
         size: tuple[int, int] | None = None,
         transparent: bool = False,
@@ -242,80 +316,105 @@ class Scene:
 
         An array (height, width, 3 or 4) of uint8 or uint16, sRGB, rows from the top; the pixels of `poinsot still`.
         Drawn on a thread of this package's. The first call removes Mesa's variables from the environment and sets its
-        own. Raises UsageError, LimitError, RenderError.
+        own. Ctrl-C is heard while it waits for the thread. Raises UsageError, LimitError, RenderError.
         """
-        return self._core.picture(None if t is None else float(t), size, transparent, bits)
+        return self._core.picture(
+            None if t is None else _times.film_time("t", t, self.duration),
+            _arguments.size(size),
+            _arguments.flag("transparent", transparent),
+            _arguments.bits(bits),
+        )
 
     def save(
         self,
         path: Path_,
-        t: float | None = None,
+        t: Time | None = None,
         *,
         size: tuple[int, int] | None = None,
         width: str | None = None,
         dpi: float | None = None,
         transparent: bool = False,
+        force: bool = False,
     ) -> Path:
         """Writes the picture at film time t: .png, .pdf, .svg or .tex, by the name.
 
         width: on paper, as "86mm": then type and lines have a size in points, and `size` is only the proportion.
-        dpi: pixels to the inch there. Others as render().
+        dpi: pixels to the inch there.
+        force: replaces a file that poinsot did not write. Others as render().
 
-        Returns the path. Raises UsageError, RenderError, FileError.
+        Returns the path. Raises UsageError, LimitError, RenderError, FileError.
         """
-        words = ["-o", os.fspath(path)]
+        file = _arguments.path("path", path)
+        words = []
         if t is not None:
-            words += ["--time", repr(float(t))]
+            words += ["--time", repr(_times.film_time("t", t, self.duration))]
         if width is not None:
-            words += ["--width", width]
+            words += ["--width", _arguments.text("width", width, 'a width on paper, as "86mm"')]
         if dpi is not None:
-            words += ["--dpi", repr(float(dpi))]
-        if transparent:
+            words += ["--dpi", repr(_arguments.number("dpi", dpi))]
+        if _arguments.flag("transparent", transparent):
             words.append("--transparent")
-        self._make("still", words + _size(size))
-        return Path(path)
+        if _arguments.flag("force", force):
+            words.append("--force")
+        self._make("still", file, words + self._size_words(size))
+        return Path(file)
 
     def film(
         self,
         path: Path_,
         *,
         size: tuple[int, int] | None = None,
-        frames: tuple[int, int] | None = None,
+        frames: tuple[int, int] | range | None = None,
         jobs: int | None = None,
         resume: bool = False,
+        force: bool = False,
         progress: Callable[[int, int], object] | None = None,
     ) -> Film:
         """Makes the film: .mp4, .mov, .webm, .gif or .apng, by the name. The same scene gives the same bytes.
 
         size: width and height in pixels, in place of the scene's.
-        frames: the first and the last of them, both included; all if not given.
+        frames: a pair, the first and the last, both included; or a range, as range(0, 10) for frames 0 to 9; all if not
+        given.
         jobs: worker processes; one for each CPU if not given.
         resume: goes on with what an earlier call that was stopped left.
+        force: replaces a file that poinsot did not write.
         progress: called with how many frames are done, and of how many. What it raises stops the film, as Ctrl-C does.
 
         Raises UsageError, LimitError, RenderError, FileError.
         """
-        words = ["-o", os.fspath(path)]
-        if frames is not None:
-            words += ["--frames", f"{frames[0]}-{frames[1]}"]
+        file = _arguments.path("path", path)
+        first, last = _arguments.frames(frames, self.frame_count) or (0, self.frame_count - 1)
+        words = ["--frames", f"{first}-{last}"] if frames is not None else []
         if jobs is not None:
-            words += ["-j", str(jobs)]
-        if resume:
+            words.append(f"--jobs={_arguments.whole_number('jobs', jobs)}")
+        if _arguments.flag("resume", resume):
             words.append("--resume")
-        self._make("render", words + _size(size), progress)
-        count = frames[1] - frames[0] + 1 if frames else self.frame_count
-        return Film(Path(path), size or self.size, count, float(count / self.fps))
+        if _arguments.flag("force", force):
+            words.append("--force")
+        _arguments.function("progress", progress)
+        self._make("render", file, words + self._size_words(size), progress)
+        count = last - first + 1
+        return Film(Path(file), _arguments.size(size) or self.size, count, float(count / self.fps))
 
-    def _make(self, command: str, words: list[str], progress: Callable[[int, int], object] | None = None) -> None:
-        """Has the program make a file of the text that was loaded, whatever the scene's file says by now."""
-        file = Path(self._core.file_name)
-        with tempfile.TemporaryDirectory(prefix="poinsot-") as folder:
-            copy = Path(folder) / file.name
-            copy.write_text(self._core.text, encoding="utf-8")
-            allowed = [f"--asset-root={root}" for root in (str(file.parent), *self._asset_roots)]
-            allowed += [f"--limit={word}" for word in _limits(self._limits)]
-            overrides = [word for override in self._core.overrides for word in ("-D", override)]
-            _program.run(command, [*words, *allowed, *overrides, "--", str(copy)], progress)
+    def _size_words(self, size: object) -> list[str]:
+        sides = _arguments.size(size)
+        if sides is None:
+            return []
+        self._core.require_sides(*sides)
+        return ["--size", f"{sides[0]}x{sides[1]}"]
+
+    def _make(
+        self, command: str, output: str, words: list[str], progress: Callable[[int, int], object] | None = None
+    ) -> None:
+        """Runs the program on the text that was loaded, whatever is in the scene's file by now."""
+        folder, name = os.path.split(self._source.file_name)
+        with tempfile.TemporaryDirectory(prefix="poinsot-") as scratch:
+            copy = Path(scratch) / name
+            copy.write_text(self.text, encoding="utf-8")
+            allowed = [f"--asset-root={root}" for root in (folder or ".", *self._source.asset_roots)]
+            allowed += [f"--limit={word}" for word in self._source.limits]
+            overrides = [word for override in self._source.overrides for word in ("-D", override)]
+            _program.run(command, output, [*words, *allowed, *overrides, "--", str(copy)], progress)
 
     def _repr_png_(self) -> bytes:
         width, height = self.size
@@ -325,21 +424,3 @@ class Scene:
     def __repr__(self) -> str:
         width, height = self.size
         return f"<poinsot scene {self.name!r}: {self.duration:g} s, {width}x{height}>"
-
-
-def _words(
-    overrides: Mapping[str, Any] | None, limits: Mapping[str, int | str] | None, asset_roots: Sequence[Path_]
-) -> tuple[list[str], list[str], list[str]]:
-    return _overrides(overrides or {}), _limits(limits or {}), [os.fspath(root) for root in asset_roots]
-
-
-def _overrides(overrides: Mapping[str, Any]) -> list[str]:
-    return [_toml.override(key, value) for key, value in overrides.items()]
-
-
-def _limits(limits: Mapping[str, int | str]) -> list[str]:
-    return [f"{name}={value}" for name, value in limits.items()]
-
-
-def _size(size: tuple[int, int] | None) -> list[str]:
-    return [] if size is None else ["--size", f"{size[0]}x{size[1]}"]

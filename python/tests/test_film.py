@@ -29,6 +29,10 @@ def test_a_notebook_holds_the_film(tmp_path, racket):
     assert base64.b64decode(shown[1]) == film.path.read_bytes()
     picture = racket.film(tmp_path / "a.gif", size=SIZE, frames=(0, 2))._repr_html_()
     assert picture.startswith('<img src="data:image/gif;base64,')
+    film.path.rename(tmp_path / "b.mp4")
+    assert "no longer there" in film._repr_html_()
+    pictures = racket.film(tmp_path / "<a>{frame}.png", size=SIZE, frames=(0, 1))._repr_html_()
+    assert pictures.startswith("<p>2 pictures: ") and "&lt;a&gt;" in pictures
 
 
 def test_the_film_is_of_the_text_that_was_loaded(tmp_path):
@@ -62,5 +66,5 @@ def test_a_film_that_cannot_be_made_says_why(tmp_path, racket):
 def test_without_the_program_the_motion_is_there_and_films_are_not(tmp_path, monkeypatch, racket):
     monkeypatch.setenv("POINSOT_PROGRAM", str(tmp_path / "nothing"))
     assert racket.trajectory(0).T > 0
-    with pytest.raises(OSError):
+    with pytest.raises(poinsot.FileError, match="POINSOT_PROGRAM"):
         racket.film(tmp_path / "a.mp4")

@@ -3,7 +3,7 @@
 
 import io
 import multiprocessing
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -64,6 +64,18 @@ def test_another_process_draws_too(racket):
         assert pool.map(_sum, [0, 1, 2]) == [_sum(0), _sum(1), _sum(2)]
 
 
+def _bytes(scene, t):
+    return scene.render(t).tobytes()
+
+
+def test_a_scene_goes_to_another_process(racket):
+    scene = racket.replace({"output.size": [96, 54], "style.theme": "dark"})
+    times = [0.0, 2.5]
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
+        there = list(pool.map(_bytes, [scene] * len(times), times))
+    assert there == [_bytes(scene, t) for t in times]
+
+
 def _refused(t):
     with pytest.raises(poinsot.UsageError, match="spawn"):
         _sum(t)
@@ -84,7 +96,7 @@ def test_a_notebook_shows_a_picture_of_the_scene():
 
 
 @pytest.mark.parametrize(
-    "asked", [{"t": -1}, {"t": 14.1}, {"t": float("nan")}, {"size": (8, 90)}, {"size": (100_000, 90)}, {"bits": 12}]
+    "asked", [{"t": -1}, {"t": 14.1}, {"t": float("nan")}, {"size": (8, 90)}, {"bits": 12}]
 )
 def test_what_cannot_be_drawn_is_refused(racket, asked):
     with pytest.raises(poinsot.UsageError):

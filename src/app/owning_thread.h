@@ -23,9 +23,15 @@ class OwningThread {
   OwningThread(const OwningThread&) = delete;
   OwningThread& operator=(const OwningThread&) = delete;
 
-  /// Has the work done and waits for it. @returns what it returns @throws what it throws
+  /// Does the work and waits for it. @returns what it returns @throws what it throws
   template <class Work>
   std::invoke_result_t<Work, Value&> with(Work work) {
+    return begin(std::move(work)).get();
+  }
+
+  /// Lets the work be done. It must own what it uses: the caller need not wait for the result.
+  template <class Work>
+  std::future<std::invoke_result_t<Work, Value&>> begin(Work work) {
     std::packaged_task<std::invoke_result_t<Work, Value&>(Value&)> task(std::move(work));
     auto result = task.get_future();
     {
@@ -33,7 +39,7 @@ class OwningThread {
       jobs_.emplace_back([task = std::move(task)](Value& value) mutable { task(value); });
     }
     waiting_.notify_one();
-    return result.get();
+    return result;
   }
 
  private:

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of arguments: a value that a function cannot take raises UsageError, which says what it takes."""
+
+import math
+import numbers
+import operator
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, NoReturn
+
+import numpy as np
+
+from ._errors import UsageError
+
+_LONGEST = 60  # characters of a value in a message
+_MOST = 2**63 - 1  # of whole numbers, as _core has them
+
+
+def refuse(argument: str, it: object, takes: str) -> NoReturn:
+    raise UsageError(f"{argument}={shown(it)}: {takes}")
+
+
+def shown(it: object) -> str:
+    """A value in a message: itself if it is plain and short, else its type."""
+    text = _plain(it)
+    if isinstance(it, (tuple, list)) and len(it) < _LONGEST:
+        parts = ", ".join(_plain(one) or _type(one) for one in it)
+        text = f"[{parts}]" if isinstance(it, list) else f"({parts})"
+    return text if 0 < len(text) <= _LONGEST else _type(it)
+
+
+def _plain(it: object) -> str:
+    if isinstance(it, int) and it.bit_length() > 64:
+        return ""
+    if it is None or isinstance(it, (bool, int, float, complex, str, bytes, range)):
+        return repr(it)
+    return str(it) if isinstance(it, (np.number, np.bool_)) else ""
+
+
+def _type(it: object) -> str:
+    return f"<{type(it).__name__}>"
+
+
+def whole(it: object) -> int | None:
+    """A whole number of Python or NumPy; None if it is something else."""
+    if isinstance(it, (bool, np.bool_)):
+        return None
+    try:
+        number = operator.index(it)  # type: ignore[arg-type]
+    except TypeError:
+        return None
+    return number if abs(number) <= _MOST else None
+
+
+def pair(it: object) -> tuple[int, int] | None:
+    """Two whole numbers; None if it is something else."""
+    if not isinstance(it, (tuple, list)) and not (isinstance(it, np.ndarray) and it.ndim == 1):
+        return None
+    if len(it) != 2:
+        return None
+    first, second = whole(it[0]), whole(it[1])
+    return None if first is None or second is None else (first, second)
+
+
+def size(it: object) -> tuple[int, int] | None:
+    if it is None:
+        return None
+    return pair(it) or refuse("size", it, "a size is a pair of whole numbers, width and height in pixels: (1280, 720)")
+
+
+def frames(it: object, count: int) -> tuple[int, int] | None:
+    """The first and the last frame."""
+    if it is None:
+        return None
+    steps = isinstance(it, range) and it.step == 1 and len(it) > 0
+    found = (it.start, it.stop - 1) if isinstance(it, range) and steps else pair(it)
+    if found is None:
+        refuse("frames", it, "a pair, the first frame and the last: (0, 9); or a range without gaps: range(0, 10)")
+    first, last = found
+    if first > last:
+        refuse("frames", it, f"the first frame, {first}, comes after the last, {last}")
+    if not (0 <= first and last < count):
+        refuse("frames", it, f"the film has frames 0 to {count - 1}")
+    return found
+
+
+def flag(argument: str, it: object) -> bool:
+    if not isinstance(it, (bool, np.bool_)):
+        refuse(argument, it, "True or False")
+    return bool(it)
+
+
+def whole_number(argument: str, it: object) -> int:
+    found = whole(it)
+    return found if found is not None else refuse(argument, it, "a whole number")
+
+
+def function(argument: str, it: object) -> None:
+    if it is not None and not callable(it):
+        refuse(argument, it, "a function")
+
+
+def bits(it: object) -> int:
+    return 16 if whole(it) == 16 else 8 if whole(it) == 8 else refuse("bits", it, "8 or 16")
+
+
+def number(argument: str, it: object) -> float:
+    try:
+        value = float(it) if isinstance(it, numbers.Real) and not isinstance(it, bool) else math.nan
+    except OverflowError:
+        value = math.inf
+    return value if math.isfinite(value) else refuse(argument, it, "a number")
+
+
+def text(argument: str, it: object, takes: str) -> str:
+    """A text that is Unicode, without NUL."""
+    if not isinstance(it, str):
+        refuse(argument, it, takes)
+    if "\0" in it:
+        refuse(argument, it, "no NUL may stand in a text")
+    try:
+        it.encode()
+    except UnicodeEncodeError:
+        refuse(argument, it, "half of a surrogate pair is no character")
+    return str(it)
+
+
+def path(argument: str, it: object) -> str:
+    """A path as text; bytes that are no UTF-8 are kept as os.fsdecode() does."""
+    try:
+        name = os.fsdecode(it)  # type: ignore[arg-type]
+        os.fsencode(name)
+    except (TypeError, UnicodeEncodeError):
+        refuse(argument, it, 'a path, as "scenes/top.toml" or a pathlib.Path')
+    if "\0" in name:
+        refuse(argument, it, "no NUL may stand in a path")
+    return name
+
+
+def stem(argument: str, it: object) -> str:
+    """A file's name without its ending."""
+    name = text(argument, it, "a text")
+    if not name or "/" in name:
+        refuse(argument, it, 'a file\'s name without folder and ending, as "top"')
+    return name
+
+
+def paths(argument: str, it: object) -> list[str]:
+    if isinstance(it, (str, bytes, os.PathLike)) or not isinstance(it, Sequence):
+        refuse(argument, it, 'a list of folders, as ["meshes"]')
+    return [path(f"{argument}[{i}]", one) for i, one in enumerate(it)]
+
+
+def table(argument: str, it: object, example: str) -> dict[str, Any]:
+    """A dictionary with texts as keys; an empty one for None."""
+    if it is None:
+        return {}
+    if not isinstance(it, Mapping):
+        refuse(argument, it, f"a dictionary, as {example}")
+    return {text(f"a key of {argument}", key, "a text"): value for key, value in it.items()}
+
+
+def limits(it: object) -> list[str]:
+    """The words of limits for the program."""
+    given = table("limits", it, '{"side": 16384, "memory": "4 GiB"}')
+    return [f"{name}={_limit(f'limits[{shown(name)}]', most)}" for name, most in given.items()]
+
+
+def _limit(argument: str, most: object) -> str:
+    if isinstance(most, str):
+        return text(argument, most, "a text")
+    number = whole(most)
+    return refuse(argument, most, 'a whole number, or a size such as "4 GiB"') if number is None else str(number)

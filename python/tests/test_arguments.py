@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Wrong arguments: every function refuses them in the words of its own arguments. Times with units, frames, files."""
+
+import copy
+import datetime
+import errno
+import functools
+import inspect
+import os
+import pickle
+import warnings
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import poinsot
+
+OWN = {"body": {"principal_moments": [1, 2, 2.5]}, "motion": {"omega_body": [0.05, 2, 0]}}
+CIRCLE = []
+CIRCLE.append(CIRCLE)
+
+WRONG = [
+    *(None, True, -1, 0, 1.5, float("nan"), 1e300, 10**400, 2**63, Fraction(10**400), 1j, "", "x", "a\0b", "\ud800"),
+    *(b"x", object(), [], (1, "2"), [1, 2, 3], [[1], [1, 2]], {}, {1: 2}, {"x": object()}, {"\ud800": 1}),
+    *(range(5, 2), range(0, 9, 2), lambda: None, len, CIRCLE, {"x": CIRCLE}, slice(3), np.arange(3), np.float64(0.5)),
+    *(np.ma.array([1.0], mask=[True]), np.array("2001-01-01", "M8[s]"), np.array(3, "m8"), np.array([object()])),
+]
+
+# A good value of each argument that has no default.
+GOOD = {"path": "scenes/none.toml", "source": OWN, "overrides": {}, "t": 0.0, "times": 0.0}
+
+
+def functions(scene):
+    """Every public function, with the name of its class."""
+    for name in poinsot.__all__:
+        if inspect.isfunction(thing := getattr(poinsot, name)):
+            yield name, thing
+    for name, _ in inspect.getmembers(poinsot.Scene, inspect.isfunction):
+        if not name.startswith("_"):
+            yield f"Scene.{name}", getattr(scene, name)
+
+
+def test_a_wrong_argument_is_refused_in_the_functions_own_words(tmp_path, racket):
+    refused = 0
+    for name, function in functions(racket):
+        parameters = inspect.signature(function).parameters
+        required = [name for name, parameter in parameters.items() if parameter.default is parameter.empty]
+        assert GOOD.keys() >= set(required), f"{name}: give GOOD a value of {required}"
+        good = {name: GOOD[name] for name in required}
+        if name in ("Scene.save", "Scene.film"):
+            good["path"] = tmp_path / "none" / "a.mp4"  # ends soon where nothing else is wrong
+        for parameter in parameters:
+            for wrong in WRONG:
+                where = f"{name}({parameter}={wrong!r:.60})"
+                try:
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("ignore", UserWarning)
+                        function(**{**good, parameter: wrong})
+                except (poinsot.Error, TypeError) as error:
+                    refused += 1
+                    for word in ("--", "_core", "0x", "-D ", "array([", "incompatible"):
+                        assert word not in str(error), f"{where}: {error}"
+                    assert str(error), where
+                except BaseException as error:
+                    raise AssertionError(f"{where}: {error!r}") from error
+    assert refused > 500
+
+
+def test_a_scene_is_made_by_functions():
+    with pytest.raises(TypeError, match=r"poinsot.load\(\)"):
+        poinsot.Scene()
+
+
+@pytest.mark.parametrize(
+    ("given", "seconds"),
+    [
+        (np.array([1500, -3], "m8[ms]"), [1.5, -0.003]),
+        (np.timedelta64(2, "h"), 7200.0),
+        (np.array([[3]], "m8[25us]"), [[75e-6]]),
+        (np.array([7], "m8[as]"), [7e-18]),
+        (np.array(2**20, "m8[W]"), 2.0**20 * 604800),
+        (datetime.timedelta(days=1, microseconds=1), 86400.000001),
+        ([datetime.timedelta(0, 2), 3, Decimal("0.5"), Fraction(1, 4)], [2.0, 3.0, 0.5, 0.25]),
+        ([np.timedelta64(5, "s"), 2.5], [5.0, 2.5]),
+        (np.ma.array([1.0, 2.0], mask=[False, False]), [1.0, 2.0]),
+        (np.array([1, 2], ">f4"), [1.0, 2.0]),
+        (np.float16(0.5), 0.5),
+        ([], []),
+        (range(3), [0.0, 1.0, 2.0]),
+    ],
+)
+def test_times_are_seconds_or_have_a_unit(given, seconds):
+    t = poinsot.loads(OWN).trajectory(given).t
+    assert t.dtype == np.float64 and t.shape == np.shape(seconds)
+    assert t.tolist() == seconds  # to the last bit: each has one rounding
+
+
+def test_timedeltas_of_pandas_are_times():
+    pandas = pytest.importorskip("pandas")
+    given = pandas.to_timedelta([1, 2.5], unit="s")
+    for form in (given, pandas.Series(given), list(given)):
+        assert poinsot.loads(OWN).trajectory(form).t.tolist() == [1, 2.5]
+    assert poinsot.loads(OWN).trajectory(given[1]).t == 2.5
+    for dates in (pandas.date_range("2001-01-01", periods=2), pandas.Series([1.0, None]), pandas.array([1, None])):
+        with pytest.raises(poinsot.UsageError, match="times"):
+            poinsot.loads(OWN).trajectory(dates)
+
+
+class Quantity(np.ndarray):
+    """An array with a unit, as packages for units have it."""
+
+    unit = "ms"
+
+
+@pytest.mark.parametrize(
+    ("given", "place"),
+    [
+        (np.ma.array([1.0, 2.0], mask=[False, True]), r"times\[1\] = masked"),
+        ([[1.0, float("nan")]], r"times\[0, 1\] = nan"),
+        (np.array(["NaT", 1], "m8[s]"), r"times\[0\] = NaT"),
+        (np.array([1], "m8[Y]"), "unit"),
+        (np.array([1], "m8"), "unit"),
+        (np.array([1], "M8[s]"), "datetime64"),
+        (np.array([1500]).view(Quantity), "unit of its own"),
+        ([1j], "complex"),
+        (["1.5"], "<U3"),
+        ([True, False], "bool"),
+        ([1.0, None], r"times\[1\]: .*None"),
+        (10**400, "inf|whole|number"),
+        ([[1], [1, 2]], "number of seconds"),
+    ],
+)
+def test_what_is_no_time_is_refused_with_its_place(given, place):
+    with pytest.raises(poinsot.UsageError, match=place):
+        poinsot.loads(OWN).trajectory(given)
+
+
+def test_film_times_lie_in_the_film(racket, tmp_path):
+    for wrong in (-1, 1e300, 14.1, [0, 15], None):
+        with pytest.raises(poinsot.UsageError, match="^t"):
+            racket.motion_time(wrong)
+    for wrong in (-1, 14.1, [0.0], "1"):
+        for made in (racket.render, lambda t: racket.save(tmp_path / "a.png", t)):
+            with pytest.raises(poinsot.UsageError, match="^t"):
+                made(wrong)
+    assert racket.motion_time(np.timedelta64(10, "s")) == racket.motion_time(10.0)
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ((3, 5), "3-5"),
+        (np.array([3, 5]), "3-5"),
+        ([np.int32(3), 5], "3-5"),
+        (range(3, 6), "3-5"),
+        (range(0, 1), "0-0"),
+    ],
+)
+def test_frames_are_a_pair_or_a_range(racket, monkeypatch, asked, words):
+    seen = []
+    monkeypatch.setattr(poinsot._scene._program, "run", lambda command, output, said, progress: seen.extend(said))
+    film = racket.film("a.mp4", frames=asked)
+    assert seen[seen.index("--frames") + 1] == words
+    assert film.frame_count == len(range(*map(int, words.split("-")))) + 1
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        *((0, 5, 9), [1], 5, np.arange(10), range(0, 10, 2), range(5, 5), range(9, 0, -1), (1.0, 2), (True, 2)),
+        *("0-9", (3, 0), (-1, 2), (0, 420), range(0, 421), slice(0, 9), {0, 9}, (None, 3)),
+    ],
+)
+def test_other_frames_are_refused(racket, asked):
+    with pytest.raises(poinsot.UsageError, match="^frames="):
+        racket.film("a.mp4", frames=asked)
+
+
+@pytest.mark.parametrize("size", [320, "320x180", (320.5, 100), (320,), (1, 2, 3), {}, (True, 90)])
+def test_a_size_is_two_whole_numbers(racket, size):
+    film, save = functools.partial(racket.film, "a.mp4"), functools.partial(racket.save, "a.png")
+    for made in (racket.render, film, save):
+        with pytest.raises(poinsot.UsageError, match="^size=.*width and height in pixels"):
+            made(size=size)
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "number"),
+    [
+        ("nothing.toml", FileNotFoundError, errno.ENOENT),
+        ("", FileNotFoundError, errno.ENOENT),
+        (".", IsADirectoryError, errno.EISDIR),
+        ("file/below.toml", NotADirectoryError, errno.ENOTDIR),
+        ("x" * 300, OSError, errno.ENAMETOOLONG),
+    ],
+)
+def test_a_file_that_cannot_be_read_is_pythons_own_error_too(tmp_path, monkeypatch, name, kind, number):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(kind):
+        open(name)  # the oracle
+    with pytest.raises(kind) as caught:
+        poinsot.load(name)
+    error = caught.value
+    assert isinstance(error, poinsot.FileError) and (error.errno, error.filename) == (number, name)
+    assert str(error).endswith(("directory", "File name too long", "Not a directory"))
+    again = pickle.loads(pickle.dumps(error))
+    assert (type(again), str(again), again.errno) == (type(error), str(error), number)
+
+
+def test_a_file_that_cannot_be_written_says_why(tmp_path, racket):
+    with pytest.raises(FileNotFoundError, match="no such folder") as caught:
+        racket.film(tmp_path / "none" / "a.mp4")
+    assert isinstance(caught.value, poinsot.FileError)
+    (tmp_path / "a.png").write_text("a note of mine")
+    with pytest.raises(poinsot.FileError, match="not written by poinsot; force=True replaces it"):
+        racket.save(tmp_path / "a.png")
+    assert racket.save(tmp_path / "a.png", force=True).read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_program_that_cannot_be_started_is_named_with_its_variable(tmp_path, monkeypatch, racket):
+    monkeypatch.setenv("POINSOT_PROGRAM", str(tmp_path / "nothing"))
+    with pytest.raises(FileNotFoundError, match=r"^POINSOT_PROGRAM=.*nothing: cannot be started") as caught:
+        racket.film("a.mp4")
+    assert isinstance(caught.value, poinsot.FileError)
+
+
+def test_more_than_a_limit_allows_is_a_limit_error(tmp_path):
+    with pytest.raises(poinsot.LimitError, match=r'limits=\{"frames": N\} raises that') as caught:
+        poinsot.loads(OWN, limits={"frames": 1})
+    assert isinstance(caught.value, poinsot.SceneError) and len(caught.value.problems) == 1
+    with pytest.raises(poinsot.SceneError) as caught:
+        poinsot.loads(OWN, {"style.theme": "no such"}, limits={"frames": 1})
+    assert not isinstance(caught.value, poinsot.LimitError)  # more is wrong than that
+    for limits, words in (({"output": 1024}, "output"), ({"memory": "1 MiB"}, "memory")):
+        scene = poinsot.loads({**OWN, "time": {"duration": 0.1}}, {"output.size": [64, 36]}, limits=limits)
+        with pytest.raises(poinsot.LimitError, match=rf'limits={{"{words}": \w+}} raises that') as caught:
+            scene.film(tmp_path / f"{words}.mp4")
+        assert "--" not in str(caught.value) and "poinsot:" not in str(caught.value)
+    with pytest.raises(poinsot.LimitError, match=r'^size=.*limits={"side": N} raises that'):
+        scene.render(size=(100_000, 90))
+
+
+def test_an_override_that_is_wrong_is_no_file(racket):
+    with pytest.raises(poinsot.SceneError) as caught:
+        racket.replace({"style.theme": "drak"})
+    problem = caught.value.problems[0]
+    assert (problem.file, problem.line, problem.column, problem.override) == ("", 0, 0, "style.theme")
+    assert problem.message.startswith("style.theme: ")
+    again = copy.deepcopy(caught.value)
+    assert (str(again), again.problems) == (str(caught.value), caught.value.problems)
+
+
+def test_names_that_are_no_utf8_are_read_and_written(tmp_path, racket):
+    name = os.fsencode(tmp_path) + b"/\xff.toml"
+    with open(name, "w") as file:
+        file.write(racket.text)
+    scene = poinsot.load(name)
+    assert os.fsencode(scene.name) == b"\xff"
+    assert pickle.loads(pickle.dumps(scene)).info() == scene.info()
+    scene.save(os.fsencode(tmp_path) + b"/\xfe.png", size=(32, 32))
+    assert os.path.exists(os.fsencode(tmp_path) + b"/\xfe.png")

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The package in the interpreter: Ctrl-C, subinterpreters, reloading, the end of the process."""
+
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+
+import pytest
+
+PRELUDE = """
+import os, sys, threading, time
+import numpy as np
+import poinsot
+
+BODY = {"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [0.3, 2, 0.1]}}
+DRIVEN = {"motion.torque.body": [0.1, 0.2, 0.3]}
+FILM = {"time.duration": 100, "time.speed": 10}
+
+def ready():
+    print("ready", flush=True)
+"""
+
+# Each would take 1 to 15 s. The last waits for a thread that integrates the same motion.
+LONG = {
+    "rows": "s = poinsot.loads(BODY); ready(); s.trajectory(np.arange(6e6))",
+    "driven motion": "s = poinsot.loads(BODY, DRIVEN); ready(); s.trajectory(1000)",
+    "driven motion backwards": "s = poinsot.loads(BODY, DRIVEN); ready(); s.trajectory(-1000)",
+    "info": "s = poinsot.loads(BODY, DRIVEN | FILM); ready(); s.info()",
+    "motion of a picture": "s = poinsot.loads(BODY, DRIVEN | FILM); ready(); s.render(0, size=(64, 64))",
+    "picture": "s = poinsot.loads(BODY, limits={'memory': '8 GiB'}); ready(); s.render(0, size=(6000, 6000))",
+    "motion of a thread": """
+s = poinsot.loads(BODY, DRIVEN)
+threading.Thread(target=s.trajectory, args=[300]).start()
+time.sleep(0.05)
+ready()
+s.trajectory(300)
+""",
+}
+
+
+def run(program, **options):
+    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, **options)
+
+
+@pytest.mark.parametrize("work", LONG)
+def test_ctrl_c_is_heard_in_half_a_second(work):
+    tried = textwrap.indent(LONG[work], "    ")
+    program = f"{PRELUDE}\ntry:\n{tried}\nexcept KeyboardInterrupt:\n    print('heard', flush=True)\n"
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(0.1)
+        sent = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        assert process.stdout.readline() == "heard\n"
+        assert time.monotonic() - sent < 0.5  # 0.05
+    assert process.returncode == 0  # a picture is finished meanwhile
+
+
+def test_an_interrupted_motion_can_be_asked_for_again():
+    said = run(f"""{PRELUDE}
+import os, signal
+s = poinsot.loads(BODY, DRIVEN)
+threading.Timer(0.1, os.kill, [os.getpid(), signal.SIGINT]).start()
+try:
+    s.trajectory(300.0)
+except KeyboardInterrupt:
+    print(s.trajectory([100.0]).T == poinsot.loads(BODY, DRIVEN).trajectory([100.0]).T)
+""")
+    assert (said.stdout, said.stderr, said.returncode) == ("[ True]\n", "", 0)
+
+
+def test_the_process_ends_while_daemon_threads_compute():
+    said = run(f"""{PRELUDE}
+s = poinsot.loads(BODY)
+def work():
+    while True:
+        s.trajectory(np.arange(2e4))
+for _ in range(4):
+    threading.Thread(target=work, daemon=True).start()
+time.sleep(0.1)
+if (child := os.fork()) != 0:  # a fork has none of the threads
+    assert os.waitpid(child, 0)[1] == 0
+print("end")
+""")
+    assert (said.stdout.splitlines()[0], said.stderr, said.returncode) == ("end", "", 0)  # used to be aborted
+
+
+@pytest.mark.parametrize("before", ["", "import poinsot"])
+def test_a_subinterpreter_gets_an_import_error(before):
+    pytest.importorskip("_xxsubinterpreters")  # until Python 3.12
+    said = run(f"""{before}
+import sys, _xxsubinterpreters as interpreters
+other = interpreters.create()
+try:
+    interpreters.run_string(other, f"import sys; sys.path[:] = {{sys.path}}; import poinsot")
+except interpreters.RunFailedError as error:
+    print(error)
+import poinsot
+print(poinsot.load("scenes/tennis_racket.toml").frame_count)
+""")
+    assert "ImportError" in said.stdout and "main interpreter only" in said.stdout, said
+    assert said.stdout.endswith("\n420\n") and said.returncode == 0
+
+
+def test_the_package_can_be_imported_again():
+    said = run("""
+import importlib, sys
+import poinsot
+first = poinsot.load("scenes/tennis_racket.toml")
+importlib.reload(poinsot)
+assert poinsot.load("scenes/tennis_racket.toml").trajectory(1).T == first.trajectory(1).T
+for name in [name for name in sys.modules if name.startswith("poinsot")]:
+    del sys.modules[name]
+import poinsot
+assert poinsot.load("scenes/tennis_racket.toml").render(1, size=(32, 32)).shape == (32, 32, 3)
+try:
+    poinsot.load("none.toml")
+except poinsot.FileError:  # of the new modules
+    print("good")
+""")
+    assert (said.stdout, said.stderr, said.returncode) == ("good\n", "", 0)
