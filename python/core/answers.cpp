@@ -13,6 +13,7 @@
 #include "grade.h"
 #include "image/flip.h"
 #include "scene/explanation.h"
+#include "signals.h"
 #include "stability.h"
 
 namespace poinsot::python {
@@ -81,7 +82,7 @@ void declareAnswers(py::module_& module) {
   module.attr("all_trajectory_columns") = namesOf(app::kTrajectoryColumns);
   module.attr("flip_pixels_per_degree") = image::kFlipPixelsPerDegree;
   module.def("attitude_limit", &app::attitudeLimit_rad);
-  module.def("checkup", &checkupOf, py::call_guard<py::gil_scoped_release>());
+  module.def("checkup", &checkupOf, py::call_guard<WithoutGil>());
   module.def("diff", &diffOf);
   module.def("explain", &explanationsOf);
   module.def("grade_file", py::overload_cast<const LoadedScene&, const std::string&>(&gradeJson));

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/film_reader.h"
+#include "signals.h"
 
 namespace poinsot::python {
 namespace {
@@ -132,7 +133,7 @@ std::string comparedJson(Source reference, Source test, const app::DiffRequest& 
 std::string diffJson(const PictureSource& reference, const PictureSource& test, const DiffAsk& ask) {
   Source a = sourceOf(reference), b = sourceOf(test);
   const app::DiffRequest request = requestOf(ask);
-  const py::gil_scoped_release others;
+  const WithoutGil others;
   return comparedJson(std::move(a), std::move(b), request, ask.jobs);
 }
 

@@ -3,11 +3,10 @@
 
 #include "app/grade_text.h"
 #include "app/scene_grade.h"
+#include "signals.h"
 
 namespace poinsot::python {
 namespace {
-
-namespace py = pybind11;
 
 std::string json(const LoadedScene& loaded, const app::TrajectoryTable& theirs, const std::string& fileName) {
   const scene::Scene& scene = loaded.scene();
@@ -17,7 +16,7 @@ std::string json(const LoadedScene& loaded, const app::TrajectoryTable& theirs, 
 }  // namespace
 
 std::string gradeJson(const LoadedScene& scene, const std::string& fileName) {
-  const py::gil_scoped_release others;
+  const WithoutGil others;
   return json(scene, app::readTrajectoryTable(fileName), fileName);
 }
 
@@ -26,7 +25,7 @@ std::string gradeJson(const LoadedScene& scene, const std::vector<std::string>& 
   std::vector<app::NamedColumn> named;
   for (std::size_t i = 0; i < columns.size(); ++i)
     named.push_back({names.at(i), {columns[i].data(), static_cast<std::size_t>(columns[i].size())}});
-  const py::gil_scoped_release others;
+  const WithoutGil others;
   return json(scene, app::trajectoryTableOf(named), "");
 }
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _times
 from ._errors import UsageError
 
 #: Arrays of vectors, and the columns of their components, as in the program's CSV.
@@ -19,7 +20,7 @@ PARTS: Mapping[str, Sequence[str]] = {
 
 def split(name: str, values: Any) -> Iterator[tuple[str, NDArray[np.float64]]]:
     """Columns of an array, flattened in C order: a vector's components, anything else by itself."""
-    array = doubles(name, values)
+    array = _times.times(name, values) if name == "t" else doubles(name, values)
     parts = PARTS.get(name)
     if parts is None:
         yield name, array.ravel()
@@ -31,12 +32,10 @@ def split(name: str, values: Any) -> Iterator[tuple[str, NDArray[np.float64]]]:
 
 
 def doubles(name: str, values: Any) -> NDArray[np.float64]:
-    """An array of real numbers; of the time t also timedelta64, as seconds. Raises UsageError for anything else."""
+    """An array of real numbers. Raises UsageError for anything else."""
     if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
         raise UsageError(f"{name}: has masked values; fill or remove them, as with {name}.compressed()")
     array = np.asarray(values)
-    if array.dtype.kind == "m" and name == "t":
-        return np.asarray(array / np.timedelta64(1, "s"), dtype=np.float64)
     if array.dtype.kind not in "iufO":
         raise UsageError(f"{name}: values of the type {array.dtype}; real numbers are expected")
     try:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _arguments, _core
 from ._errors import UsageError
 
 _MOST_PER_DEGREE = 1000
@@ -50,20 +50,20 @@ def diff(
 
     Raises UsageError for pictures of different sizes, FileError, LimitError.
     """
-    if not 1 <= pixels_per_degree <= _MOST_PER_DEGREE:
-        raise UsageError(f"pixels_per_degree = {pixels_per_degree}: from 1 to {_MOST_PER_DEGREE}")
-    if jobs is not None and jobs < 1:
-        raise UsageError(f"jobs = {jobs}: at least 1")
+    if not 1 <= _arguments.number("pixels_per_degree", pixels_per_degree) <= _MOST_PER_DEGREE:
+        _arguments.refuse("pixels_per_degree", pixels_per_degree, f"a number from 1 to {_MOST_PER_DEGREE}")
+    if jobs is not None and _arguments.whole_number("jobs", jobs) < 1:
+        _arguments.refuse("jobs", jobs, "at least 1")
     result: dict[str, Any] = json.loads(
         _core.diff(
             _source("reference", reference),
             _source("test", test),
             _rule(rule),
-            [[float(number) for number in box] for box in ignore],
+            _boxes(ignore),
             None if mask is None else _source("mask", _painted(mask)),
             float(pixels_per_degree),
             jobs or len(os.sched_getaffinity(0)),
-            [f"{name}={value}" for name, value in (limits or {}).items()],
+            _arguments.limits(limits),
         )
     )
     for side, picture in (("reference", reference), ("test", test)):
@@ -72,16 +72,30 @@ def diff(
 
 
 def _is_path(it: Any) -> bool:
-    return isinstance(it, (str, os.PathLike))
+    return isinstance(it, (str, bytes, os.PathLike))
+
+
+def _boxes(boxes: Any) -> list[list[float]]:
+    takes = "a list of boxes (x, y, width, height) in pixels"
+    if isinstance(boxes, (str, bytes)) or not isinstance(boxes, (Sequence, np.ndarray)):
+        _arguments.refuse("ignore", boxes, takes)
+    found = []
+    for box in boxes:
+        sides = [_arguments.whole(side) for side in box] if isinstance(box, (tuple, list, np.ndarray)) else []
+        if len(sides) != 4 or None in sides:
+            _arguments.refuse("ignore", boxes, takes)
+        found.append([float(side or 0) for side in sides])
+    return found
 
 
 def _source(side: str, it: Any) -> bytes | NDArray[Any]:
     """A file's name as bytes, or pixels with three axes."""
     if _is_path(it):
-        if os.path.isdir(it):
-            raise UsageError(f"{side}: {os.fspath(it)} is a folder; compare its pictures one by one")
-        return os.fsencode(it)
-    array = _pil_pixels(side, it) if hasattr(it, "getbands") else np.asarray(it)
+        path = _arguments.path(side, it)
+        if os.path.isdir(path):
+            raise UsageError(f"{side}: {path} is a folder; compare its pictures one by one")
+        return os.fsencode(path)
+    array = _pil_pixels(side, it) if hasattr(it, "getbands") else _array(side, it)
     if array.dtype.kind != "u" or array.dtype.itemsize > 2:
         raise UsageError(
             f"{side}: samples of the type {array.dtype}; uint8 or uint16 are compared, for example "
@@ -92,6 +106,15 @@ def _source(side: str, it: Any) -> bytes | NDArray[Any]:
     if array.ndim != 3 or 0 in array.shape or array.shape[2] > 4:
         raise UsageError(f"{side}: shape {np.shape(it)}; expected (height, width) or (height, width, 1 to 4)")
     return np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("="))
+
+
+def _array(side: str, it: Any) -> NDArray[Any]:
+    if not hasattr(it, "__array__") and not isinstance(it, Sequence):
+        _arguments.refuse(side, it, "a path, an array of pixels or a PIL image")
+    try:
+        return np.asarray(it)
+    except (ValueError, TypeError, OverflowError):
+        _arguments.refuse(side, it, "an array of pixels has rows of one length")
 
 
 def _pil_pixels(side: str, image: Any) -> NDArray[Any]:
@@ -119,17 +142,17 @@ def _rule(rule: str | Mapping[str, Any] | None) -> list[tuple[str, str]]:
     if rule is None:
         return []
     if isinstance(rule, str):
-        return [("like", rule)]
-    if isinstance(rule, Mapping):
-        return [(str(key), _word(str(key), value)) for key, value in rule.items()]
-    raise UsageError(f"rule: got {type(rule).__name__}; expected a name or a dictionary of limits")
+        return [("like", _arguments.text("rule", rule, "a name"))]
+    limits = _arguments.table("rule", rule, '{"max": 4, "pixels": "0-0.5%"}, or a name such as "same"')
+    return [(key, _word(key, value)) for key, value in limits.items()]
 
 
 def _word(key: str, value: Any) -> str:
     """A limit as a golden.toml has it: a range from 0."""
     if isinstance(value, str):
-        return value
-    if isinstance(value, (bool, np.bool_)) or not np.isscalar(value) or np.iscomplexobj(value):
-        raise UsageError(f"rule: {key} = {value!r}: expected a number, or a text such as '0-2'")
-    number = repr(value.item() if isinstance(value, np.generic) else value)
-    return number if key == "level" else f"0-{number}"
+        return _arguments.text(f"rule[{key!r}]", value, "a text")
+    number = _arguments.whole(value)
+    if number is None and _arguments.number(f"rule[{key!r}]", value) == 0:
+        number = 0
+    word = repr(float(value)) if number is None else repr(number)
+    return word if key == "level" else f"0-{word}"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the names of a scene file mean."""
 
-from . import _core
+from . import _arguments, _core
 
 
 def explain(name: str = "") -> dict[str, dict[str, str]]:
@@ -14,6 +14,6 @@ def explain(name: str = "") -> dict[str, dict[str, str]]:
     keys. Raises UsageError for any other word, with the nearest one.
     """
     explained = {}
-    for title, text, rows in _core.explain(name):
+    for title, text, rows in _core.explain(_arguments.text("name", name, 'a name, as "camera.fov"')):
         explained[title] = ({"help": text} if text else {}) | dict(rows)
     return explained

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _columns, _core
+from . import _arguments, _columns, _core
 from ._errors import UsageError
 from ._trajectory import Trajectory
 
@@ -18,8 +18,8 @@ from ._trajectory import Trajectory
 def grade(core: _core.Scene, table: Any, max_attitude_error: float | str | None) -> dict[str, Any]:
     """Grades a table as Scene.grade() says."""
     limit = None if max_attitude_error is None else _limit(max_attitude_error)
-    if isinstance(table, (str, os.PathLike)):
-        result: dict[str, Any] = json.loads(_core.grade_file(core, os.fsencode(table)))
+    if isinstance(table, (str, bytes, os.PathLike)):
+        result: dict[str, Any] = json.loads(_core.grade_file(core, os.fsencode(_arguments.path("table", table))))
     else:
         columns = [column for name, values in _pairs(table) for column in _known(name, values)]
         result = json.loads(_core.grade_columns(core, [name for name, _ in columns], [values for _, values in columns]))
@@ -29,7 +29,9 @@ def grade(core: _core.Scene, table: Any, max_attitude_error: float | str | None)
 
 
 def _limit(word: float | str) -> float:
-    return _core.attitude_limit("max_attitude_error", word if isinstance(word, str) else repr(float(word)))
+    if isinstance(word, str):
+        return _core.attitude_limit("max_attitude_error", _arguments.text("max_attitude_error", word, "an angle"))
+    return _core.attitude_limit("max_attitude_error", repr(_arguments.number("max_attitude_error", word)))
 
 
 def _passes(result: dict[str, Any], limit: float) -> bool:
@@ -45,7 +47,7 @@ def _pairs(table: Any) -> Iterator[tuple[str, Any]]:
     if isinstance(table, Trajectory):
         yield from table._flat()
     elif isinstance(table, Mapping):
-        yield from ((str(name), values) for name, values in table.items())
+        yield from _arguments.table("table", table, '{"t": t, "omega_B": omega}').items()
     elif isinstance(table, np.ndarray) and table.dtype.names:
         yield from ((name, table[name]) for name in table.dtype.names)
     elif hasattr(table, "iloc") and hasattr(table, "columns"):  # a DataFrame, without importing pandas

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
-from ._errors import UsageError
+from . import _arguments, _core
 
 _MOST_CELLS = 4_000_000
 _ROUNDING = 1e-15  # of a cosine whose angle is pi/2 or pi
@@ -48,13 +47,10 @@ def sweep_map(core: _core.Scene, shape: tuple[int, int]) -> dict[str, Any]:
 
 
 def _checked(shape: Any) -> tuple[int, int]:
-    try:
-        rows, columns = (int(side) for side in shape if side == int(side))
-    except (TypeError, ValueError) as error:
-        raise UsageError(f"shape = {shape!r}: expected two whole numbers, of theta and of phi") from error
-    if min(rows, columns) < 2 or rows * columns > _MOST_CELLS:
-        raise UsageError(f"shape = {shape!r}: at least 2 each, and at most {_MOST_CELLS} cells")
-    return rows, columns
+    found = _arguments.pair(shape) or _arguments.refuse("shape", shape, "two whole numbers, of theta and of phi")
+    if min(found) < 2 or found[0] * found[1] > _MOST_CELLS:
+        _arguments.refuse("shape", shape, f"at least 2 each, and at most {_MOST_CELLS} cells")
+    return found
 
 
 def _directions(theta: NDArray[np.float64], phi: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -100,7 +100,7 @@ def test_bodies_without_a_map_are_refused(changes, message):
 
 @pytest.mark.parametrize("shape", [3, (3,), (1, 5), (2.5, 3), (4, 5, 6), "ab", (10**4, 10**4), None])
 def test_maps_of_no_shape_are_refused(racket, shape):
-    with pytest.raises(poinsot.UsageError, match="shape = "):
+    with pytest.raises(poinsot.UsageError, match="shape="):
         racket.sweep_map(shape=shape)
 
 

@@ -29,7 +29,9 @@ WRONG = [
 ]
 
 # A good value of each argument that has no default.
+PICTURE = np.zeros((16, 16, 3), np.uint8)
 GOOD = {"path": "scenes/none.toml", "source": OWN, "overrides": {}, "t": 0.0, "times": 0.0}
+GOOD |= {"reference": PICTURE, "test": PICTURE, "table": {"t": [0.0], "T": [1.0], "omega_B": [[0.0, 1.0, 0.0]]}}
 
 
 def functions(scene):

@@ -46,7 +46,7 @@ for kind, (moments, omega, more) in json.loads(sys.argv[1]).items():
         index, asked = ("", t) if i % 4 < 2 else ("[1, 2]", [[0, 0, 0], [0, 0, t]])
         try:
             motion = scene.trajectory(asked)
-            arrays = [*vars(motion).values(), motion.L_B]
+            arrays = [it for it in (*vars(motion).values(), motion.L_B) if isinstance(it, np.ndarray)]
             said = "finite" if all(np.isfinite(array).all() for array in arrays) else "NaN"
             detail = float(np.abs(motion.R_WB - start).max())
         except poinsot.Error as error:
