@@ -60,6 +60,7 @@ class DrivenMotion final : public Motion {
 
   /// @throws core::Error(kLimit) for a time outside the span, unless the motion is in closed form.
   RigidBodyState at(double t_s) const override;
+  using Motion::at;  // of many times
 
   const PrincipalAxes& axes() const override;
   double dissipation() const override { return forcing().dissipation; }

@@ -15,7 +15,9 @@ namespace poinsot::physics {
 ///
 /// Error, the inputs taken as the exact doubles given: attitude below 4e-15 rad, omega below 4e-15 of the largest
 /// |omega| of the motion, while |omega t| < 1e14 rad (measured over 16 000 hostile bodies and starts: 1.2e-15 rad,
-/// 4.9e-16; tests/physics/free_motion_hostile_test.cpp). Beyond that the phase has no meaning left.
+/// 4.9e-16; tests/physics/free_motion_hostile_test.cpp). Beyond 2^53 half periods of omega, 3e16 rad or more, the
+/// state is some other one of the same motion. An input that is rounded leaves no digit of the attitude from
+/// 4.5e15 rad on.
 class FreeMotion final : public Motion {
  public:
   /// Start at t = 0. omega0_B in rad/s; q0_WB takes B to W, any nonzero quaternion.
@@ -29,6 +31,7 @@ class FreeMotion final : public Motion {
   /// State at motion time t_s (seconds, any sign). Of q and -q the one with w >= 0: the quaternion may jump to its
   /// negative from one time to the next, the rotation does not. @throws core::Error(kLimit) unless it reaches t_s.
   RigidBodyState at(double t_s) const override;
+  using Motion::at;  // of many times
   /// Whether the phase at t_s is finite and at most kFarthestPhase_rad.
   bool reaches(double t_s) const;
 

@@ -20,6 +20,17 @@ void refuseTime(double t_s) {
                   t_s, kFarthestPhase_rad));
 }
 
+std::vector<RigidBodyState> Motion::at(std::span<const double> times_s) const {
+  std::vector<RigidBodyState> states;
+  states.reserve(times_s.size());
+  for (const double t_s : times_s) try {
+      states.push_back(at(t_s));
+    } catch (const core::Error& error) {
+      throw core::Error(error.kind(), fmt::format("times_s[{}]: {}", states.size(), error.message()));
+    }
+  return states;
+}
+
 Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state) {
   const double alpha = motion.dissipation();
   if (alpha == 0) return state.omega_B;

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "physics/principal_axes.h"
 #include "physics/rigid_body_state.h"
 
 namespace poinsot::physics {
 
 /// The farthest phase |omega t| at which a motion has a state, rad: the products that reduce it stay doubles
-/// (double_double.h). Long before, at 1e14 rad, the attitude loses its digits (free_motion.h).
+/// (double_double.h).
 inline constexpr double kFarthestPhase_rad = 1e290;
+
+/// The phase |omega t| up to which free motion is exact to rounding, rad (free_motion.h).
+inline constexpr double kExactPhase_rad = 1e14;
 
 /// @throws core::Error(kLimit), always: the motion has no state at this time.
 [[noreturn]] void refuseTime(double t_s);
@@ -23,6 +29,9 @@ class Motion {
   /// @throws core::Error(kLimit) for a time that is not finite, one beyond kFarthestPhase_rad or beyond the range
   /// of numbers, and one outside the span of a driven motion.
   virtual RigidBodyState at(double t_s) const = 0;
+  /// Returns the states at many times, in any order, one for each.
+  /// @throws core::Error(kLimit) as at(double) does, naming the index of the first such time.
+  std::vector<RigidBodyState> at(std::span<const double> times_s) const;
 
   virtual const PrincipalAxes& axes() const = 0;
 

@@ -18,13 +18,15 @@ namespace {
 
 }  // namespace
 
-PrincipalMoments::PrincipalMoments(const Eigen::Vector3d& moments) : moments_(moments) {
-  if (!moments.allFinite()) refuse(moments, "principal moments must be finite");
-  if (moments.minCoeff() <= 0) refuse(moments, "principal moments must be positive");
-  const double largest = moments.maxCoeff();
-  const Eigen::Vector3d scaled = moments / largest;  // sums of these cannot overflow
+PrincipalMoments::PrincipalMoments(double I1, double I2, double I3) : moments_(I1, I2, I3) { check(); }
+
+void PrincipalMoments::check() const {
+  if (!moments_.allFinite()) refuse(moments_, "principal moments must be finite");
+  if (moments_.minCoeff() <= 0) refuse(moments_, "principal moments must be positive");
+  const double largest = moments_.maxCoeff();
+  const Eigen::Vector3d scaled = moments_ / largest;  // sums of these cannot overflow
   if (1.0 > (scaled[0] + scaled[1] + scaled[2] - 1.0) * (1 + kTensorSlack))
-    refuse(moments, "no moment may exceed the sum of the other two (a solid body cannot have these values)");
+    refuse(moments_, "no moment may exceed the sum of the other two (a solid body cannot have these values)");
 }
 
 std::array<int, 3> PrincipalMoments::ascendingAxes() const {

@@ -10,8 +10,13 @@ namespace poinsot::physics {
 /// (any order). Valid by construction: finite, positive, no moment above the sum of the other two.
 class PrincipalMoments {
  public:
-  /// @throws core::Error(kPhysics) naming the violated condition and the values.
-  explicit PrincipalMoments(const Eigen::Vector3d& moments);
+  /// PrincipalMoments(1, 2, 2.5). @throws core::Error(kPhysics) naming the violated condition and the values.
+  PrincipalMoments(double I1, double I2, double I3);
+  /// The same from a vector of three. A template, so that braces mean the three numbers.
+  template <typename Derived>
+  explicit PrincipalMoments(const Eigen::EigenBase<Derived>& moments) : moments_(moments.derived()) {
+    check();
+  }
 
   const Eigen::Vector3d& values() const { return moments_; }
   double operator[](int axis) const { return moments_[axis]; }
@@ -29,6 +34,8 @@ class PrincipalMoments {
   }
 
  private:
+  void check() const;
+
   Eigen::Vector3d moments_;
 };
 

@@ -156,6 +156,32 @@ TEST(MotionTimes, GiveAStateOrARefusal) {
   }
 }
 
+TEST(MotionTimes, ManyAtOnceAreTheStatesOfEach) {
+  const std::vector<double> times_s = {2, -1, 0, 0.5, 0.5};
+  for (const Kind& kind : kinds()) {
+    SCOPED_TRACE(kind.name);
+    const std::vector<RigidBodyState> states = kind.motion->at(times_s);
+    ASSERT_EQ(states.size(), times_s.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const RigidBodyState one = kind.motion->at(times_s[i]);
+      EXPECT_EQ(states[i].t_s, times_s[i]);
+      EXPECT_EQ(states[i].q_WB.coeffs(), one.q_WB.coeffs());
+      EXPECT_EQ(states[i].omega_B, one.omega_B);
+    }
+    EXPECT_TRUE(kind.motion->at(std::vector<double>()).empty());
+  }
+}
+
+TEST(MotionTimes, ManyAtOnceNameTheIndexOfTheRefusedOne) {
+  for (const Kind& kind : kinds())
+    for (const double t : {kInfinity, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+      SCOPED_TRACE(kind.name + " at " + std::to_string(t));
+      const std::string alone = refusal([&] { kind.motion->at(t); });
+      const std::string among = refusal([&] { kind.motion->at(std::vector<double>{0, 1, t, 2, t}); });
+      EXPECT_EQ(among, alone.empty() ? "" : "times_s[2]: " + alone);
+    }
+}
+
 TEST(MotionTimes, SpansAreDrivenOrRefused) {
   for (DrivenCase& c : drivenCases())
     for (const double t : times(0)) {

@@ -10,6 +10,15 @@
 namespace poinsot::physics {
 namespace {
 
+TEST(PrincipalMoments, AreMadeOfThreeNumbersOrAVector) {
+  const Eigen::Vector3d three(1, 2, 2.5);
+  EXPECT_EQ(PrincipalMoments(1, 2, 2.5).values(), three);
+  EXPECT_EQ(PrincipalMoments({1, 2, 2.5}).values(), three);
+  EXPECT_EQ(PrincipalMoments(three).values(), three);
+  EXPECT_EQ(PrincipalMoments(0.5 * (three + three)).values(), three);  // an expression of Eigen's
+  EXPECT_THROW(PrincipalMoments(1, 2, 3.5), core::Error);
+}
+
 using Eigen::Vector3d;
 
 TEST(PrincipalMoments, AcceptsWhatABodyCanHave) {

@@ -7,7 +7,7 @@ set(hash_sources composition.cpp decaying_motion.cpp driven_motion.cpp driven_tr
   forcing_piece.cpp free_flow.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp motion.cpp
   polhode.cpp principal_axes.cpp principal_moments.cpp scaled_start.cpp splitting.cpp step_choice.cpp step_plan.cpp
   symmetric_eigen.cpp transcendental.cpp)
-list(TRANSFORM hash_sources PREPEND ${CMAKE_SOURCE_DIR}/src/physics/)
+list(TRANSFORM hash_sources PREPEND ${PROJECT_SOURCE_DIR}/src/physics/)
 list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
 
 add_executable(physics_trajectory_hash trajectory_hash.cpp)
@@ -17,7 +17,7 @@ get_target_property(physics_options poinsot_physics COMPILE_OPTIONS)
 function(hash_variant name)
   add_executable(physics_trajectory_hash_${name} ${hash_sources})
   target_compile_options(physics_trajectory_hash_${name} PRIVATE ${physics_options} ${ARGN})
-  target_include_directories(physics_trajectory_hash_${name} PRIVATE ${CMAKE_SOURCE_DIR}/src)
+  target_include_directories(physics_trajectory_hash_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(physics_trajectory_hash_${name} PRIVATE poinsot::core Eigen3::Eigen poinsot_flags)
 endfunction()
 hash_variant(o0 -O0)
@@ -43,10 +43,10 @@ else()
 endif()
 if(other_compiler)
   set(other ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/physics_trajectory_hash_other)
-  file(GLOB hash_headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/physics/*.h)
+  file(GLOB hash_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/physics/*.h)
   get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_custom_command(OUTPUT ${other}
-    COMMAND ${other_compiler} -std=c++20 -O3 -march=native -ffp-contract=off -I ${CMAKE_SOURCE_DIR}/src
+    COMMAND ${other_compiler} -std=c++20 -O3 -march=native -ffp-contract=off -I ${PROJECT_SOURCE_DIR}/src
             -isystem ${eigen_folder} ${hash_sources} $<TARGET_FILE:poinsot_core> $<TARGET_FILE:fmt::fmt> -o ${other}
     DEPENDS ${hash_sources} ${hash_headers} poinsot_core
     COMMENT "Building the trajectory hash with ${other_compiler}")
