@@ -122,6 +122,7 @@ image::Verdict FilmDiff::verdict() const {
 }
 
 std::size_t FilmDiff::worst() const {
+  POINSOT_EXPECT(!frames.empty());
   return static_cast<std::size_t>(std::ranges::max_element(frames, {}, badness) - frames.begin());
 }
 

@@ -19,7 +19,7 @@ class FilmTimes {
   std::size_t frames() const { return starts_s_.size(); }
   double step_s() const { return step_s_; }
   /// From the first picture. @pre frame < frames().
-  double start_s(std::size_t frame) const { return starts_s_[frame] - starts_s_.front(); }
+  double start_s(std::size_t frame) const { return starts_s_.at(frame) - starts_s_.front(); }
   /// How long the last picture is shown; 0 where the film says nothing.
   double lastFor_s() const { return lastFor_s_; }
   /// Pictures a second of a film that shows each for the same time, but for rounding; 0 for others.

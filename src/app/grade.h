@@ -74,7 +74,7 @@ physics::TimeSpan spanOf(const TrajectoryTable& theirs);
 /// time is positive. Where they are off, a usual other way to read them is looked for (grade_convention.h).
 /// @param maker  makes the same motion over another span, to look for a clock with another zero; without it, none
 /// is looked for.
-/// @pre the motion is known over spanOf(theirs)
+/// @throws core::Error(kLimit) where the motion is not known at a time of theirs.
 Grade grade(const physics::Motion& motion, const TrajectoryTable& theirs, const MotionMaker& maker = {});
 
 /// Grades a log as if its first row were at motion time 0: where a clock's time is too late for the motion to be

@@ -13,6 +13,7 @@
 #include "app/grade_columns.h"
 #include "app/trajectory_number.h"
 #include "core/error.h"
+#include "core/expect.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 
@@ -195,6 +196,12 @@ TrajectoryTable::TrajectoryTable(const std::vector<std::size_t>& columns, std::s
     : width_(columns.size()), fileName_(std::move(fileName)) {
   stored_.fill(kAbsent);
   for (std::size_t i = 0; i < columns.size(); ++i) stored_[columns[i]] = i;
+}
+
+void TrajectoryTable::append(const std::vector<double>& values, const Place& ofTime) {
+  POINSOT_EXPECT(values.size() == width_);
+  values_.insert(values_.end(), values.begin(), values.end());
+  timePlaces_.push_back(ofTime);
 }
 
 TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName) {

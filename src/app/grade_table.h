@@ -31,10 +31,7 @@ class TrajectoryTable {
     int line = 0, column = 0;
   };
   /// `values` of the columns it has, in the order they were named. @pre as many
-  void append(const std::vector<double>& values, const Place& ofTime) {
-    values_.insert(values_.end(), values.begin(), values.end());
-    timePlaces_.push_back(ofTime);
-  }
+  void append(const std::vector<double>& values, const Place& ofTime);
 
  private:
   static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);

@@ -42,7 +42,7 @@ class SignalsHeld {
 /// The first signal noted, or 0.
 int interruptSignal();
 
-/// Readable once a signal was noted, for poll(). @pre watchInterrupts() was called.
+/// Readable once a signal was noted, for poll(). -1, which poll() passes over, before watchInterrupts().
 int interruptFd();
 
 /// @throws Interrupted once a signal was noted; core::Error(kLimit) if the time is over (time_limit.h).

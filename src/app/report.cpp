@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/expect.h"
 #include "core/text.h"
 
 namespace poinsot::app {
@@ -153,6 +154,7 @@ Json valueJson(const FactValue& value) {
 }  // namespace
 
 std::vector<std::string> factLines(const Fact& fact, int digits) {
+  POINSOT_EXPECT(digits >= 1 && digits <= kAllDigits);
   std::vector<std::string> lines = valueLines(shownValue(fact), digits);
   if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
   lines.back() += inDegrees(fact, digits);

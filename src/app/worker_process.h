@@ -18,7 +18,8 @@ namespace poinsot::app {
 class WorkerProcess {
  public:
   /// @param number  to tell it from others
-  /// @pre this process has one thread, and never opened a context: Mesa's threads are not forked with it.
+  /// @warning Forks: this process must have one thread, and must never have opened a context, because Mesa's
+  /// threads are not forked with it.
   /// @throws core::Error(kGraphics) if no process can be started.
   WorkerProcess(const WorkerJob& job, int number);
   ~WorkerProcess();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/expect.h"
+#include "geometry/mesh_expectations.h"
 
 namespace poinsot::geometry {
 namespace {
@@ -68,11 +69,16 @@ Mesh joined(Mesh a, const Mesh& b) {
 }
 
 Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& offset_M) {
+  const Eigen::Matrix3d scaled = A / A.cwiseAbs().maxCoeff();  // or the product of small lengths would vanish
+  POINSOT_EXPECT(scaled.determinant() > 0);
   for (Eigen::Vector3d& v : mesh.vertices_M) v = A.col(0) * v[0] + A.col(1) * v[1] + A.col(2) * v[2] + offset_M;
   return mesh;
 }
 
 Mesh merged(const Mesh& mesh, const std::vector<std::uint32_t>& target) {
+  POINSOT_EXPECT(target.size() == mesh.vertices_M.size());
+  for (const std::uint32_t i : target) POINSOT_EXPECT(i < target.size() && target[i] == i);
+  expectIndicesInRange(mesh);
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   std::vector<bool> used(target.size());
   for (const Mesh::Triangle& triangle : mesh.triangles)
@@ -91,6 +97,9 @@ Mesh merged(const Mesh& mesh, const std::vector<std::uint32_t>& target) {
   return result;
 }
 
-Mesh welded(const Mesh& mesh) { return merged(mesh, firstAtEachPlace(mesh.vertices_M)); }
+Mesh welded(const Mesh& mesh) {
+  expectFinite(mesh);
+  return merged(mesh, firstAtEachPlace(mesh.vertices_M));
+}
 
 }  // namespace poinsot::geometry

@@ -53,12 +53,12 @@ Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& off
 /// Vertices at exactly the same place become one, in the order of their first; those of no triangle go. Files
 /// repeat a corner for every triangle (STL) or for every normal (PLY), and a surface closes only along shared
 /// ones.
-/// @pre finite.
+/// @pre finite; indices in range.
 Mesh welded(const Mesh& mesh);
 
 /// Replaces each vertex i by vertex target[i], and removes the vertices that belong to no triangle. The order of
 /// vertices and triangles stays.
-/// @pre target[target[i]] == target[i] for every vertex.
+/// @pre as many targets as vertices; target[target[i]] == target[i] for every vertex; indices in range.
 Mesh merged(const Mesh& mesh, const std::vector<std::uint32_t>& target);
 
 }  // namespace poinsot::geometry

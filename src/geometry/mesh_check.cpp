@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "geometry/mesh_edges.h"
+#include "geometry/mesh_expectations.h"
 #include "geometry/mesh_integrals.h"
 #include "geometry/mesh_parts.h"
 
@@ -140,8 +141,8 @@ void checkDistinct(const Mesh& mesh, const std::vector<Edge>& edges) {
 void checkClosed(const Mesh& mesh) {
   if (mesh.triangles.empty()) refuse("the mesh has no triangles; a body is bounded by triangles");
   POINSOT_EXPECT(mesh.vertices_M.size() < std::size_t{1} << 31);
-  for (const Mesh::Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t i : triangle) POINSOT_EXPECT(i < mesh.vertices_M.size());
+  expectIndicesInRange(mesh);
+  expectFinite(mesh);
   const std::vector<Edge> edges = sortedEdges(mesh), unbalanced = unbalancedEdges(edges);
   if (!unbalanced.empty()) refuseEdge(mesh, unbalanced.front(), edges);
   checkVolume(mesh);

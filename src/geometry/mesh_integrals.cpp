@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/mesh_expectations.h"
+
 namespace poinsot::geometry {
 namespace {
 
@@ -89,6 +91,8 @@ Matrix3d inertiaPerVolume(const Moments& moments, const Vector3d& c) {
 }  // namespace
 
 MeshIntegrals integrals(const Mesh& mesh) {
+  expectIndicesInRange(mesh);
+  expectFinite(mesh);
   Frame frame = frameOf(mesh);
   const double scale = std::ldexp(1.0, frame.exponent);
   frame.origin_M += momentsAbout(mesh, frame).centre() * scale;

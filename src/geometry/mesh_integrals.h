@@ -20,7 +20,8 @@ struct MeshIntegrals {
 /// The point is the centre of the bounding box, then, in a second pass, the computed centre: a mesh 1e6 of its
 /// lengths from the origin keeps its digits. Sums are compensated and of fixed order: the same bits everywhere.
 /// Source: the integrals of r and r r over a tetrahedron; B. Mirtich, J. Graphics Tools 1 (1996) 31.
-/// @pre closed (checkClosed), coordinates finite.
+/// @warning Means nothing for a mesh that is not closed (checkClosed).
+/// @pre at least one vertex; indices in range, coordinates finite.
 MeshIntegrals integrals(const Mesh& mesh);
 
 /// Checks that the mesh bounds a volume: along each edge as many triangles run one way as the other, so that parts

@@ -17,7 +17,7 @@ namespace poinsot::geometry {
 Mesh turnedMesh(std::span<const Eigen::Vector2d> outline_rz, int segments);
 
 /// A polygon in the xy plane, counter-clockwise, thickened from z = -thickness/2 to +thickness/2.
-/// @pre its first corner sees every other.
+/// @pre three corners or more; the first one sees every other.
 Mesh prismMesh(std::span<const Eigen::Vector2d> outline_xy, double thickness_m);
 
 /// Edges along the axes, centred at the origin.
@@ -28,13 +28,14 @@ Mesh boxMesh(const Eigen::Vector3d& edges_m);
 Mesh ellipsoidMesh(const Eigen::Vector3d& semiAxes_m, int subdivisions);
 
 /// The circle of radius_m in the xy plane with a tube round it, as many segments round the tube as round the
-/// circle.
+/// circle. @pre 0 < tubeRadius_m < radius_m.
 Mesh torusMesh(double radius_m, double tubeRadius_m, int segments);
 
 /// Centre of the flat face at the origin, dome towards +z.
 Mesh hemisphereMesh(double radius_m, int segments);
 
-/// Circles of the two radii at z = low_m and high_m; a radius of 0 is an apex. @pre low_m < high_m.
+/// Circles of the two radii at z = low_m and high_m; a radius of 0 is an apex.
+/// @pre low_m < high_m; not both radii 0.
 Mesh frustumMesh(double lowRadius_m, double highRadius_m, double low_m, double high_m, int segments);
 
 /// A cylinder with a hole along its axis, centred at the origin. @pre 0 < innerRadius_m < radius_m.
@@ -44,6 +45,7 @@ Mesh tubeMesh(double radius_m, double innerRadius_m, double height_m, int segmen
 Mesh capsuleMesh(double radius_m, double height_m, int segments);
 
 /// Two arms along +x and +y, outer corner at the origin, in the xy plane, thickened as a prism.
+/// @pre 0 < arm_m < both edges.
 Mesh lPrismMesh(const Eigen::Vector2d& edges_m, double arm_m, double thickness_m);
 
 // Regular polyhedra, centred at the origin.

@@ -8,8 +8,20 @@ namespace poinsot::geometry {
 
 using Eigen::Vector2d;
 
+namespace {
+
+/// Whether an edge runs counter-clockwise about the first corner, or straight away from it.
+bool firstSees(std::span<const Vector2d> outline_xy, const Vector2d& from, const Vector2d& to) {
+  const Vector2d a = from - outline_xy[0], b = to - outline_xy[0];
+  return a[0] * b[1] - a[1] * b[0] >= 0;
+}
+
+}  // namespace
+
 Mesh prismMesh(std::span<const Vector2d> outline_xy, double thickness_m) {
   POINSOT_EXPECT(outline_xy.size() >= 3);
+  for (std::size_t i = 2; i < outline_xy.size(); ++i)
+    POINSOT_EXPECT(firstSees(outline_xy, outline_xy[i - 1], outline_xy[i]));
   const auto count = static_cast<std::uint32_t>(outline_xy.size());
   Mesh mesh;
   for (const double z : {-thickness_m / 2, thickness_m / 2})

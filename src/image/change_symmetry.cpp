@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/expect.h"
+
 namespace poinsot::image {
 namespace {
 
@@ -17,6 +19,7 @@ bool holds(const BasicImage<Sample>& a, const BasicImage<Sample>& b, Equal equal
 
 template <typename Sample>
 std::optional<Symmetry> found(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
+  POINSOT_EXPECT(a.size == b.size && a.channels == b.channels && a.pixels != b.pixels);
   const int width = a.size.width, height = a.size.height;
   const auto isFrom = [&](int x, int y, const Sample* q) { return std::equal(q, q + a.channels, a.at(x, y)); };
   if (holds(a, b, [&](int x, int y, const Sample* q) { return isFrom(x, height - 1 - y, q); }))

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/expect.h"
+
 namespace poinsot::image {
 namespace {
 
@@ -125,6 +127,7 @@ std::optional<ToneChange> changeOf(const Mapping& mapping) {
 template <typename Sample>
 std::optional<ToneChange> found(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
                                 const IgnoreMask* ignored) {
+  POINSOT_EXPECT(a.size == b.size && a.channels == b.channels);
   const auto mapping = mappingOf(a, b, ignored);
   return mapping ? changeOf(*mapping) : std::nullopt;
 }

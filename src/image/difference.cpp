@@ -189,6 +189,7 @@ Image amplified(const BasicImage<Sample>& a, const BasicImage<Sample>& b, const 
 /// Calls `use` with two pictures of one sample type.
 template <typename Use>
 auto ofOneType(const AnyImage& a, const AnyImage& b, Use use) {
+  POINSOT_EXPECT(a.index() == b.index());
   return std::visit([&](const auto& first) { return use(first, std::get<std::decay_t<decltype(first)>>(b)); }, a);
 }
 

@@ -60,7 +60,8 @@ struct ComparisonOptions {
 /// @throws core::Error(kIo) if sizes or channel counts differ: nothing is resized.
 Comparison compare(const Image& a, const Image& b, const ComparisonOptions& options = {});
 Comparison compare(const DeepImage& a, const DeepImage& b, const ComparisonOptions& options = {});
-/// Compares pictures that are in a common form (common_form.h). @pre toCommonForm(a, b) was called.
+/// Compares pictures that are in a common form. @pre both have the same sample type, as after toCommonForm(a, b)
+/// (common_form.h). @throws as compare.
 Comparison compareCommon(const AnyImage& a, const AnyImage& b, const ComparisonOptions& options = {});
 /// Compares by value, whatever the form. @throws core::Error(kIo) if the sizes differ.
 Comparison compare(AnyImage a, AnyImage b, const ComparisonOptions& options = {});

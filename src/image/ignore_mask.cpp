@@ -35,6 +35,11 @@ void IgnoreMask::add(const AnyImage& painted) {
       painted);
 }
 
+bool IgnoreMask::ignores(int x, int y) const {
+  POINSOT_EXPECT(x >= 0 && x < size_.width && y >= 0 && y < size_.height);
+  return ignored_[index(x, y)] != 0;
+}
+
 std::vector<PixelRect> IgnoreMask::boxes(std::size_t most) const {
   std::vector<PixelRect> boxes;
   std::map<std::pair<int, int>, std::size_t> open;  // boxes that end at the row before, by their sides
@@ -64,6 +69,7 @@ void IgnoreMask::ignore(int x, int y) {
 
 template <typename Sample>
 BasicImage<Sample> withIgnoredOf(const BasicImage<Sample>& a, BasicImage<Sample> b, const IgnoreMask& ignored) {
+  POINSOT_EXPECT(a.size == b.size && a.channels == b.channels && ignored.size() == a.size);
   for (int y = 0; y < a.size.height; ++y)
     for (int x = 0; x < a.size.width; ++x)
       if (ignored.ignores(x, y)) std::copy_n(a.at(x, y), a.channels, b.at(x, y));
@@ -74,6 +80,7 @@ template Image withIgnoredOf(const Image& a, Image b, const IgnoreMask& ignored)
 template DeepImage withIgnoredOf(const DeepImage& a, DeepImage b, const IgnoreMask& ignored);
 
 AnyImage withIgnoredOf(const AnyImage& a, const AnyImage& b, const IgnoreMask& ignored) {
+  POINSOT_EXPECT(a.index() == b.index());
   return std::visit(
       [&](const auto& first) -> AnyImage {
         return withIgnoredOf(first, std::get<std::decay_t<decltype(first)>>(b), ignored);

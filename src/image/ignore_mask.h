@@ -21,9 +21,9 @@ class IgnoreMask {
 
   PixelSize size() const { return size_; }
   /// @pre inside the picture.
-  bool ignores(int x, int y) const { return ignored_[index(x, y)] != 0; }
-  /// The same of a pixel by its number, row by row.
-  bool ignoresPixel(std::size_t index) const { return ignored_[index] != 0; }
+  bool ignores(int x, int y) const;
+  /// The same of a pixel by its number, row by row. @pre inside the picture.
+  bool ignoresPixel(std::size_t index) const { return ignored_.at(index) != 0; }
   std::int64_t ignoredPixels() const { return count_; }
   std::int64_t comparedPixels() const { return static_cast<std::int64_t>(ignored_.size()) - count_; }
   /// The ignored pixels as boxes that do not overlap, from the top left, `most` at most.
@@ -42,7 +42,8 @@ class IgnoreMask {
   std::int64_t count_ = 0;
 };
 
-/// Picture b with the ignored pixels of a, so that no measure sees a difference there. @pre one size and channels.
+/// Picture b with the ignored pixels of a, so that no measure sees a difference there.
+/// @pre pictures and mask are of one size, the pictures of one sample type and number of channels.
 template <typename Sample>
 BasicImage<Sample> withIgnoredOf(const BasicImage<Sample>& a, BasicImage<Sample> b, const IgnoreMask& ignored);
 AnyImage withIgnoredOf(const AnyImage& a, const AnyImage& b, const IgnoreMask& ignored);

@@ -17,7 +17,7 @@ std::size_t sampleCount(PixelSize size, int channels) {
 
 template <typename Sample>
 std::size_t offset(const BasicImage<Sample>& image, int x, int y) {
-  POINSOT_ASSERT(x >= 0 && x < image.size.width && y >= 0 && y < image.size.height);
+  POINSOT_EXPECT(x >= 0 && x < image.size.width && y >= 0 && y < image.size.height);
   return static_cast<std::size_t>(y) * image.rowSamples() +
          static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels);
 }

@@ -26,11 +26,15 @@ struct VideoSegmentWriter::Parts {
 VideoSegmentWriter::VideoSegmentWriter(const std::filesystem::path& target, image::PixelSize size,
                                        const core::Rational& fps, const FilmFormat& format,
                                        std::int64_t firstFrame, core::StepLedger* steps)
-    : parts_(std::make_unique<Parts>(target, size, fps, format, steps)), size_(size), nextFrame_(firstFrame) {}
+    : parts_(std::make_unique<Parts>(target, size, fps, format, steps)),
+      size_(size),
+      firstFrame_(firstFrame),
+      nextFrame_(firstFrame) {}
 
 VideoSegmentWriter::~VideoSegmentWriter() = default;
 
 void VideoSegmentWriter::write(const image::Frame& frame, std::int64_t k) {
+  POINSOT_EXPECT(std::holds_alternative<image::Image>(frame.picture));
   const auto& picture = std::get<image::Image>(frame.picture);
   POINSOT_EXPECT(k == nextFrame_);
   POINSOT_EXPECT(picture.size == size_);
@@ -48,6 +52,7 @@ void VideoSegmentWriter::write(const image::Frame& frame, std::int64_t k) {
 }
 
 void VideoSegmentWriter::finish() {
+  POINSOT_EXPECT(nextFrame_ > firstFrame_);
   const core::StepScope timing(parts_->steps, core::Step::kEncode);
   parts_->encoder.drain(parts_->toFile);
   const core::StepScope writing(parts_->steps, core::Step::kWrite);

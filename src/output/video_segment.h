@@ -24,7 +24,8 @@ class VideoSegmentWriter : public FrameSink {
                      const FilmFormat& format, std::int64_t firstFrame, core::StepLedger* steps = nullptr);
   ~VideoSegmentWriter() override;
 
-  /// @pre the constructor's size, 8 bits a sample; all numbered frames are of one row.
+  /// @warning All numbered frames must be of one row (image/frame.h): what has not changed is not read again.
+  /// @pre the constructor's size, 8 bits a sample; k follows the last one.
   void write(const image::Frame& frame, std::int64_t k) override;
   /// @pre at least one frame was written.
   void finish() override;
@@ -33,7 +34,7 @@ class VideoSegmentWriter : public FrameSink {
   struct Parts;  // keeps libav's headers out of this one
   std::unique_ptr<Parts> parts_;
   image::PixelSize size_;
-  std::int64_t nextFrame_ = 0;
+  std::int64_t firstFrame_ = 0, nextFrame_ = 0;
   std::uint64_t held_ = 0;  // number of the picture that the encoder's frame holds
 };
 

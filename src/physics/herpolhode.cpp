@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/expect.h"
 #include "physics/free_motion_constants.h"
 
 namespace poinsot::physics {
@@ -45,6 +46,7 @@ Herpolhode::Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& o
 // the m_i² it takes the form of herpolhode.h.
 double Herpolhode::rate(double radius) const {
   if (areaTerm_ == 0) return std::ldexp(meanRate_, rateExponent_);
+  POINSOT_EXPECT(radius > 0);
   const double scaled = std::ldexp(radius, -rateExponent_);
   return std::ldexp(meanRate_ + areaTerm_ / scaled / scaled, rateExponent_);
 }

@@ -38,7 +38,8 @@ class Herpolhode {
 
   /// chi': rate at which omega turns about L where the radius is `radius` rad/s; rad/s, between L/I3 and L/I1.
   ///   chi' = 2T/L + (L² - 2T I1)(L² - 2T I2)(2T I3 - L²)/(I1 I2 I3 L³ radius²)
-  /// derived in herpolhode.cpp. 0 when steady. @pre radius is within the curve's two.
+  /// derived in herpolhode.cpp. 0 when steady. Means nothing outside the curve's two radii. @pre radius > 0 of a
+  /// curve that is no circle.
   double rate(double radius) const;
 
   /// The least number of radial periods, up to `longest`, after which the curve meets itself to `tolerance_rad` of

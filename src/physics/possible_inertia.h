@@ -21,8 +21,8 @@ inline constexpr double kLeastOfNearest = 1e-6;
 /// moment, or a moment is not finite.
 std::optional<Eigen::Vector3d> nearestPossibleMoments(const Eigen::Vector3d& moments);
 
-/// Nearest symmetric tensor that a solid can have, in the axes and the unit of the given one. None as above.
-/// @pre symmetric; only the lower triangle is read
+/// Nearest symmetric tensor that a solid can have, in the axes and the unit of the given one, of which the lower
+/// triangle is read. None as above.
 std::optional<Eigen::Matrix3d> nearestPossibleTensor(const Eigen::Matrix3d& inertia);
 
 }  // namespace poinsot::physics

@@ -52,6 +52,7 @@ FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omeg
 }
 
 double flipInterval(const PrincipalMoments& moments, const Eigen::Vector3d& m_P) {
+  POINSOT_EXPECT(!m_P.isZero(0));
   const Eigen::Vector3d omega_P = m_P.cwiseQuotient(moments.values());
   const double interval_s = flipTimes(moments, omega_P).interval_s;
   if (interval_s > 0) return interval_s;

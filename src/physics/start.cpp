@@ -115,11 +115,13 @@ Eigen::Vector3d omegaAtPhaseZero(const PrincipalMoments& moments, const EnergySt
 }  // namespace
 
 Eigen::Vector3d omegaFromSpace(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& omega_W) {
+  POINSOT_EXPECT(!q_WB.coeffs().isZero(0));
   return turnedVector(q_WB.conjugate(), omega_W);
 }
 
 Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Eigen::Quaterniond& q_WB,
                                   const Eigen::Vector3d& L_W) {
+  POINSOT_EXPECT(!q_WB.coeffs().isZero(0));
   return axes.angularVelocity(turnedVector(q_WB.conjugate(), L_W));
 }
 

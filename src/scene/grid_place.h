@@ -9,4 +9,10 @@ struct GridPlace {
   int columns = 1, rows = 1;  ///< cells that it spans
 };
 
+/// Whether two panels lie over one cell.
+inline bool overlap(const GridPlace& a, const GridPlace& b) {
+  return a.column < b.column + b.columns && b.column < a.column + a.columns && a.row < b.row + b.rows &&
+         b.row < a.row + a.rows;
+}
+
 }  // namespace poinsot::scene

@@ -10,11 +10,6 @@ namespace {
 
 constexpr int kMostCells = 8;  // a way: smaller panels could not be looked at
 
-bool overlap(const GridPlace& a, const GridPlace& b) {
-  return a.column < b.column + b.columns && b.column < a.column + a.columns && a.row < b.row + b.rows &&
-         b.row < a.row + a.rows;
-}
-
 }  // namespace
 
 GridPlace PanelGrid::nextTo(const std::optional<Eigen::Vector2i>& at) const {

@@ -23,6 +23,8 @@ int lineAt(int i, int n, int from, int to) {
 PictureLayout::PictureLayout(std::vector<scene::GridPlace> places) : places_(std::move(places)) {
   POINSOT_EXPECT(!places_.empty());
   for (const scene::GridPlace& place : places_) {
+    for (const scene::GridPlace* before = places_.data(); before != &place; ++before)
+      POINSOT_EXPECT(!scene::overlap(*before, place));
     columns_ = std::max(columns_, place.column + place.columns);
     rows_ = std::max(rows_, place.row + place.rows);
   }

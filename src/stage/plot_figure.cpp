@@ -43,6 +43,9 @@ std::string namesOf(const QuantityTrack& track, std::size_t count) {
 }
 
 std::vector<int> tracked(const scene::Plot& plot) {
+  POINSOT_EXPECT(!plot.quantities.empty() && (!plot.x || plot.quantities.size() == 1));
+  for (const int which : plot.quantities)
+    POINSOT_EXPECT(scene::stateQuantity(which).unit == scene::stateQuantity(plot.quantities[0]).unit);
   std::vector<int> all = plot.quantities;
   if (plot.x) all.push_back(*plot.x);
   return all;
@@ -82,7 +85,6 @@ struct PlotFigure::Plan {
         tones(quantityColors(colors, plot.quantities)),
         track(scene, std::move(motion), tracked(plot)),
         ranges(rangesOf(track, plot)) {
-    POINSOT_EXPECT(!plot.quantities.empty() && (!plot.x || plot.quantities.size() == 1));
     if (least) ranges = joined(ranges, *least);
     makeFrame();
     for (std::size_t i = 0; i < plot.quantities.size(); ++i) curves.push_back(curve(i));
