@@ -40,12 +40,12 @@ double EasedTrack::greatest() const {
 
 double EasedTrack::Turn::value(double time_s) const {
   const double passed_s = time_s - at_s;
-  return passed_s >= over_s ? to : from + (to - from) * eased(passed_s / over_s);
+  return turning(passed_s) ? from + (to - from) * eased(passed_s / over_s) : to;
 }
 
 double EasedTrack::Turn::integralTo(double time_s) const {
   const double passed_s = time_s - at_s;
-  if (passed_s < over_s)
+  if (turning(passed_s))
     return integral + from * passed_s + (to - from) * over_s * easedIntegral(passed_s / over_s);
   return integral + 0.5 * (from + to) * over_s + to * (passed_s - over_s);
 }

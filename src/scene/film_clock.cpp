@@ -2,7 +2,11 @@
 #include "scene/film_clock.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
+
+#include "core/expect.h"
+#include "physics/motion.h"
 
 namespace poinsot::scene {
 namespace {
@@ -34,9 +38,26 @@ EasedTrack paceOf(const Timeline& timeline) {
   return track;
 }
 
+double finite(double t_s) {
+  if (!std::isfinite(t_s)) physics::refuseTime(t_s);
+  return t_s;
+}
+
 }  // namespace
 
 FilmClock::FilmClock(double start_s, double speed, const Timeline& timeline)
     : start_s_(start_s), speed_(speed), pace_(paceOf(timeline)) {}
+
+double FilmClock::played_s(double filmTime_s) const {
+  POINSOT_EXPECT(std::isfinite(filmTime_s));
+  return finite(pace_.integral(filmTime_s));
+}
+
+double FilmClock::motionTimeOf(double played_s) const { return finite(start_s_ + speed_ * played_s); }
+
+double FilmClock::pace(double filmTime_s) const {
+  POINSOT_EXPECT(!std::isnan(filmTime_s));
+  return pace_.at(filmTime_s);
+}
 
 }  // namespace poinsot::scene

@@ -15,13 +15,14 @@ class FilmClock {
   FilmClock(double start_s, double speed, const Timeline& timeline);
 
   /// How long the film would have taken to here at its plain speed: the film time itself without changes. It never
-  /// falls.
-  double played_s(double filmTime_s) const { return pace_.integral(filmTime_s); }
-  double motionTimeOf(double played_s) const { return start_s_ + speed_ * played_s; }
+  /// falls. @pre a finite time. @throws core::Error(kLimit) where the result is beyond the range of numbers.
+  double played_s(double filmTime_s) const;
+  /// @throws core::Error(kLimit) where the result is beyond the range of numbers.
+  double motionTimeOf(double played_s) const;
   double motionTime_s(double filmTime_s) const { return motionTimeOf(played_s(filmTime_s)); }
 
-  /// The factor on the speed at a film time: 1 plain, 0 stands still.
-  double pace(double filmTime_s) const { return pace_.at(filmTime_s); }
+  /// The factor on the speed at a film time: 1 plain, 0 stands still. @pre not NaN.
+  double pace(double filmTime_s) const;
   bool changes() const { return !pace_.constant(); }
   /// The largest factor of the film.
   double fastestPace() const { return pace_.greatest(); }

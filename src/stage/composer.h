@@ -16,6 +16,8 @@ class Composer {
 
   /// What the picture shows at a moment, for a picture of `size_px` (width, height), with type and
   /// lines of a size of their own, such as printSizing().
+  /// @pre the film time is finite and not negative; width, height > 0.
+  /// @throws core::Error(kLimit) beyond the film's end.
   virtual draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const = 0;
   /// With type and lines to be seen from afar.
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/expect.h"
+#include "stage/even_times.h"
 
 namespace poinsot::stage {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kDot = 0.028;          // where the centre of mass is, and the 
 constexpr double kWeight = 0.55;        // length of the arrow M g
 constexpr double kLongestTorque = 0.9;  // of R x M g
 constexpr double kPale = 0.4;           // of the path to come
-constexpr double kPathSteps = 96;       // a parabola over the whole film: 0.1 px from one of 4000 px
+constexpr std::size_t kPathSteps = 96;  // a parabola over the whole film: 0.1 px from one of 4000 px
 constexpr double kNameOfL = 0.55;       // along an arrow
 constexpr double kNameOfR = 0.5;        // along the arrow R,
 constexpr double kNearBody = 0.8;       // and no farther from the body where the camera goes along
@@ -39,16 +40,11 @@ FlightFigure::FlightFigure(const Setting& setting)
   weight_W_ = kWeight * unitOrZero(motion_.flight()->gravity_W);
 }
 
-// The inner points are at times that are the same for every picture, so that the curve does not crawl.
 std::vector<Vector3d> FlightFigure::path_V(const PictureState& state, double from_s, double to_s) const {
   const double step_s = motion_.length_s() / kPathSteps;
-  std::vector<double> times_s{from_s};
-  if (step_s > 0)
-    for (auto k = static_cast<int>(std::floor(from_s / step_s)) + 1; k * step_s < to_s; ++k)
-      times_s.push_back(k * step_s);
-  times_s.push_back(to_s);
   std::vector<Vector3d> points;
-  for (const double t_s : times_s) points.emplace_back(scale_ * (motion_.atPlayed(t_s).centre_V - state.centre_V));
+  for (const double t_s : evenTimes(from_s, to_s, step_s, 2 * kPathSteps + 3))
+    points.emplace_back(scale_ * (motion_.atPlayed(t_s).centre_V - state.centre_V));
   return points;
 }
 

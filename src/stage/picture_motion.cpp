@@ -8,6 +8,7 @@
 #include "physics/precession_cones.h"
 #include "physics/torque.h"
 #include "scene/make_motion.h"
+#include "stage/even_times.h"
 
 namespace poinsot::stage {
 namespace {
@@ -124,11 +125,8 @@ PathPoint PictureMotion::pathPoint(double played_s) const {
 }
 
 std::vector<PathPoint> PictureMotion::path(double from_s, double to_s) const {
-  std::vector<PathPoint> points{pathPoint(from_s)};
-  const double last = std::ceil(to_s / pathStep_s_);
-  for (double k = std::floor(from_s / pathStep_s_) + 1; k < last && points.size() + 1 < kMostPathPoints; ++k)
-    points.push_back(pathPoint(k * pathStep_s_));
-  points.push_back(pathPoint(to_s));
+  std::vector<PathPoint> points;
+  for (const double t_s : evenTimes(from_s, to_s, pathStep_s_, kMostPathPoints)) points.push_back(pathPoint(t_s));
   return points;
 }
 

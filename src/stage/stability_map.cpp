@@ -151,7 +151,8 @@ StabilityMap::StabilityMap(const scene::Scene& scene)
   scene_ = writingOf(scene, m_P_.norm());
 }
 
-draw::Picture StabilityMap::compose(const Moment& /*moment*/, glm::ivec2 size_px, const Sizing& sizing) const {
+draw::Picture StabilityMap::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const {
+  expectPicture(moment, size_px);
   draw::Picture picture;
   picture.size_px = size_px;
   picture.background = colors_.paper;

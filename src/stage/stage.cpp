@@ -129,8 +129,15 @@ Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& m
                         least.plots.empty() ? std::nullopt : std::optional(least.plots[i]));
 }
 
+draw::Picture Stage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const {
+  expectPicture(moment, size_px);
+  requireWithin(moment, scene_.time.duration_s);
+  return compose(moment, size_px, sizing, {});
+}
+
 draw::Picture Stage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing,
                              std::span<const double> mostMetre_px) const {
+  expectPicture(moment, size_px);
   POINSOT_EXPECT(mostMetre_px.empty() || mostMetre_px.size() == views_.size());
   draw::Picture picture;
   picture.size_px = size_px;

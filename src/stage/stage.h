@@ -34,11 +34,10 @@ class Stage final : public Composer {
   Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& motion, const FilmRanges& least = {});
 
   using Composer::compose;
-  draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override {
-    return compose(moment, size_px, sizing, {});
-  }
-  /// Beside pictures of other stages: a metre of the body has no more pixels than these say, one for each view;
-  /// none: as many as it can have.
+  draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override;
+  /// Beside pictures of other stages, whose film may be longer: a metre of the body has no more pixels than these
+  /// say, one for each view; without any, as many as it can have.
+  /// @pre as Composer::compose(); mostMetre_px is empty or has one for each view.
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing,
                         std::span<const double> mostMetre_px) const;
 

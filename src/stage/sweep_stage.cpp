@@ -128,6 +128,8 @@ SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels>
 }
 
 draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const {
+  expectPicture(moment, size_px);
+  requireWithin(moment, written_.time.duration_s);
   const double filmTime_s = moment.filmTime_s;
   draw::Picture picture;
   picture.size_px = size_px;

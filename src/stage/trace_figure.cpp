@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stage/even_times.h"
 #include "stage/symmetric_top.h"
 #include "stage/to_picture.h"
 
@@ -60,12 +61,9 @@ Vector3d TraceFigure::at_W(double played_s) const {
   return state.R_VW.transpose() * (flightScale_ * state.centre_V + state.R_VB * point_B_);
 }
 
-// The inner points are at times that are the same for every picture, so that the curve does not crawl.
 std::vector<Vector3d> TraceFigure::path_W(double from_s, double to_s) const {
-  std::vector<Vector3d> points{at_W(from_s)};
-  const double last = std::ceil(to_s / step_s_);
-  for (double k = std::floor(from_s / step_s_) + 1; k < last; ++k) points.push_back(at_W(k * step_s_));
-  points.push_back(at_W(to_s));
+  std::vector<Vector3d> points;
+  for (const double t_s : evenTimes(from_s, to_s, step_s_, kMostPoints + 3)) points.push_back(at_W(t_s));
   return points;
 }
 

@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
+
+#include "core/error.h"
+#include "support/extreme_times.h"
 
 namespace poinsot::scene {
 namespace {
@@ -117,6 +121,23 @@ TEST(EasedTrack, RefusesTurnsOutOfOrder) {
   track.turnTo(2, 1, 1);
   EXPECT_THROW(track.turnTo(1, 1, 0), std::logic_error);
   EXPECT_THROW(track.turnTo(3, -1, 0), std::logic_error);
+}
+
+// Film times of any sign; before 0 the film would have run as at 0.
+TEST(FilmClock, GivesFiniteTimesOrAnError) {
+  const FilmClock fast(0, 1e20, {{pace(1, 0, 100)}, {}}), plain(5, -3, {}), still(0, 0, {{pace(1, 0, 100)}, {}});
+  for (const FilmClock& clock : {variedClock(), fast, plain, still})
+    for (const double t_s : extremeTimes()) {
+      SCOPED_TRACE(t_s);
+      try {
+        EXPECT_TRUE(std::isfinite(clock.motionTime_s(t_s)));
+      } catch (const core::Error& error) {
+        EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
+        EXPECT_GT(std::abs(t_s), 1e285);  // times 1e20 and 100 is beyond 1.8e308
+      } catch (const std::logic_error&) {
+        EXPECT_FALSE(std::isfinite(t_s));
+      }
+    }
 }
 
 }  // namespace
