@@ -49,6 +49,7 @@ std::vector<std::string> factLines(const Fact& fact, int digits = kUsualDigits);
 std::string reportTable(const Report& report, int digits = kUsualDigits);
 
 /// One object: scene, each key with its value in full precision (infinite: null), units by key, from by key.
+/// Bare numbers, words and truth values have no unit.
 std::string reportJson(const Report& report);
 
 }  // namespace poinsot::app

@@ -198,8 +198,7 @@ Section stabilitySection(const scene::Scene& scene) {
     const auto found = physics::spinStability(scene.body.axes.moments(), axis, spin);
     const std::string name = "axis_" + std::to_string(axis + 1), label = "e" + std::to_string(axis + 1);
     section.add(name + "_stability", "spin about " + label, stabilityWord(found.kind), "", "eq 24 to 26");
-    section.add(name + "_rate", "  rate", found.rate, found.kind == physics::Stability::kStable ? "rad/s" : "1/s",
-                rateMeaning(found.kind));
+    section.add(name + "_rate", "  rate", found.rate, "1/s", rateMeaning(found.kind));
   }
   return section;
 }

@@ -190,6 +190,18 @@ TEST(TrajectoryCommand, BlamesTheSeparatrixOnlyWhenClose) {
                              HasSubstr("the run amplifies the rounding")));
 }
 
+// omega = 2 rad/s, so the phase is 2 t. 2^-52 of it, the rounding of omega, is a radian at 4.5e15 rad.
+TEST(TrajectoryCommand, NotesPhasesThatAreNotExactOrMeaningless) {
+  const ScratchFolder folder;
+  folder.put("s.toml", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n");
+  const auto noteAt = [&](const char* t) { return run(folder, {"trajectory", "s.toml", "--at", t}).err; };
+  EXPECT_THAT(noteAt("4e13"), IsEmpty());
+  EXPECT_THAT(noteAt("1e15"), testing::AllOf(HasSubstr("note: at t = 1e+15 s the body has turned by 2e+15 rad"),
+                                             HasSubstr("beyond 1e+14 rad the attitude is no longer exact")));
+  EXPECT_THAT(noteAt("-3e15"), testing::AllOf(HasSubstr("note: at t = 3e+15 s the body has turned by 6e+15 rad"),
+                                              HasSubstr("beyond 4.5e+15 rad the attitude is meaningless")));
+}
+
 struct BadRequest {
   std::vector<std::string> words;
   int exitCode;
