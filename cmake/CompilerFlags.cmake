@@ -3,17 +3,21 @@
 include(CheckCXXCompilerFlag)
 include(CheckPIESupported)
 
-# The compilers that the project is held to; what a later one warns of is no reason not to build.
+# The compilers that the project is held to; what a later one warns of is no reason not to build, nor is what the flags
+# of a project around this one warn of.
 set(held_to OFF)
 if((CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13) OR
    (CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15))
-  set(held_to ON)
+  set(held_to ${PROJECT_IS_TOP_LEVEL})
 endif()
 option(POINSOT_WERROR "Warnings are errors" ${held_to})
 
 add_library(poinsot_flags INTERFACE)
+if(NOT PROJECT_IS_TOP_LEVEL)
+  target_compile_options(poinsot_flags INTERFACE -fno-fast-math)  # whatever the project around has
+endif()
 target_compile_options(poinsot_flags INTERFACE
-  -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=  # an assertion names its file, not the place of the build
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=  # an assertion names its file, not the place of the build
   -ffp-contract=off       # a*b+c must not be fused where the CPU has FMA: same bits on every machine
   $<$<BOOL:${POINSOT_WERROR}>:-Werror>
   -Wall -Wextra -Wpedantic
@@ -37,5 +41,7 @@ if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     $<$<CONFIG:Release,RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
 endif()
 target_compile_definitions(poinsot_flags INTERFACE _GLIBCXX_ASSERTIONS)  # an index past the end of a vector
-target_link_options(poinsot_flags INTERFACE -Wl,-z,relro -Wl,-z,now -Wl,-z,noexecstack)
+if(PROJECT_IS_TOP_LEVEL)  # options of a static library reach who links it
+  target_link_options(poinsot_flags INTERFACE -Wl,-z,relro -Wl,-z,now -Wl,-z,noexecstack)
+endif()
 check_pie_supported(LANGUAGES CXX)  # programs are linked to lie anywhere

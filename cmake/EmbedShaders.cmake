@@ -2,7 +2,7 @@
 # poinsot_embed_shaders(TARGET): embeds every file of shaders/ and writes the table that names them.
 include(EmbedFile)
 function(poinsot_embed_shaders target)
-  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*)
   set(declarations "")
   set(rows "")
   foreach(file ${files})

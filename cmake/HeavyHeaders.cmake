@@ -13,15 +13,15 @@ function(poinsot_heavy_headers carrier)
 endfunction()
 
 if(POINSOT_PCH)
-  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/heavy_headers.cpp CONTENT "int main() {}\n")
-  add_library(poinsot_layer_headers OBJECT ${CMAKE_BINARY_DIR}/heavy_headers.cpp)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/heavy_headers.cpp CONTENT "int main() {}\n")
+  add_library(poinsot_layer_headers OBJECT ${PROJECT_BINARY_DIR}/heavy_headers.cpp)
   poinsot_heavy_headers(poinsot_layer_headers)
 endif()
 
 # After find_package(GTest).
 function(poinsot_test_headers)
   if(POINSOT_PCH)
-    add_executable(poinsot_test_headers ${CMAKE_BINARY_DIR}/heavy_headers.cpp)
+    add_executable(poinsot_test_headers ${PROJECT_BINARY_DIR}/heavy_headers.cpp)
     target_link_libraries(poinsot_test_headers PRIVATE GTest::gtest GTest::gmock)
     poinsot_heavy_headers(poinsot_test_headers <gtest/gtest.h> <gmock/gmock.h>)
   endif()

@@ -1,35 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts under a prefix. Two components: the program is what a user needs and what the .deb holds;
+# What `cmake --install` puts under a prefix. Two components are packages for Debian: the program is what a user needs;
 # development is what other projects need: static libraries, public headers, and how to find them by CMake or pkg-config.
 include(CMakePackageConfigHelpers)
 include(PublicHeaders)
 
-get_property(layers GLOBAL PROPERTY POINSOT_LAYERS)
+get_property(layers GLOBAL PROPERTY POINSOT_LAYERS)  # from the highest rank down
 
-install(TARGETS poinsot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-# Where the program looks for its scenes, from its own place (src/cli/scenes_place.cpp).
-install(DIRECTORY scenes/ DESTINATION share/poinsot/scenes COMPONENT program)
-install(DIRECTORY ${POINSOT_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
-install(FILES packaging/copyright DESTINATION share/doc/poinsot COMPONENT program)
-# Not in the .deb: Debian has the text of this licence once for all, and refers to it.
-install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/poinsot COMPONENT development)
+if(TARGET poinsot)
+  install(TARGETS poinsot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  # Where the program looks for its scenes, from its own place (src/cli/scenes_place.cpp).
+  install(DIRECTORY scenes/ DESTINATION share/poinsot/scenes COMPONENT program)
+  install(DIRECTORY ${POINSOT_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
+  install(FILES packaging/copyright DESTINATION share/doc/poinsot COMPONENT program)
+endif()
+# In no package: Debian has the text of this licence once for all, and refers to it.
+install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/poinsot COMPONENT licence)
 
 # ---- libraries and headers --------------------------------------------------------------------------------------
 foreach(layer ${layers})
   set_target_properties(poinsot_${layer} PROPERTIES EXPORT_NAME ${layer})
   list(APPEND libraries poinsot_${layer})
 endforeach()
-install(TARGETS ${libraries} poinsot_glad EXPORT poinsotTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+if(TARGET poinsot_glad)
+  list(APPEND libraries poinsot_glad)
+endif()
+install(TARGETS ${libraries} EXPORT poinsotTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+list(JOIN layers "|" any_layer)
+list(FILTER POINSOT_PUBLIC_HEADERS INCLUDE REGEX "^(${any_layer})/")
 install(CODE "
-  set(POINSOT_SOURCES [[${CMAKE_SOURCE_DIR}/src]])
+  set(POINSOT_SOURCES [[${PROJECT_SOURCE_DIR}/src]])
   set(POINSOT_HEADERS [[${POINSOT_PUBLIC_HEADERS}]])
   set(POINSOT_DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${POINSOT_INSTALL_HEADERS}\")
-  include([[${CMAKE_SOURCE_DIR}/cmake/InstallHeaders.cmake]])" COMPONENT development)
+  include([[${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake]])" COMPONENT development)
+# What the sanitizers of a program that draws should pass over in Mesa (docs/library.md).
+install(FILES tests/support/lsan.supp tests/support/tsan.supp DESTINATION share/poinsot COMPONENT development)
 
 # ---- CMake ------------------------------------------------------------------------------------------------------
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/poinsot)
-install(EXPORT poinsotTargets NAMESPACE poinsot:: DESTINATION ${package_dir} COMPONENT development)
+install(EXPORT poinsotTargets NAMESPACE poinsot:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/poinsot COMPONENT development)
 
 # poinsot_find_text(RESULT LAYER): the lines of the config file that find what one layer needs.
 function(poinsot_find_text result layer)
@@ -46,22 +53,33 @@ function(poinsot_find_text result layer)
   set(${result} "${text}endif()\n" PARENT_SCOPE)
 endfunction()
 
-# From the highest rank down: what a layer wants is below it.
+# What a layer wants is below it, and so comes later.
 set(POINSOT_FINDS "")
-list(REVERSE layers)
 foreach(layer ${layers})
   poinsot_find_text(text ${layer})
   string(APPEND POINSOT_FINDS "${text}")
 endforeach()
-list(REVERSE layers)
-list(JOIN layers " " POINSOT_LAYERS)
-configure_package_config_file(packaging/poinsotConfig.cmake.in ${CMAKE_BINARY_DIR}/poinsotConfig.cmake
-  INSTALL_DESTINATION ${package_dir} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+set(POINSOT_LAYER_NAMES ${layers})
+list(REVERSE POINSOT_LAYER_NAMES)
+list(JOIN POINSOT_LAYER_NAMES " " POINSOT_LAYER_NAMES)
+
+# poinsot_config(FOLDER COMPONENT): writes and installs poinsotConfig.cmake. The program has one for golden images and the
+# libraries have one; each is complete, and finds what the other component installed.
+set(golden_dir ${CMAKE_INSTALL_DATADIR}/cmake/poinsot)
+set(targets_dir ${CMAKE_INSTALL_LIBDIR}/cmake/poinsot)
 # 0.x: a minor version may change the API.
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-# With the program, for golden images; the libraries are another component.
-install(FILES ${CMAKE_BINARY_DIR}/poinsotConfig.cmake ${CMAKE_BINARY_DIR}/poinsotConfigVersion.cmake
-  cmake/PoinsotGolden.cmake cmake/PoinsotGoldenIndex.html.in DESTINATION ${package_dir} COMPONENT program)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+function(poinsot_config folder component)
+  set(file ${PROJECT_BINARY_DIR}/config/${component}/poinsotConfig.cmake)
+  configure_package_config_file(packaging/poinsotConfig.cmake.in ${file} INSTALL_DESTINATION ${folder}
+    PATH_VARS golden_dir targets_dir NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+  install(FILES ${file} ${PROJECT_BINARY_DIR}/poinsotConfigVersion.cmake DESTINATION ${folder} COMPONENT ${component})
+endfunction()
+poinsot_config(${targets_dir} development)
+if(TARGET poinsot)
+  poinsot_config(${golden_dir} program)
+  install(FILES cmake/PoinsotGolden.cmake cmake/PoinsotGoldenIndex.html.in DESTINATION ${golden_dir} COMPONENT program)
+endif()
 
 # ---- pkg-config -------------------------------------------------------------------------------------------------
 # poinsot_pc(LAYER): writes and installs poinsot-LAYER.pc. Third parties are required in the open, not privately: our
@@ -76,15 +94,15 @@ function(poinsot_pc layer)
       list(APPEND requires "poinsot-${CMAKE_MATCH_1}")
     elseif(module)
       list(APPEND requires "${module}")
-    else()
+    elseif(NOT link MATCHES "::")  # what has no module is in the C library: threads
       string(APPEND libs " -l${link}")
     endif()
   endforeach()
   list(JOIN requires ", " requires)
   file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   string(REGEX REPLACE "/$" "" up ${up})
-  configure_file(packaging/layer.pc.in ${CMAKE_BINARY_DIR}/pkgconfig/poinsot-${layer}.pc @ONLY)
-  install(FILES ${CMAKE_BINARY_DIR}/pkgconfig/poinsot-${layer}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  configure_file(packaging/layer.pc.in ${PROJECT_BINARY_DIR}/pkgconfig/poinsot-${layer}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/poinsot-${layer}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT development)
 endfunction()
 foreach(layer ${layers})

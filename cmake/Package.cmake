@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# `cpack -G DEB` in the build folder: the program, its man pages, completions and scenes as a Debian package.
+# `cpack -G DEB` in the build folder makes Debian packages: the program with its man pages, completions and scenes; the
+# libraries; the package for Python.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME poinsot)
 set(POINSOT_CONTACT "poinsot maintainers <poinsot@localhost>" CACHE STRING "Who answers for the packages")
 set(CPACK_PACKAGE_CONTACT ${POINSOT_CONTACT})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program)
-add_custom_target(poinsot_packed DEPENDS poinsot poinsot_share)  # all that is in the packages
+set(CPACK_COMPONENTS_ALL program development)
+list(TRANSFORM POINSOT_EVERY_LAYER PREPEND poinsot_ OUTPUT_VARIABLE libraries)
+add_custom_target(poinsot_packed DEPENDS poinsot poinsot_share ${libraries})  # all that is in the packages
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -33,6 +35,36 @@ foreach(library libavformat libavcodec libavutil libswscale)
 endforeach()
 list(JOIN opened ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 
+# poinsot_debian_needs(RESULT LAYER...): the packages that a program which links these layers is built with.
+function(poinsot_debian_needs result)
+  foreach(layer ${ARGN})
+    get_property(links GLOBAL PROPERTY POINSOT_LINKS_${layer})
+    foreach(link ${links})
+      get_property(package GLOBAL PROPERTY "POINSOT_DEBIAN_${link}")
+      list(APPEND packages ${package})
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES packages)
+  set(${result} ${packages} PARENT_SCOPE)
+endfunction()
+
+# The physics needs few packages; who wants pictures too is recommended the rest, and what is opened at run time.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpoinsot-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+poinsot_debian_needs(needed core physics)
+poinsot_debian_needs(recommended ${POINSOT_EVERY_LAYER})
+list(REMOVE_ITEM recommended ${needed})
+list(APPEND recommended ${opened})
+list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+list(JOIN recommended ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "g++, cmake, pkg-config, poinsot (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+"The layers of poinsot as static libraries for C++20: the exact motion of
+rotating rigid bodies alone, which needs none of the recommended packages, or
+all from the text of a scene to pictures and films.")
+install(FILES packaging/copyright DESTINATION share/doc/libpoinsot-dev COMPONENT development)
+
 if(POINSOT_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   add_dependencies(poinsot_packed poinsot_python)
@@ -54,17 +86,18 @@ endif()
 
 # Debian wants the changes of a package in a form of its own.
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
-file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/debian/changelog @ONLY CONTENT
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/debian/changelog @ONLY CONTENT
 "poinsot (@PROJECT_VERSION@) unstable; urgency=medium
 
   * What changed is told in CHANGELOG.md of the sources.
 
  -- @POINSOT_CONTACT@  @now@
 ")
-execute_process(COMMAND gzip -9nf ${CMAKE_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
-install(FILES ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/poinsot COMPONENT program)
+execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
+install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/poinsot COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/libpoinsot-dev COMPONENT development)
 if(POINSOT_PYTHON)
-  install(FILES ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/python3-poinsot COMPONENT python)
+  install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/python3-poinsot COMPONENT python)
 endif()
 
 include(CPack)

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <regex>
 #include <sstream>
 
 #include "image/png_file.h"
+#include "package/euler_steps.h"
 #include "package/installed_tree.h"
 #include "support/text_of.h"
 
@@ -22,9 +24,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const std::string kExamples = POINSOT_SOURCE_DIR "/examples";
+const std::string kMotionProject = POINSOT_SOURCE_DIR "/tests/consumer/motion";
 const std::string kGoldenProject = POINSOT_SOURCE_DIR "/tests/consumer/golden";
-
-using Vector = std::array<double, 3>;
 
 /// The hammer of examples/trajectory.cpp, by the formulas of any textbook: a rod of 0.15 kg, 30 cm long and 2.4 cm
 /// thick, and on its end, 15 cm from its middle, a block of 0.5 kg, 12 cm along y and 3 cm along x and z.
@@ -33,21 +34,6 @@ Vector hammerMoments() {
   const double across = rod * (3 * 0.012 * 0.012 + 0.3 * 0.3) / 12 + apart;
   return {across + block * (0.12 * 0.12 + 0.03 * 0.03) / 12, across + block * (0.03 * 0.03 + 0.03 * 0.03) / 12,
           rod * 0.012 * 0.012 / 2 + block * (0.03 * 0.03 + 0.12 * 0.12) / 12};
-}
-
-/// Euler's equations without torque, a step of Runge and Kutta's fourth order.
-Vector stepped(const Vector& I, const Vector& omega, double h) {
-  const auto slope = [&](const Vector& w) {
-    return Vector{(I[1] - I[2]) / I[0] * w[1] * w[2], (I[2] - I[0]) / I[1] * w[2] * w[0],
-                  (I[0] - I[1]) / I[2] * w[0] * w[1]};
-  };
-  const auto along = [&](const Vector& k, double by) {
-    return Vector{omega[0] + by * k[0], omega[1] + by * k[1], omega[2] + by * k[2]};
-  };
-  const Vector a = slope(omega), b = slope(along(a, h / 2)), c = slope(along(b, h / 2)), d = slope(along(c, h));
-  Vector next = omega;
-  for (int k = 0; k < 3; ++k) next[k] += h / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]);
-  return next;
 }
 
 /// Every row of the table, held against the equations of motion integrated here; its numbers have four and two
@@ -104,6 +90,29 @@ TEST(Consumer, IsBuiltByCMake) {
   expectWorks(tree, "consumer");
 }
 
+/// Without the blanks that lines begin with.
+std::string unindented(const std::string& text) { return std::regex_replace(text, std::regex("(^|\n) +"), "$1"); }
+
+TEST(Consumer, MotionProjectIsWhatTheLibrarysPageShows) {
+  const std::string page = textOf(POINSOT_SOURCE_DIR "/docs/library.md"), mark = "```cpp\n";
+  const auto begin = page.find(mark) + mark.size();
+  const std::string shown = page.substr(begin, page.find("```", begin) - begin);
+  EXPECT_THAT(shown, HasSubstr("PrincipalMoments(1, 2, 2.5)"));
+  EXPECT_THAT(unindented(textOf(kMotionProject + "/main.cpp")), HasSubstr(unindented(shown)));
+}
+
+TEST(Consumer, MotionProjectIsBuiltByCMakeAndByPkgConfig) {
+  const InstalledTree tree;
+  tree.run("cmake -G Ninja -S " + kMotionProject +
+           " -B motion -DHOW=package -DCMAKE_PREFIX_PATH=$PREFIX -DCMAKE_CXX_COMPILER=$CXX "
+           "-DCMAKE_CXX_FLAGS=\"$FLAGS\"\n"
+           "cmake --build motion -j 1\n"
+           "$CXX $FLAGS -std=c++20 -o by_pkg_config " +
+           kMotionProject + "/main.cpp $(pkg-config --cflags --libs poinsot-physics)");
+  expectEulersMotion(tree.run("motion/motion"));
+  EXPECT_EQ(tree.run("./by_pkg_config"), tree.run("motion/motion"));
+}
+
 /// The exit code of its golden tests.
 int goldenTests(const InstalledTree& tree) {
   return std::stoi(tree.run("ctest --test-dir consumer -L golden >ctest.log 2>&1 && echo 0 || echo 1"));
@@ -113,7 +122,7 @@ int goldenTests(const InstalledTree& tree) {
 TEST(Consumer, HasGoldenTests) {
   const InstalledTree tree;
   tree.run(
-      "rm -r $PREFIX/include $PREFIX/lib/*.a $PREFIX/lib/cmake/poinsot/poinsotTargets*\n"  // as in the .deb
+      "rm -r $PREFIX/include $PREFIX/lib\n"  // as in the program's .deb
       "cp -r " +
       kGoldenProject + " .\n");
   tree.run("CI= cmake -G Ninja -S golden -B consumer -DCMAKE_PREFIX_PATH=$PREFIX");
@@ -165,7 +174,7 @@ TEST(Consumer, EveryPublicHeaderIsWhole) {
       "(($(wc -l <../../all.cpp) > 50))\n"
       "modules=$(cd $PREFIX/lib/pkgconfig && ls | sed 's/[.]pc$//')\n"
       "$CXX $FLAGS -std=c++20 -fsyntax-only ../../all.cpp $(pkg-config --cflags $modules)\n"
-      "pkg-config --libs $modules >/dev/null");
+      "! pkg-config --libs $modules | grep ::\n");  // names of CMake's
 }
 
 // The physics is to be had where there is no libpng; pictures are not, and it is said
@@ -179,7 +188,22 @@ TEST(Consumer, NeedsOnlyWhatItsLayersNeed) {
   const std::string told = tree.run(
       "cmake -G Ninja -S . -B p -DCMAKE_PREFIX_PATH=$PREFIX -DCMAKE_CXX_COMPILER=$CXX "
       "-DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON 2>&1 | tr -s ' \\n' ' '");
-  EXPECT_THAT(told, HasSubstr("poinsot could not be found because dependency PNG could not be found"));
+  EXPECT_THAT(
+      told,
+      HasSubstr("poinsot could not be found because dependency PNG could not be found (Debian: libpng-dev)"));
+}
+
+// Whatever a static library links must be known where it is linked.
+TEST(Consumer, AllLayersAreFoundWithWhatTheyLink) {
+  const InstalledTree tree;
+  tree.folder().put("main.cpp", "int main() {}\n");
+  tree.folder().put("CMakeLists.txt",
+                    "cmake_minimum_required(VERSION 3.25)\nproject(p LANGUAGES CXX)\n"
+                    "find_package(poinsot REQUIRED)\nadd_executable(p main.cpp)\n"
+                    "target_link_libraries(p PRIVATE poinsot::app poinsot::preview)\n");
+  tree.run(
+      "cmake -G Ninja -S . -B p -DCMAKE_PREFIX_PATH=$PREFIX -DCMAKE_CXX_COMPILER=$CXX >log 2>&1 || { cat log; "
+      "exit 1; }");
 }
 
 TEST(Consumer, IsToldWhatIsWrong) {
@@ -190,8 +214,15 @@ TEST(Consumer, IsToldWhatIsWrong) {
     return tree.run("cmake -S . -B p -DCMAKE_PREFIX_PATH=$PREFIX 2>&1 | tr -s ' \\n' ' ' || true");
   };
   EXPECT_THAT(configure("find_package(poinsot COMPONENTS psychics)"),
-              HasSubstr("poinsot has no component psychics; it has: golden core"));
+              HasSubstr("poinsot has no component psychics; it has: golden, core, physics, geometry, "));
   EXPECT_THAT(configure("find_package(poinsot 9 REQUIRED)"), HasSubstr("requested version"));
+  // The components are packages of their own, and each says where the other is.
+  tree.run("mv $PREFIX/lib lib");
+  EXPECT_THAT(configure("find_package(poinsot COMPONENTS physics)"),
+              HasSubstr("the libraries are in the Debian package libpoinsot-dev"));
+  tree.run("mv lib $PREFIX/lib; rm -r $PREFIX/share/cmake");
+  EXPECT_THAT(configure("find_package(poinsot COMPONENTS golden)"),
+              HasSubstr("the component golden comes with the program (Debian: poinsot)"));
 }
 
 }  // namespace
