@@ -2,6 +2,20 @@
 include(GNUInstallDirs)
 set(POINSOT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/poinsot)
 
+# Link-time optimisation reads its own code, not the names in an archive.
+set(POINSOT_OWN_INLINES OFF)
+if(NOT CMAKE_NM OR NOT CMAKE_OBJCOPY OR CMAKE_INTERPROCEDURAL_OPTIMIZATION OR CMAKE_CXX_FLAGS MATCHES "-flto")
+  message(STATUS "Inline functions keep common names, as OwnInlines.cmake needs nm, objcopy and no link-time optimisation")
+else()
+  set(POINSOT_OWN_INLINES ON)
+endif()
+
+# Programs must be built with this macro where the library was (src/core/abi.h).
+if(CMAKE_CXX_FLAGS MATCHES "-D_GLIBCXX_DEBUG")
+  set(POINSOT_CFLAGS -DPOINSOT_BUILT_WITH_GLIBCXX_DEBUG)
+  add_compile_options(${POINSOT_CFLAGS})
+endif()
+
 # poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...] [HEADER_ONLY lib...]
 #   [OPENED lib...] [OPTIONS option...])
 #
@@ -16,6 +30,7 @@ function(poinsot_layer name)
   target_include_directories(poinsot_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${POINSOT_INSTALL_HEADERS}>)
   target_compile_features(poinsot_${name} INTERFACE cxx_std_20)
+  target_compile_options(poinsot_${name} INTERFACE ${POINSOT_CFLAGS})
   # BUILD_INTERFACE: what the project that links the installed library need not have.
   target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:poinsot_flags> ${ARG_PRIVATE})
   foreach(library ${ARG_HEADER_ONLY})
@@ -25,6 +40,11 @@ function(poinsot_layer name)
     target_include_directories(poinsot_${name} SYSTEM PRIVATE
       $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
   endforeach()
+  if(POINSOT_OWN_INLINES)
+    add_custom_command(TARGET poinsot_${name} POST_BUILD VERBATIM COMMAND ${CMAKE_COMMAND}
+      -DARCHIVE=$<TARGET_FILE:poinsot_${name}> -DNM=${CMAKE_NM} -DOBJCOPY=${CMAKE_OBJCOPY}
+      -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/OwnInlines.cmake)
+  endif()
   if(ARG_OPTIONS)
     target_compile_options(poinsot_${name} PRIVATE ${ARG_OPTIONS})
     poinsot_own_headers(poinsot_${name})
