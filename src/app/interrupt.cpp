@@ -43,7 +43,7 @@ std::int64_t now_ms() {
   return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
 }
 
-extern "C" void noteSignal(int signal) {
+void noteSignal(int signal) {
   const int saved = errno;
   if (firstSignal != 0 && signal == SIGINT && now_ms() - firstAt_ms > kSameWish_ms) _exit(128 + signal);
   if (firstSignal != 0) return;
@@ -54,7 +54,7 @@ extern "C" void noteSignal(int signal) {
   errno = saved;
 }
 
-extern "C" void noteAlarm(int signal) {
+void noteAlarm(int signal) {
   if (watching != 0 && firstSignal != signal) return noteSignal(signal);
   [[maybe_unused]] const auto written = write(STDERR_FILENO, tooLong, std::strlen(tooLong));
   constexpr int kLimitExceeded = 2;  // as the command line has it (cli/exit_code.h)

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 volatile sig_atomic_t confined = 0;  // the process that signals are passed on to
 
-extern "C" void passOn(int signal) { kill(static_cast<pid_t>(confined), signal); }
+void passOn(int signal) { kill(static_cast<pid_t>(confined), signal); }
 
 /// Passes signals to end on while it lives. One that is ignored (nohup) stays so.
 class SignalsPassedOn {
