@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::app {
 
 /// Frames first to last, both included; numbers count from the scene's frame 0.

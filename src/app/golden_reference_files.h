@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 /// Names and places of the files of references: NAME.png, NAME@RENDERER.png, and a description NAME.json of each.
 namespace poinsot::app {
 

@@ -4,6 +4,8 @@
 #include <limits>
 #include <span>
 
+#include "core/abi.h"
+
 namespace poinsot::app {
 
 enum class DriftKind {

@@ -12,8 +12,8 @@ namespace poinsot::app {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 constexpr double kExact = 1e-10;  // misfits below it differ by rounding only
 
@@ -144,7 +144,7 @@ std::vector<Hypothesis> namedHypotheses(const physics::Motion& motion) {
       hypothesis(hasAttitude, {Aspect::kOrder,
                                {"q_w, q_x, q_y, q_z hold x, y, z, w", "name the columns q_x, q_y, q_z, q_w"},
                                [](LoggedState s) {
-                                 s.q_WB = Quaterniond(s.q_WB->z(), s.q_WB->w(), s.q_WB->x(), s.q_WB->y());
+                                 s.q_WB = Quaternion(s.q_WB->z(), s.q_WB->w(), s.q_WB->x(), s.q_WB->y());
                                  return s;
                                }}),
       hypothesis(hasAttitude,

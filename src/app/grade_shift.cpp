@@ -14,8 +14,8 @@
 namespace poinsot::app {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 using physics::RigidBodyState;
 
 constexpr double kStep_rad = 0.1;       // of the search: a minimum of the distance is wider
@@ -34,7 +34,7 @@ constexpr int kRounds = 30;        // of the fit, which takes five
 std::array<Vector3d, 3> differences(const LoggedState& theirs, const RigidBodyState& ours, double scale) {
   std::array<Vector3d, 3> d{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   if (theirs.q_WB) {
-    const Quaterniond turn = ours.q_WB.conjugate() * *theirs.q_WB;
+    const Quaternion turn = ours.q_WB.conjugate() * *theirs.q_WB;
     const double size = turn.vec().norm();
     if (size > 0) d[0] = turn.vec() * (2 * std::atan2(size, std::abs(turn.w())) / (turn.w() < 0 ? -size : size));
   }

@@ -6,8 +6,8 @@
 namespace poinsot::app {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 std::optional<Vector3d> vectorAt(const TrajectoryTable& theirs, std::size_t row, TrajectoryPlace place) {
   if (!theirs.has(place)) return std::nullopt;
@@ -16,10 +16,10 @@ std::optional<Vector3d> vectorAt(const TrajectoryTable& theirs, std::size_t row,
 
 void readAttitude(LoggedState& state, const TrajectoryTable& theirs, std::size_t row) {
   if (!theirs.has(kQAt)) return;
-  const Quaterniond q(theirs.at(row, kQAt), theirs.at(row, kQAt + 1), theirs.at(row, kQAt + 2),
-                      theirs.at(row, kQAt + 3));
+  const Quaternion q(theirs.at(row, kQAt), theirs.at(row, kQAt + 1), theirs.at(row, kQAt + 2),
+                     theirs.at(row, kQAt + 3));
   state.quaternionLength = q.coeffs().stableNorm();
-  state.q_WB = Quaterniond(q.coeffs() / state.quaternionLength);
+  state.q_WB = Quaternion(q.coeffs() / state.quaternionLength);
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ DerivedState derivedState(const physics::PrincipalAxes& axes, const LoggedState&
   return derived;
 }
 
-double angleBetween(const Quaterniond& a, const Quaterniond& b) {
-  const Quaterniond d = a.conjugate() * b;
+double angleBetween(const Quaternion& a, const Quaternion& b) {
+  const Quaternion d = a.conjugate() * b;
   return 2 * std::atan2(d.vec().norm(), std::abs(d.w()));
 }
 

@@ -10,13 +10,14 @@
 #include "app/grade_table.h"
 #include "physics/principal_axes.h"
 #include "physics/rigid_body_state.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::app {
 
 /// One row of somebody's trajectory: the quantities that it has, as they are written or read in another way.
 struct LoggedState {
   double t_s = 0;
-  std::optional<Eigen::Quaterniond> q_WB;           ///< unit; not a number where the row's has no direction
+  std::optional<physics::Quaternion> q_WB;          ///< unit; not a number where the row's has no direction
   std::optional<Eigen::Vector3d> omega_B, omega_W;  ///< rad/s
   std::optional<Eigen::Vector3d> rate_B, rate_W;    ///< rate at which the attitude turns, rad/s
   std::optional<Eigen::Vector3d> L_W;               ///< kg·m²/s
@@ -42,7 +43,7 @@ struct DerivedState {
 DerivedState derivedState(const physics::PrincipalAxes& axes, const LoggedState& state);
 
 /// Angle of the rotation from one attitude to the other, rad, 0 to pi; either sign of a quaternion.
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
+double angleBetween(const physics::Quaternion& a, const physics::Quaternion& b);
 /// Angle between two vectors, rad, 0 to pi.
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 constexpr double kTurned_rad = 0.001;  // less is no choice of axes
 
@@ -26,14 +26,14 @@ const double kExchangeAllowance = std::log(20.);  // a score of exchanged axes m
 
 /// Takes components along the log's axes to those along the scene's.
 struct Turn {
-  Quaterniond body = Quaterniond::Identity(), space = Quaterniond::Identity();
+  Quaternion body = Quaternion::Identity(), space = Quaternion::Identity();
 };
 
 /// Which columns are turned.
 enum class Columns { kAll, kAttitude, kOmega };
 
 LoggedState turned(LoggedState s, const Turn& turn, Columns columns) {
-  const auto apply = [](std::optional<Vector3d>& v, const Quaterniond& q) {
+  const auto apply = [](std::optional<Vector3d>& v, const Quaternion& q) {
     if (v) v = q * *v;
   };
   if (s.q_WB && columns != Columns::kOmega) s.q_WB = turn.space * *s.q_WB * turn.body.conjugate();
@@ -47,8 +47,8 @@ LoggedState turned(LoggedState s, const Turn& turn, Columns columns) {
 }
 
 /// The rotations that take coordinate axes to coordinate axes; those by half a turn first, without the identity.
-std::vector<Quaterniond> makeExchanges() {
-  std::vector<Quaterniond> turns;
+std::vector<Quaternion> makeExchanges() {
+  std::vector<Quaternion> turns;
   std::array<int, 3> axes{0, 1, 2};
   do {
     for (int signs = 0; signs < 8; ++signs) {
@@ -58,12 +58,12 @@ std::vector<Quaterniond> makeExchanges() {
     }
   } while (std::ranges::next_permutation(axes).found);
   std::ranges::stable_sort(turns, std::ranges::greater(),
-                           [](const Quaterniond& q) { return std::round(1e3 * angleOf(q)); });
+                           [](const Quaternion& q) { return std::round(1e3 * angleOf(q)); });
   return turns;
 }
 
-const std::vector<Quaterniond>& exchanges() {
-  static const std::vector<Quaterniond> turns = makeExchanges();
+const std::vector<Quaternion>& exchanges() {
+  static const std::vector<Quaternion> turns = makeExchanges();
   return turns;
 }
 
@@ -71,20 +71,20 @@ const std::vector<Quaterniond>& exchanges() {
 class TurnFit {
  public:
   void add(const Vector3d& ours, const Vector3d& theirs) { vectors_ += ours * theirs.transpose(); }
-  void add(const Quaterniond& turn) { turns_ += turn.coeffs() * turn.coeffs().transpose(); }
+  void add(const Quaternion& turn) { turns_ += turn.coeffs() * turn.coeffs().transpose(); }
 
   /// Least squares over vectors (W. Kabsch, Acta Cryst. A32 (1976) 922).
-  Quaterniond ofVectors() const {
+  Quaternion ofVectors() const {
     const Eigen::JacobiSVD<Matrix3d> svd(vectors_, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
     const Vector3d proper(1, 1, turn.determinant() < 0 ? -1 : 1);
-    return Quaterniond(svd.matrixU() * proper.asDiagonal() * svd.matrixV().transpose());
+    return Quaternion(svd.matrixU() * proper.asDiagonal() * svd.matrixV().transpose());
   }
 
   /// Mean of rotations of either sign (F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
-  Quaterniond ofTurns() const {
+  Quaternion ofTurns() const {
     const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(turns_);
-    return Quaterniond(Eigen::Vector4d(solver.eigenvectors().col(3)));
+    return Quaternion(Eigen::Vector4d(solver.eigenvectors().col(3)));
   }
 
  private:
@@ -93,7 +93,7 @@ class TurnFit {
 };
 
 /// A vector of the rotation that turns with its axes: its axis times the sine of its angle.
-Vector3d axialOf(const Quaterniond& q) { return 2 * q.w() * q.vec(); }
+Vector3d axialOf(const Quaternion& q) { return 2 * q.w() * q.vec(); }
 
 template <class Add>
 TurnFit fitOver(const LogSample& sample, const Add& add) {
@@ -109,10 +109,10 @@ double scaleOf(const LogSample& sample) {
 }
 
 /// Fits the body's axes to omega_B and to the turns since the first row.
-Quaterniond fittedBody(const LogSample& sample) {
+Quaternion fittedBody(const LogSample& sample) {
   const double scale = scaleOf(sample);
-  const Quaterniond ours0 = sample.ours.front().q_WB.conjugate();
-  const Quaterniond theirs0 = sample.theirs.front().q_WB->conjugate();
+  const Quaternion ours0 = sample.ours.front().q_WB.conjugate();
+  const Quaternion theirs0 = sample.theirs.front().q_WB->conjugate();
   return fitOver(sample,
                  [&](TurnFit& fit, const physics::RigidBodyState& ours, const LoggedState& theirs) {
                    if (theirs.omega_B) fit.add(ours.omega_B / scale, *theirs.omega_B / scale);
@@ -122,7 +122,7 @@ Quaterniond fittedBody(const LogSample& sample) {
 }
 
 /// Fits one turn of both frames to all vectors and attitudes.
-Quaterniond fittedCommon(const LogSample& sample) {
+Quaternion fittedCommon(const LogSample& sample) {
   const double scale = scaleOf(sample);
   return fitOver(sample,
                  [&](TurnFit& fit, const physics::RigidBodyState& ours, const LoggedState& theirs) {
@@ -133,19 +133,19 @@ Quaterniond fittedCommon(const LogSample& sample) {
       .ofVectors();
 }
 
-Quaterniond fittedBodyAlone(const LogSample& sample) {
+Quaternion fittedBodyAlone(const LogSample& sample) {
   return fitOver(sample, [](TurnFit& fit, const physics::RigidBodyState& ours,
                             const LoggedState& theirs) { fit.add(ours.q_WB.conjugate() * *theirs.q_WB); })
       .ofTurns();
 }
 
-Quaterniond fittedSpaceAlone(const LogSample& sample) {
+Quaternion fittedSpaceAlone(const LogSample& sample) {
   return fitOver(sample, [](TurnFit& fit, const physics::RigidBodyState& ours,
                             const LoggedState& theirs) { fit.add(ours.q_WB * theirs.q_WB->conjugate()); })
       .ofTurns();
 }
 
-Quaterniond fittedOmega(const LogSample& sample) {
+Quaternion fittedOmega(const LogSample& sample) {
   return fitOver(sample,
                  [](TurnFit& fit, const physics::RigidBodyState& ours, const LoggedState& theirs) {
                    if (theirs.omega_B)
@@ -162,7 +162,7 @@ LogSample turned(LogSample sample, const Turn& turn, Columns columns) {
 }
 
 /// The fitted turn, or an exchange of axes where that fits about as well.
-Quaterniond chosenTurn(const Quaterniond& fitted, const std::function<double(const Quaterniond&)>& score) {
+Quaternion chosenTurn(const Quaternion& fitted, const std::function<double(const Quaternion&)>& score) {
   const auto best = std::ranges::min_element(exchanges(), {}, score);
   return score(*best) <= score(fitted) + kExchangeAllowance ? *best : fitted;
 }
@@ -170,20 +170,20 @@ Quaterniond chosenTurn(const Quaterniond& fitted, const std::function<double(con
 /// One kind of turned axes: what it needs, how it is fitted, what it turns.
 struct TurnKind {
   bool (*applies)(const LoggedState&);
-  Quaterniond (*fit)(const LogSample&);
-  Turn (*turn)(const Quaterniond&);
+  Quaternion (*fit)(const LogSample&);
+  Turn (*turn)(const Quaternion&);
   Columns columns;
   TurnedAxes axes;
 };
 
-Reading turnReading(TurnedAxes axes, const Quaterniond& q, const Turn& turn, Columns columns) {
+Reading turnReading(TurnedAxes axes, const Quaternion& q, const Turn& turn, Columns columns) {
   return {Aspect::kAxes, turnCause(axes, q),
           [turn, columns](LoggedState s) { return turned(std::move(s), turn, columns); }};
 }
 
 std::optional<Reading> readingOf(const TurnKind& kind, const LogSample& sample) {
   if (!kind.applies(sample.theirs.front())) return std::nullopt;
-  const Quaterniond q = chosenTurn(kind.fit(sample), [&](const Quaterniond& candidate) {
+  const Quaternion q = chosenTurn(kind.fit(sample), [&](const Quaternion& candidate) {
     return scoreOf(turned(sample, kind.turn(candidate), kind.columns));
   });
   if (!(angleOf(q) > kTurned_rad)) return std::nullopt;
@@ -193,21 +193,21 @@ std::optional<Reading> readingOf(const TurnKind& kind, const LogSample& sample) 
 bool hasBoth(const LoggedState& s) { return s.q_WB && (s.omega_B || s.omega_W); }
 bool hasOneOmega(const LoggedState& s) { return s.omega_B.has_value() != s.omega_W.has_value(); }
 
-Turn both(const Quaterniond& q) { return {q, q}; }
-Turn body(const Quaterniond& q) { return {q, Quaterniond::Identity()}; }
-Turn space(const Quaterniond& q) { return {Quaterniond::Identity(), q}; }
+Turn both(const Quaternion& q) { return {q, q}; }
+Turn body(const Quaternion& q) { return {q, Quaternion::Identity()}; }
+Turn space(const Quaternion& q) { return {Quaternion::Identity(), q}; }
 
 /// The space axes that fit once the body's are turned.
-Quaterniond spaceBeside(const LogSample& sample, const Quaterniond& bodyTurn) {
+Quaternion spaceBeside(const LogSample& sample, const Quaternion& bodyTurn) {
   const LogSample half = turned(sample, body(bodyTurn), Columns::kAll);
-  return chosenTurn(fittedSpaceAlone(half), [&](const Quaterniond& candidate) {
+  return chosenTurn(fittedSpaceAlone(half), [&](const Quaternion& candidate) {
     return scoreOf(turned(half, space(candidate), Columns::kAll));
   });
 }
 
 std::optional<Reading> twoTurns(const LogSample& sample) {
   if (!hasAttitude(sample.theirs.front())) return std::nullopt;
-  const Quaterniond bodyTurn = chosenTurn(fittedBody(sample), [&](const Quaterniond& candidate) {
+  const Quaternion bodyTurn = chosenTurn(fittedBody(sample), [&](const Quaternion& candidate) {
     const LogSample half = turned(sample, body(candidate), Columns::kAll);
     return scoreOf(turned(half, space(fittedSpaceAlone(half)), Columns::kAll));
   });
@@ -239,7 +239,7 @@ std::vector<Hypothesis> turnHypotheses() {
 
 std::vector<Hypothesis> exchangeHypotheses() {
   std::vector<Hypothesis> hypotheses;
-  for (const Quaterniond& q : exchanges())
+  for (const Quaternion& q : exchanges())
     hypotheses.push_back({Aspect::kAxes, [q](const LogSample&) {
                             return std::optional(turnReading(TurnedAxes::kBoth, q, both(q), Columns::kAll));
                           }});

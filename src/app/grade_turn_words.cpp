@@ -11,8 +11,8 @@ namespace poinsot::app {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 /// The scene's x, y, z in terms of the log's, where a turn of both frames only exchanges axes and signs. A mirror
 /// is told from a rotation by what people call it: rotations cannot tell (grade_turn.h).
@@ -31,7 +31,7 @@ constexpr KnownAxes kKnownAxes[] = {
 };
 
 /// "x, -y, -z": the scene's axes in terms of the log's; empty for a turn that exchanges none.
-std::string mappingOf(const Quaterniond& toScene) {
+std::string mappingOf(const Quaternion& toScene) {
   const Matrix3d m = toScene.toRotationMatrix();
   std::string mapping;
   for (int row = 0; row < 3; ++row) {
@@ -52,7 +52,7 @@ std::string axisText(const Vector3d& axis) {
 }
 
 /// Angle below 180 deg, or 180 deg about the axis whose first component is positive.
-std::string turnText(const Quaterniond& turn) {
+std::string turnText(const Quaternion& turn) {
   Vector3d axis = (turn.w() < 0 ? -1 : 1) * turn.vec().normalized();
   if (std::abs(turn.w()) < 1e-9)
     for (const double component : {axis[0], axis[1], axis[2]})
@@ -63,7 +63,7 @@ std::string turnText(const Quaterniond& turn) {
   return fmt::format("{:.4g} deg about {}", angleOf(turn) * 180 / EIGEN_PI, axisText(axis));
 }
 
-std::string remarkOn(TurnedAxes axes, const Quaterniond& toScene, std::string_view formula) {
+std::string remarkOn(TurnedAxes axes, const Quaternion& toScene, std::string_view formula) {
   const std::string mapping = mappingOf(toScene);
   if (mapping.empty()) return std::string(formula);
   const std::string remark = "the scene's x, y, z are the log's " + mapping;
@@ -75,9 +75,9 @@ std::string remarkOn(TurnedAxes axes, const Quaterniond& toScene, std::string_vi
 
 }  // namespace
 
-double angleOf(const Quaterniond& turn) { return 2 * std::atan2(turn.vec().norm(), std::abs(turn.w())); }
+double angleOf(const Quaternion& turn) { return 2 * std::atan2(turn.vec().norm(), std::abs(turn.w())); }
 
-FitCause turnCause(TurnedAxes axes, const Quaterniond& toScene) {
+FitCause turnCause(TurnedAxes axes, const Quaternion& toScene) {
   struct Words {
     std::string_view subject, formula;
   };
@@ -92,8 +92,9 @@ FitCause turnCause(TurnedAxes axes, const Quaterniond& toScene) {
   const auto& [subject, formula] = words[static_cast<std::size_t>(axes)];
   // q in the scene's axes is space q body^-1: a turn of the body's axes stands on the right.
   const bool onTheRight = axes == TurnedAxes::kBody || axes == TurnedAxes::kBodyOfAttitude;
-  return {fmt::format("{} turned by {}", subject, turnText(onTheRight ? toScene.conjugate() : toScene)),
-          remarkOn(axes, toScene, formula)};
+  return {
+      fmt::format("{} turned by {}", subject, turnText(onTheRight ? Quaternion(toScene.conjugate()) : toScene)),
+      remarkOn(axes, toScene, formula)};
 }
 
 }  // namespace poinsot::app

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include "app/grade.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::app {
 
@@ -11,9 +12,9 @@ enum class TurnedAxes { kBoth, kBody, kSpace, kBodyOfAttitude, kSpaceOfAttitude,
 
 /// Names the turn that makes a log fit, whose axes it is of, and which axis is which.
 /// @param toScene  takes components along the log's axes to those along the scene's.
-FitCause turnCause(TurnedAxes axes, const Eigen::Quaterniond& toScene);
+FitCause turnCause(TurnedAxes axes, const physics::Quaternion& toScene);
 
 /// Angle of a rotation, rad, 0 to pi.
-double angleOf(const Eigen::Quaterniond& turn);
+double angleOf(const physics::Quaternion& turn);
 
 }  // namespace poinsot::app

@@ -5,6 +5,8 @@
 
 #include <exception>
 
+#include "core/abi.h"
+
 /// SIGINT, SIGTERM and SIGHUP as something a loop can ask for, in place of sudden death: the caller unwinds,
 /// removes what it had begun and ends with 128 + signal.
 namespace poinsot::app {

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::app {
 
 /// Cuts a stream into lines. Does not own the descriptor.

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "core/abi.h"
+
 namespace poinsot::app {
 
 enum class OutputKind {

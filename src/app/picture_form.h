@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/abi.h"
+
 namespace poinsot::app {
 
 /// Largest file of a picture that is copied or embedded, in bytes.

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::app {
 
 /// A number, a vector or list of them, a matrix, a count, yes or no, or a word.

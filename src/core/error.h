@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/abi.h"
+
 namespace poinsot::core {
 
 /// What failed, in the caller's terms; the command line maps each kind to one exit code.

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "core/abi.h"
+
 namespace poinsot::core {
 
 /// Sole owner of a file descriptor; -1 is none.

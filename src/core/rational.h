@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::core {
 
 /// A positive fraction in lowest terms: a frame rate such as 30/1 or 30000/1001.

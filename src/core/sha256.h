@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::core {
 
 /// What two equal things have in common and no two others are known to.

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::core {
 
 /// What a frame's time is spent on, in the order in which a frame goes through them.

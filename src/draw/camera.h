@@ -5,6 +5,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/abi.h"
+
 namespace poinsot::draw {
 
 /// A camera in the picture's world W: a pinhole, or parallel rays. C: x right, y up, looking along -z.
@@ -43,5 +45,7 @@ float depthOf(const Camera& camera, glm::vec3 point_W);
 
 /// Where a point appears, in pixels from the top left corner, y down. @pre depthOf(...) > 0.
 glm::vec2 project(const Camera& camera, glm::vec3 point_W);
+
+static_assert(core::laidOut<Camera, 84, 4>());
 
 }  // namespace poinsot::draw

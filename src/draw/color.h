@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 #include <type_traits>
 
+#include "core/abi.h"
+
 namespace poinsot::draw {
 
 /// Linear-light red, green, blue in [0, 1].

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
 #include "draw/camera.h"
 #include "draw/color.h"
 
@@ -183,5 +184,10 @@ struct DrawList {
   std::vector<GridPlane> planes;
   std::vector<Text> texts;
 };
+
+static_assert(core::laidOut<Material, 16, 4>() && core::laidOut<Graticule, 24, 4>() &&
+              core::laidOut<Ellipsoid, 80, 4>() && core::laidOut<Frustum, 48, 4>() &&
+              core::laidOut<Box, 64, 4>() && core::laidOut<GlassEllipsoid, 100, 4>() &&
+              core::laidOut<GlassCone, 76, 4>() && core::laidOut<GridPlane, 96, 4>());
 
 }  // namespace poinsot::draw

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::geometry {
 
 /// A place in a file: a line of a text (counted from 1), or a byte of a binary (counted from 0).
@@ -60,5 +62,7 @@ Mesh welded(const Mesh& mesh);
 /// vertices and triangles stays.
 /// @pre as many targets as vertices; target[target[i]] == target[i] for every vertex; indices in range.
 Mesh merged(const Mesh& mesh, const std::vector<std::uint32_t>& target);
+
+static_assert(core::laidOut<Bounds, 48>());
 
 }  // namespace poinsot::geometry

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "core/abi.h"
 #include "geometry/mesh.h"
 
 namespace poinsot::geometry {
@@ -30,5 +31,7 @@ MeshIntegrals integrals(const Mesh& mesh);
 /// @throws core::Error(kScene) otherwise. Names an edge by its ends, and a triangle by its place in the file.
 /// @pre indices in range, coordinates finite.
 void checkClosed(const Mesh& mesh);
+
+static_assert(core::laidOut<MeshIntegrals, 104>());
 
 }  // namespace poinsot::geometry

@@ -10,15 +10,19 @@
 // their vertices lie on the true surface, and their volume grows to the true one as 1/segments².
 namespace poinsot::geometry {
 
+/// A point of a plane, m, of one layout under all flags; Eigen::Vector2d converts to it and from it.
+using Vector2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+static_assert(core::laidOut<Vector2, 16>());
+
 /// The solid swept by a polygon in the half plane (r, z), r >= 0, turning about z in `segments` steps. The polygon
 /// is closed by its last corner to its first, counter-clockwise; corners on the axis (r = 0) become one vertex,
 /// and an edge along the axis sweeps nothing.
 /// @pre segments >= 3, three corners or more, none with r < 0.
-Mesh turnedMesh(std::span<const Eigen::Vector2d> outline_rz, int segments);
+Mesh turnedMesh(std::span<const Vector2> outline_rz, int segments);
 
 /// A polygon in the xy plane, counter-clockwise, thickened from z = -thickness/2 to +thickness/2.
 /// @pre three corners or more; the first one sees every other.
-Mesh prismMesh(std::span<const Eigen::Vector2d> outline_xy, double thickness_m);
+Mesh prismMesh(std::span<const Vector2> outline_xy, double thickness_m);
 
 /// Edges along the axes, centred at the origin.
 Mesh boxMesh(const Eigen::Vector3d& edges_m);
@@ -46,7 +50,7 @@ Mesh capsuleMesh(double radius_m, double height_m, int segments);
 
 /// Two arms along +x and +y, outer corner at the origin, in the xy plane, thickened as a prism.
 /// @pre 0 < arm_m < both edges.
-Mesh lPrismMesh(const Eigen::Vector2d& edges_m, double arm_m, double thickness_m);
+Mesh lPrismMesh(const Vector2& edges_m, double arm_m, double thickness_m);
 
 // Regular polyhedra, centred at the origin.
 Mesh tetrahedronMesh(double edge_m);

@@ -6,26 +6,24 @@
 
 namespace poinsot::geometry {
 
-using Eigen::Vector2d;
-
 namespace {
 
 /// Whether an edge runs counter-clockwise about the first corner, or straight away from it.
-bool firstSees(std::span<const Vector2d> outline_xy, const Vector2d& from, const Vector2d& to) {
-  const Vector2d a = from - outline_xy[0], b = to - outline_xy[0];
+bool firstSees(std::span<const Vector2> outline_xy, const Vector2& from, const Vector2& to) {
+  const Vector2 a = from - outline_xy[0], b = to - outline_xy[0];
   return a[0] * b[1] - a[1] * b[0] >= 0;
 }
 
 }  // namespace
 
-Mesh prismMesh(std::span<const Vector2d> outline_xy, double thickness_m) {
+Mesh prismMesh(std::span<const Vector2> outline_xy, double thickness_m) {
   POINSOT_EXPECT(outline_xy.size() >= 3);
   for (std::size_t i = 2; i < outline_xy.size(); ++i)
     POINSOT_EXPECT(firstSees(outline_xy, outline_xy[i - 1], outline_xy[i]));
   const auto count = static_cast<std::uint32_t>(outline_xy.size());
   Mesh mesh;
   for (const double z : {-thickness_m / 2, thickness_m / 2})
-    for (const Vector2d& corner : outline_xy) mesh.vertices_M.emplace_back(corner[0], corner[1], z);
+    for (const Vector2& corner : outline_xy) mesh.vertices_M.emplace_back(corner[0], corner[1], z);
   for (std::uint32_t i = 2; i < count; ++i) {
     mesh.triangles.push_back({0, i, i - 1});
     mesh.triangles.push_back({count, count + i - 1, count + i});
@@ -38,11 +36,11 @@ Mesh prismMesh(std::span<const Vector2d> outline_xy, double thickness_m) {
   return mesh;
 }
 
-Mesh lPrismMesh(const Vector2d& edges_m, double arm_m, double thickness_m) {
+Mesh lPrismMesh(const Vector2& edges_m, double arm_m, double thickness_m) {
   POINSOT_EXPECT(0 < arm_m && arm_m < edges_m.minCoeff());
   const double x = edges_m[0], y = edges_m[1];
-  return prismMesh(std::array<Vector2d, 6>{Vector2d(0, 0), Vector2d(x, 0), Vector2d(x, arm_m),
-                                           Vector2d(arm_m, arm_m), Vector2d(arm_m, y), Vector2d(0, y)},
+  return prismMesh(std::array<Vector2, 6>{Vector2(0, 0), Vector2(x, 0), Vector2(x, arm_m), Vector2(arm_m, arm_m),
+                                          Vector2(arm_m, y), Vector2(0, y)},
                    thickness_m);
 }
 

@@ -10,8 +10,6 @@
 namespace poinsot::geometry {
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr double kPi = std::numbers::pi;
 
 /// The vertices that one corner of the outline sweeps: a ring, or a single one on the axis.
@@ -22,7 +20,7 @@ struct Ring {
   std::uint32_t at(std::uint32_t step) const { return first + step % count; }
 };
 
-Ring addRing(Mesh& mesh, const Vector2d& corner_rz, int segments) {
+Ring addRing(Mesh& mesh, const Vector2& corner_rz, int segments) {
   const Ring ring{static_cast<std::uint32_t>(mesh.vertices_M.size()),
                   corner_rz[0] == 0 ? 1 : static_cast<std::uint32_t>(segments)};
   for (std::uint32_t i = 0; i < ring.count; ++i) {
@@ -41,7 +39,7 @@ void addBand(Mesh& mesh, const Ring& low, const Ring& high, int segments) {
 }
 
 /// Appends points of a circle about (r, z), both ends included.
-void addArc(std::vector<Vector2d>& outline, const Vector2d& centre, double radius, double from, double to,
+void addArc(std::vector<Vector2>& outline, const Vector2& centre, double radius, double from, double to,
             int steps) {
   for (int i = 0; i <= steps; ++i) {
     const double angle = from + (to - from) * i / steps;
@@ -54,11 +52,11 @@ int quarter(int segments) { return (segments + 3) / 4; }
 
 }  // namespace
 
-Mesh turnedMesh(std::span<const Vector2d> outline_rz, int segments) {
+Mesh turnedMesh(std::span<const Vector2> outline_rz, int segments) {
   POINSOT_EXPECT(segments >= 3 && outline_rz.size() >= 3);
   Mesh mesh;
   std::vector<Ring> rings;
-  for (const Vector2d& corner : outline_rz) {
+  for (const Vector2& corner : outline_rz) {
     POINSOT_EXPECT(corner[0] >= 0);
     rings.push_back(addRing(mesh, corner, segments));
   }
@@ -68,14 +66,14 @@ Mesh turnedMesh(std::span<const Vector2d> outline_rz, int segments) {
 
 Mesh torusMesh(double radius_m, double tubeRadius_m, int segments) {
   POINSOT_EXPECT(0 < tubeRadius_m && tubeRadius_m < radius_m);
-  std::vector<Vector2d> outline;
+  std::vector<Vector2> outline;
   addArc(outline, {radius_m, 0}, tubeRadius_m, 0, 2 * kPi, segments);
   outline.pop_back();  // the start again
   return turnedMesh(outline, segments);
 }
 
 Mesh hemisphereMesh(double radius_m, int segments) {
-  std::vector<Vector2d> outline{{0, 0}};
+  std::vector<Vector2> outline{{0, 0}};
   addArc(outline, {0, 0}, radius_m, 0, kPi / 2, quarter(segments));
   outline.back() = {0, radius_m};  // exactly on the axis
   return turnedMesh(outline, segments);
@@ -83,7 +81,7 @@ Mesh hemisphereMesh(double radius_m, int segments) {
 
 Mesh frustumMesh(double lowRadius_m, double highRadius_m, double low_m, double high_m, int segments) {
   POINSOT_EXPECT(low_m < high_m && (lowRadius_m > 0 || highRadius_m > 0));
-  std::vector<Vector2d> outline{{0, low_m}};
+  std::vector<Vector2> outline{{0, low_m}};
   if (lowRadius_m > 0) outline.emplace_back(lowRadius_m, low_m);
   if (highRadius_m > 0) outline.emplace_back(highRadius_m, high_m);
   outline.emplace_back(0, high_m);
@@ -93,14 +91,14 @@ Mesh frustumMesh(double lowRadius_m, double highRadius_m, double low_m, double h
 Mesh tubeMesh(double radius_m, double innerRadius_m, double height_m, int segments) {
   POINSOT_EXPECT(0 < innerRadius_m && innerRadius_m < radius_m);
   const double half = height_m / 2;
-  return turnedMesh(std::array<Vector2d, 4>{Vector2d(innerRadius_m, -half), Vector2d(radius_m, -half),
-                                            Vector2d(radius_m, half), Vector2d(innerRadius_m, half)},
+  return turnedMesh(std::array<Vector2, 4>{Vector2(innerRadius_m, -half), Vector2(radius_m, -half),
+                                           Vector2(radius_m, half), Vector2(innerRadius_m, half)},
                     segments);
 }
 
 Mesh capsuleMesh(double radius_m, double height_m, int segments) {
   const double half = height_m / 2;
-  std::vector<Vector2d> outline;
+  std::vector<Vector2> outline;
   addArc(outline, {0, -half}, radius_m, -kPi / 2, 0, quarter(segments));
   addArc(outline, {0, half}, radius_m, 0, kPi / 2, quarter(segments));
   outline.front() = {0, -half - radius_m};  // exactly on the axis

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::image {
 
 /// Width and height of a picture in pixels.

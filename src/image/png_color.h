@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "core/abi.h"
+
 namespace poinsot::image {
 
 /// Chunks of a PNG file about the colours that its samples stand for.

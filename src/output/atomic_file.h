@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::output {
 
 /// How much of "written" holds when commit() returns.

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 /// How a figure, a page or a file of subtitles says that this program wrote it, so that another run may replace it
 /// and nothing else is lost.
 namespace poinsot::output {

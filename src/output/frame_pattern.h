@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::output {
 
 /// Names of a numbered sequence: "dir/name_{frame}.png" or "dir/name_{frame:05}.png" (at least 5 digits).

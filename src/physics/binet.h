@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/abi.h"
 #include "physics/polhode_regime.h"
 #include "physics/principal_moments.h"
 
@@ -71,5 +72,7 @@ std::vector<double> evenEnergies(const PrincipalMoments& moments, double L, int 
 /// @pre T > 0, curve.kineticEnergy > 0.
 std::vector<Eigen::Vector3d> onEnergyEllipsoid(const MomentumPolhode& curve, const PrincipalMoments& moments,
                                                double T);
+
+static_assert(core::laidOut<BinetConstruction, 32>());
 
 }  // namespace poinsot::physics

@@ -149,8 +149,8 @@ class NearestPoint {
 };
 
 double attitudeMismatch(const PrincipalMoments& moments, const ClosedStart& start) {
-  const FreeMotion motion(moments, start.omega0_P, Eigen::Quaterniond::Identity());
-  const Eigen::Quaterniond q = motion.at(start.period_s).q_WB;
+  const FreeMotion motion(moments, start.omega0_P, Quaternion::Identity());
+  const Quaternion q = motion.at(start.period_s).q_WB;
   const double sine = std::sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z());
   return 2 * arcTangent(sine / std::abs(q.w()));
 }

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::physics {
 
 /// How the sub-flows of a splitting are put together into one step of some order: a kick, a drift, a kick, ... a

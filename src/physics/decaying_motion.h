@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "physics/free_motion.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -16,8 +17,7 @@ namespace poinsot::physics {
 class DecayingMotion final : public Motion {
  public:
   /// @throws core::Error(kPhysics) as FreeMotion does. @pre rate >= 0, in 1/s.
-  DecayingMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
-                 double rate)
+  DecayingMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB, double rate)
       : free_(axes, omega0_B, q0_WB), rate_(rate) {}
 
   RigidBodyState at(double t_s) const override;

@@ -32,16 +32,16 @@ void requireSpan(const TimeSpan& span, double tolerance) {
     refuse(fmt::format("the tolerance must be positive and finite, got {} rad", tolerance));
 }
 
-Rotor<DoubleDouble> exact(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+Rotor<DoubleDouble> exact(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 /// The start as the integrator wants it, worked out to 100 bits.
-DrivenState startOf(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB) {
+DrivenState startOf(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB) {
   DrivenState state;
   // As FreeMotion does, a power of two taken out: no square overflows.
   int exponent = 0;
   std::frexp(q0_WB.coeffs().cwiseAbs().maxCoeff(), &exponent);
   Rotor<DoubleDouble> q =
-      exact(Eigen::Quaterniond(q0_WB.coeffs().unaryExpr([&](double v) { return std::ldexp(v, -exponent); })));
+      exact(Quaternion(q0_WB.coeffs().unaryExpr([&](double v) { return std::ldexp(v, -exponent); })));
   if (!axes.aligned()) q = q * normalized(exact(axes.q_BP()));
   state.q_WP = normalized(q);
   const Eigen::Vector3d omega_P = axes.toP(omega0_B);
@@ -51,9 +51,9 @@ DrivenState startOf(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, 
   return state;
 }
 
-Eigen::Quaterniond attitude_B(const PrincipalAxes& axes, Rotor<double> q) {
+Quaternion attitude_B(const PrincipalAxes& axes, Rotor<double> q) {
   if (!axes.aligned()) {
-    const Eigen::Quaterniond& q_BP = axes.q_BP();
+    const Quaternion& q_BP = axes.q_BP();
     q = q * Rotor<double>{q_BP.w(), -q_BP.x(), -q_BP.y(), -q_BP.z()};
   }
   q = normalized(q);
@@ -81,7 +81,7 @@ RigidBodyState bodyState(const PrincipalAxes& axes, const DrivenState& driven, d
 struct DrivenMotion::Solution {
   Solution(const PrincipalAxes& axes_, const Forcing& forcing_) : axes(axes_), forcing(forcing_) {}
 
-  void solveInClosedForm(const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB, const TimeSpan& span);
+  void solveInClosedForm(const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB, const TimeSpan& span);
   void integrate(const DrivenState& start, const TimeSpan& span, double tolerance_rad, double allowedSteps);
   RigidBodyState at(double t_s) const;
   double totalEnergy(const RigidBodyState& state) const {
@@ -96,7 +96,7 @@ struct DrivenMotion::Solution {
   DrivenMotionReport report;
 };
 
-void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
+void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB,
                                                const TimeSpan& span) {
   const double d = forcing.dragRate_P[0];
   closed.emplace(axes, omega0_B, q0_WB, d);
@@ -157,9 +157,9 @@ RigidBodyState DrivenMotion::Solution::at(double t_s) const {
   return state;
 }
 
-DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B,
-                           const Eigen::Quaterniond& q0_WB, const Forcing& forcing, const TimeSpan& span,
-                           double tolerance_rad, double allowedSteps) {
+DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB,
+                           const Forcing& forcing, const TimeSpan& span, double tolerance_rad,
+                           double allowedSteps) {
   validate(forcing);
   requireSpan(span, tolerance_rad);
   const FreeMotion checked(axes, omega0_B, q0_WB);  // refuses an impossible start

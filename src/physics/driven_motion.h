@@ -10,6 +10,7 @@
 
 #include "physics/forcing.h"
 #include "physics/motion.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -51,7 +52,7 @@ class DrivenMotion final : public Motion {
   /// @throws core::Error(kPhysics) for a start that FreeMotion refuses, a forcing that validate() refuses, a span
   /// or a tolerance that is not finite, a tolerance that is not positive; (kLimit) for a run of more steps than
   /// allowed. The integration calls core::checkInterruption().
-  DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB,
+  DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB,
                const Forcing& forcing, const TimeSpan& span, double tolerance_rad = kDefaultTolerance_rad,
                double allowedSteps = kDefaultSteps);
   ~DrivenMotion() override;

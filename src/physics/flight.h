@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "core/abi.h"
 #include "physics/rigid_body_state.h"
 
 namespace poinsot::physics {
@@ -47,5 +48,7 @@ struct FlightQuantities {
 /// NaN, it is unknown, and so are they.
 /// @throws core::Error(kLimit) for a time at which one of them is beyond the range of numbers.
 FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const RigidBodyState& state);
+
+static_assert(core::laidOut<Flight, 72>() && core::laidOut<FlightQuantities, 168>());
 
 }  // namespace poinsot::physics

@@ -52,7 +52,7 @@ void validate(const Forcing& forcing) {
   validateHistory("the torque table in space axes", forcing.torqueHistory_W);
 }
 
-double potentialEnergy(const Forcing& forcing, const Eigen::Quaterniond& q) {
+double potentialEnergy(const Forcing& forcing, const Quaternion& q) {
   const Eigen::Vector3d& r = forcing.gravity_B;
   return rotated(Rotor<double>{q.w(), q.x(), q.y(), q.z()}, std::array{r[0], r[1], r[2]})[2];
 }

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "physics/unaligned_types.h"
+
 namespace poinsot::physics {
 
 /// A torque as a function of time: its value at `t_s`, ascending. Between two times it is the first's, or, where
@@ -43,6 +45,6 @@ void validate(const Forcing& forcing);
 
 /// M g z of the centre of mass above the fixed point, J; with the kinetic energy it is constant under gravity
 /// alone.
-double potentialEnergy(const Forcing& forcing, const Eigen::Quaterniond& q_WB);
+double potentialEnergy(const Forcing& forcing, const Quaternion& q_WB);
 
 }  // namespace poinsot::physics

@@ -59,7 +59,7 @@ bool isOdd(double integer) { return std::fmod(integer, 2) != 0; }
 Rotor<double> aboutZ(const SineCosine& half) { return {half.cosine, 0, 0, half.sine}; }
 
 /// q0 to 106 bits: any nonzero quaternion of the user, the one place where length is not trusted.
-Rotor<DoubleDouble> unitRotor(const Eigen::Quaterniond& q) {
+Rotor<DoubleDouble> unitRotor(const Quaternion& q) {
   const double largest = q.coeffs().cwiseAbs().maxCoeff();
   if (!q.coeffs().allFinite() || largest == 0)
     throw core::Error(core::ErrorKind::kPhysics,
@@ -74,7 +74,7 @@ Rotor<DoubleDouble> unitRotor(const Eigen::Quaterniond& q) {
 }  // namespace
 
 struct FreeMotion::Solution {
-  Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0);
+  Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Quaternion& q0);
 
   RigidBodyState at(double t_s) const;
   bool reaches(double tau) const { return std::abs(tau) * fastest_ <= kFarthestPhase_rad; }
@@ -94,7 +94,7 @@ struct FreeMotion::Solution {
   };
 
   void setStart();
-  Eigen::Quaterniond attitude_B(Rotor<double> q_WP) const;
+  Quaternion attitude_B(Rotor<double> q_WP) const;
   Relative steadyAt(double tau) const;
   Relative movingAt(double tau) const;
   std::array<double, 3> momentum(const PolhodePoint& point) const;
@@ -110,8 +110,7 @@ struct FreeMotion::Solution {
   double N0_ = 0, H0_ = 0;             // half periods in u0, H of the rest
 };
 
-FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B,
-                               const Eigen::Quaterniond& q0)
+FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Quaternion& q0)
     : axes(axes_),
       k(freeMotionConstants(axes_.moments(), axes_.toP(omega0_B))),
       jacobi(k.periodic() ? k.mc : DoubleDouble(0)) {
@@ -200,9 +199,9 @@ FreeMotion::Solution::Relative FreeMotion::Solution::steadyAt(double tau) const 
 }
 
 /// q_WB with w >= 0.
-Eigen::Quaterniond FreeMotion::Solution::attitude_B(Rotor<double> q) const {
+Quaternion FreeMotion::Solution::attitude_B(Rotor<double> q) const {
   if (!axes.aligned()) {
-    const Eigen::Quaterniond& q_BP = axes.q_BP();
+    const Quaternion& q_BP = axes.q_BP();
     q = normalized(q * Rotor<double>{q_BP.w(), -q_BP.x(), -q_BP.y(), -q_BP.z()});
   }
   if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
@@ -228,7 +227,7 @@ RigidBodyState FreeMotion::Solution::at(double t_s) const {
   return state;
 }
 
-FreeMotion::FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB)
+FreeMotion::FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB)
     : solution_(std::make_unique<const Solution>(axes, omega0_B, q0_WB)) {}
 
 FreeMotion::~FreeMotion() = default;

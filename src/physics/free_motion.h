@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "physics/motion.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -23,7 +24,7 @@ class FreeMotion final : public Motion {
   /// Start at t = 0. omega0_B in rad/s; q0_WB takes B to W, any nonzero quaternion.
   /// @throws core::Error(kPhysics) for a non-finite omega0_B, a zero or non-finite quaternion, or moments that
   /// differ by more than a factor of 1e20, or an angular momentum or energy beyond the range of numbers.
-  FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Eigen::Quaterniond& q0_WB);
+  FreeMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB);
   ~FreeMotion() override;
   FreeMotion(FreeMotion&&) noexcept;
   FreeMotion& operator=(FreeMotion&&) noexcept;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "core/abi.h"
 #include "physics/principal_moments.h"
 
 namespace poinsot::physics {
@@ -57,5 +58,7 @@ struct HeavyTop {
 /// of themselves; then their mean is taken.
 std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P,
                                  double uneven = 0);
+
+static_assert(core::laidOut<HeavyTop, 48>());
 
 }  // namespace poinsot::physics

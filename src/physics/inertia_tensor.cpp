@@ -25,7 +25,7 @@ Matrix rotationMatrix(const Rotor<DoubleDouble>& q) {
            {2 * (xz - wy), 2 * (yz + wx), (ww - xx) + (zz - yy)}}};
 }
 
-Matrix rotationMatrix(const Eigen::Quaterniond& q) {
+Matrix rotationMatrix(const Quaternion& q) {
   return rotationMatrix(normalized(Rotor<DoubleDouble>{q.w(), q.x(), q.y(), q.z()}));
 }
 
@@ -57,7 +57,7 @@ Eigen::Matrix3d symmetricTensor(const Eigen::Matrix3d& inertia) {
   return result;
 }
 
-Eigen::Matrix3d turnedTensor(const Eigen::Quaterniond& q, const Eigen::Matrix3d& inertia) {
+Eigen::Matrix3d turnedTensor(const Quaternion& q, const Eigen::Matrix3d& inertia) {
   const Matrix R = rotationMatrix(q);
   Matrix RI;  // row j: R times column j of I, so that RI is (R I)ᵀ
   for (std::size_t j = 0; j < 3; ++j) {
@@ -75,7 +75,7 @@ Eigen::Matrix3d turnedTensor(const Eigen::Quaterniond& q, const Eigen::Matrix3d&
   return result;
 }
 
-Eigen::Vector3d turnedVector(const Eigen::Quaterniond& q, const Eigen::Vector3d& v) {
+Eigen::Vector3d turnedVector(const Quaternion& q, const Eigen::Vector3d& v) {
   const auto turned = product(rotationMatrix(q), {v[0], v[1], v[2]});
   return {toDouble(turned[0]), toDouble(turned[1]), toDouble(turned[2])};
 }

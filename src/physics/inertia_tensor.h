@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "physics/unaligned_types.h"
+
 // Tensors and vectors in arithmetic of a fixed order: the order of Eigen's own products depends on the vector unit
 // compiled for, and with it the last bit.
 namespace poinsot::physics {
@@ -22,9 +24,9 @@ Eigen::Matrix3d symmetricTensor(const Eigen::Matrix3d& inertia);
 
 /// R I Rᵀ for the rotation R of q (eq 16), correctly rounded but for some 1e-30; exactly symmetric. The length of
 /// q does not matter; a quarter turn given as (1, 0, 0, 1)·0.7071... turns exactly.
-Eigen::Matrix3d turnedTensor(const Eigen::Quaterniond& q, const Eigen::Matrix3d& inertia);
+Eigen::Matrix3d turnedTensor(const Quaternion& q, const Eigen::Matrix3d& inertia);
 
 /// R v likewise.
-Eigen::Vector3d turnedVector(const Eigen::Quaterniond& q, const Eigen::Vector3d& v);
+Eigen::Vector3d turnedVector(const Quaternion& q, const Eigen::Vector3d& v);
 
 }  // namespace poinsot::physics

@@ -38,10 +38,10 @@ struct Horizontal {
   DD x, y, length;
 };
 
-Eigen::Quaterniond turnOnto(const Vector& d, Vertical vertical) {
+Quaternion turnOnto(const Vector& d, Vertical vertical) {
   const double v = vertical == Vertical::kUp ? 1 : -1;
   const int exponent = exponentOf(std::max({std::abs(d[0].hi), std::abs(d[1].hi), std::abs(d[2].hi)}));
-  if (d[0].hi == 0 && d[1].hi == 0 && d[2].hi == 0) return Eigen::Quaterniond::Identity();
+  if (d[0].hi == 0 && d[1].hi == 0 && d[2].hi == 0) return Quaternion::Identity();
   const Horizontal across(scaled(d[0], -exponent), scaled(d[1], -exponent));
   const DD c = scaled(d[2], -exponent) * DD(v), norm = sqrt(across.length * across.length + c * c);
   const bool near = !(c < DD(0));
@@ -53,15 +53,15 @@ Eigen::Quaterniond turnOnto(const Vector& d, Vertical vertical) {
   return {q.w, q.x, q.y, q.z};
 }
 
-Rotor<DD> unitRotor(const Eigen::Quaterniond& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }
+Rotor<DD> unitRotor(const Quaternion& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }
 
 }  // namespace
 
-Eigen::Quaterniond turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical) {
+Quaternion turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical) {
   return turnOnto({DD(direction[0]), DD(direction[1]), DD(direction[2])}, vertical);
 }
 
-Eigen::Quaterniond levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical) {
+Quaternion levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical) {
   // Powers of two are taken out of both, so that no product overflows, whatever the units.
   const Eigen::Vector3d omega_P = axes.toP(omega_B);
   const int rateExponent = exponentOf(omega_P.cwiseAbs().maxCoeff());

@@ -109,7 +109,7 @@ Eigen::Matrix3d MassProperties::inertiaAbout(const Eigen::Vector3d& point_B) con
   return sum.tensor();
 }
 
-MassProperties MassProperties::moved(const Eigen::Quaterniond& q, const Eigen::Vector3d& offset_B) const {
+MassProperties MassProperties::moved(const Quaternion& q, const Eigen::Vector3d& offset_B) const {
   return {mass_kg_, turnedVector(q, centre_B_) + offset_B, turnedTensor(q, inertia_B_)};
 }
 

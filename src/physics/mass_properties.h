@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "core/abi.h"
 #include "physics/solid.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -34,7 +36,7 @@ class MassProperties {
   Eigen::Matrix3d inertiaAbout(const Eigen::Vector3d& point_B) const;
 
   /// The same matter turned by q about the origin, then moved by `offset_B` (eq 16).
-  MassProperties moved(const Eigen::Quaterniond& q, const Eigen::Vector3d& offset_B) const;
+  MassProperties moved(const Quaternion& q, const Eigen::Vector3d& offset_B) const;
 
  private:
   /// `scale_kgm2`: the largest moment whose rounding the tensor may hold.
@@ -64,7 +66,7 @@ double volume(const Solid& solid);
 struct SolidPart {
   Solid solid;
   double mass_kg = 1;
-  Eigen::Quaterniond q_BS = Eigen::Quaterniond::Identity();
+  Quaternion q_BS = Quaternion::Identity();
   Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< where S has its origin, m
 };
 
@@ -74,5 +76,7 @@ MassProperties massProperties(const SolidPart& part);
 /// The simple solids that a composite solid (L plate, T-handle, racket, wing nut) is made of, masses adding up to
 /// `mass_kg`; any other solid alone.
 std::vector<SolidPart> partsOf(const Solid& solid, double mass_kg);
+
+static_assert(core::laidOut<MassProperties, 104>() && core::laidOut<SolidPart, 128>());
 
 }  // namespace poinsot::physics

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::physics {
 
 struct Particle {
@@ -58,5 +60,7 @@ class ParticleSystem {
 /// body. In m, m/s, rad/s; the velocities that the particles had do not matter. @throws as ParticleSystem.
 ParticleSystem rigidlyMoving(std::vector<Particle> particles, const Eigen::Vector3d& K_W,
                              const Eigen::Vector3d& velocityOfK_W, const Eigen::Vector3d& omega_W);
+
+static_assert(core::laidOut<Particle, 56>());
 
 }  // namespace poinsot::physics

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "core/abi.h"
 #include "physics/principal_moments.h"
 
 namespace poinsot::physics {
@@ -27,5 +28,7 @@ class PoinsotConstruction {
   double planeHeight_ = 0;
   Eigen::Vector3d semiAxes_P_;
 };
+
+static_assert(core::laidOut<PoinsotConstruction, 32>());
 
 }  // namespace poinsot::physics

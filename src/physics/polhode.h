@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/abi.h"
 #include "physics/polhode_regime.h"
 #include "physics/principal_moments.h"
 
@@ -39,5 +40,7 @@ class Polhode {
  private:
   std::shared_ptr<const FreeMotionConstants> constants_;
 };
+
+static_assert(core::laidOut<PolhodeSample, 32>());
 
 }  // namespace poinsot::physics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/abi.h"
+
 namespace poinsot::physics {
 
 /// The kind of a free rotation: which curve the angular velocity draws on the energy ellipsoid.

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "core/abi.h"
+
 /// The moments of inertia nearest to ones that no solid body can have.
 ///
 /// A solid with the second moments p_i = ∫ x_i² dm >= 0 has I_1 = p_2 + p_3 and so on (eq 13), so the possible

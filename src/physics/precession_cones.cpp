@@ -52,4 +52,8 @@ double PrecessionCones::wobblePeriod() const {
   return bodyRate == 0 ? std::numeric_limits<double>::infinity() : kTwoPi.hi / std::abs(bodyRate);
 }
 
+AngularVelocityParts PrecessionCones::parts(const Eigen::Vector3d& omega, const Eigen::Vector3d& k) const {
+  return {omega + bodyRate * k, -bodyRate * k};
+}
+
 }  // namespace poinsot::physics

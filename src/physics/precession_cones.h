@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "core/abi.h"
 #include "physics/principal_moments.h"
 
 namespace poinsot::physics {
@@ -54,9 +55,7 @@ struct PrecessionCones {
   bool steady() const { return tilt_rad == 0 || bodyRate == 0; }
 
   /// Both vectors in one frame, whichever; k as above.
-  AngularVelocityParts parts(const Eigen::Vector3d& omega, const Eigen::Vector3d& k) const {
-    return {omega + bodyRate * k, -bodyRate * k};
-  }
+  AngularVelocityParts parts(const Eigen::Vector3d& omega, const Eigen::Vector3d& k) const;
 };
 
 /// omega_P in rad/s. Empty for a body at rest and for one whose moments are all different. Of a sphere the axis is
@@ -67,5 +66,7 @@ std::optional<PrecessionCones> precessionCones(const PrincipalMoments& moments, 
 /// turn is 8 ms longer.
 inline constexpr double kSiderealDay_s = 86164.0905;
 inline constexpr double kSolarDay_s = 86400;
+
+static_assert(core::laidOut<AngularVelocityParts, 48>() && core::laidOut<PrecessionCones, 88>());
 
 }  // namespace poinsot::physics

@@ -28,7 +28,7 @@ Eigen::Vector3d withoutRounding(const Eigen::Vector3d& v) {
   return v.unaryExpr([&](double component) { return std::abs(component) <= rounding ? 0.0 : component; });
 }
 
-Eigen::Quaterniond toQuaternion(const Rotor<DoubleDouble>& rotor) {
+Quaternion toQuaternion(const Rotor<DoubleDouble>& rotor) {
   const Rotor<double> q = toDouble(normalized(rotor));
   return {q.w, q.x, q.y, q.z};
 }
@@ -74,7 +74,7 @@ void equalize(std::array<double, 3>& moments) {
 
 /// The axes that three different moments have, each of the sign that leaves the smallest turn from B: of the four
 /// proper rotations, whose w are the four components of any one of them, that with the largest.
-Eigen::Quaterniond nearestOfFour(std::array<Vector, 3> axes_B) {
+Quaternion nearestOfFour(std::array<Vector, 3> axes_B) {
   axes_B[2] = cross(axes_B[0], axes_B[1]);
   const auto traceWith = [&](std::size_t kept) {  // the other two axes turned round; 3: none
     DoubleDouble trace;
@@ -92,7 +92,7 @@ Eigen::Quaterniond nearestOfFour(std::array<Vector, 3> axes_B) {
 }
 
 /// Only one axis exists: the shortest turn that brings B's axis number `which` to its line, and no other.
-Eigen::Quaterniond shortestTurn(std::size_t which, Vector axis_B) {
+Quaternion shortestTurn(std::size_t which, Vector axis_B) {
   if (axis_B[which].hi < 0) axis_B = -axis_B;
   Vector from{0, 0, 0};
   from[which] = 1;
@@ -150,7 +150,7 @@ PrincipalAxes axesOf(const Eigen::Matrix3d& given_B) {
 
 }  // namespace
 
-PrincipalAxes::PrincipalAxes(const PrincipalMoments& moments, const Eigen::Quaterniond& q_BP)
+PrincipalAxes::PrincipalAxes(const PrincipalMoments& moments, const Quaternion& q_BP)
     : moments_(moments), q_BP_(q_BP), aligned_(q_BP.vec().isZero(0)) {
   POINSOT_EXPECT(std::fabs(q_BP.squaredNorm() - 1) < 1e-12);
 }

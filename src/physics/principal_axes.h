@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/abi.h"
 #include "physics/principal_moments.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -17,7 +19,7 @@ class PrincipalAxes {
   PrincipalAxes(const PrincipalMoments& moments) : moments_(moments) {}
 
   /// q_BP takes P components to B components. @pre of unit length.
-  PrincipalAxes(const PrincipalMoments& moments, const Eigen::Quaterniond& q_BP);
+  PrincipalAxes(const PrincipalMoments& moments, const Quaternion& q_BP);
 
   /// Of an inertia tensor in B, kg·m². A diagonal tensor keeps its axes and its moments to the last bit; else the
   /// moments ascend and the axes are a proper rotation. Moments nearer to each other than the rounding of the
@@ -26,7 +28,7 @@ class PrincipalAxes {
   explicit PrincipalAxes(const Eigen::Matrix3d& inertia_B);
 
   const PrincipalMoments& moments() const { return moments_; }
-  const Eigen::Quaterniond& q_BP() const { return q_BP_; }
+  const Quaternion& q_BP() const { return q_BP_; }
   bool aligned() const { return aligned_; }  ///< B is P
 
   /// Components of v_B along the principal axes. If B is not P, those within the rounding of the turn are 0 (8
@@ -43,8 +45,10 @@ class PrincipalAxes {
 
  private:
   PrincipalMoments moments_;
-  Eigen::Quaterniond q_BP_ = Eigen::Quaterniond::Identity();
+  Quaternion q_BP_ = Quaternion::Identity();
   bool aligned_ = true;
 };
+
+static_assert(core::laidOut<PrincipalAxes, 64>());
 
 }  // namespace poinsot::physics

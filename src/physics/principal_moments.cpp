@@ -35,4 +35,13 @@ std::array<int, 3> PrincipalMoments::ascendingAxes() const {
   return axes;
 }
 
+Eigen::Vector3d PrincipalMoments::angularMomentum(const Eigen::Vector3d& omega_B) const {
+  return moments_.cwiseProduct(omega_B);
+}
+
+double PrincipalMoments::kineticEnergy(const Eigen::Vector3d& omega_B) const {
+  const Eigen::Vector3d twice = moments_.cwiseProduct(omega_B).cwiseProduct(omega_B);
+  return 0.5 * (twice[0] + twice[1] + twice[2]);  // not dot(): its order depends on the vector unit
+}
+
 }  // namespace poinsot::physics

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "core/abi.h"
+
 namespace poinsot::physics {
 
 /// The three principal moments of inertia about the centre of mass, in kg·m², in the order of the body's axes
@@ -25,18 +27,17 @@ class PrincipalMoments {
   std::array<int, 3> ascendingAxes() const;
 
   /// I·omega in principal axes: body components of the angular momentum, in kg·m²/s.
-  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_B) const { return moments_.cwiseProduct(omega_B); }
+  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_B) const;
 
   /// T = ½ ω·I·ω (eq 12), in joules.
-  double kineticEnergy(const Eigen::Vector3d& omega_B) const {
-    const Eigen::Vector3d twice = moments_.cwiseProduct(omega_B).cwiseProduct(omega_B);
-    return 0.5 * (twice[0] + twice[1] + twice[2]);  // not dot(): its order depends on the vector unit
-  }
+  double kineticEnergy(const Eigen::Vector3d& omega_B) const;
 
  private:
   void check() const;
 
   Eigen::Vector3d moments_;
 };
+
+static_assert(core::laidOut<PrincipalMoments, 24>());
 
 }  // namespace poinsot::physics

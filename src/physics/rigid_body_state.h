@@ -4,16 +4,21 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/abi.h"
+#include "physics/unaligned_types.h"
+
 namespace poinsot::physics {
 
 /// All that varies of a rotating rigid body, at one time. B: the axes the body was described in, W: inertial axes.
 struct RigidBodyState {
-  double t_s = 0;                                            ///< motion time, s
-  Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();  ///< unit, takes B components to W components
-  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();         ///< angular velocity, rad/s
-  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();         ///< the same vector in W
-  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();             ///< angular momentum, kg·m²/s
-  double kineticEnergy = 0;                                  ///< of rotation, J (eq 12)
+  double t_s = 0;                                     ///< motion time, s
+  Quaternion q_WB = Quaternion::Identity();           ///< unit, takes B components to W components
+  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< angular velocity, rad/s
+  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();  ///< the same vector in W
+  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();      ///< angular momentum, kg·m²/s
+  double kineticEnergy = 0;                           ///< of rotation, J (eq 12)
 };
+
+static_assert(core::laidOut<RigidBodyState, 120>());
 
 }  // namespace poinsot::physics

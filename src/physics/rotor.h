@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "physics/double_double.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -46,7 +47,7 @@ std::array<T, 3> rotated(const Rotor<T>& q, const std::array<T, 3>& v) {
 }
 
 /// The same for Eigen's types, whose own rotation depends on the vector unit compiled for.
-inline Eigen::Vector3d rotated(const Eigen::Quaterniond& q, const Eigen::Vector3d& v) {
+inline Eigen::Vector3d rotated(const Quaternion& q, const Eigen::Vector3d& v) {
   const auto r = rotated(Rotor<double>{q.w(), q.x(), q.y(), q.z()}, std::array{v[0], v[1], v[2]});
   return {r[0], r[1], r[2]};
 }

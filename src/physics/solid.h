@@ -7,6 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/abi.h"
+#include "physics/unaligned_types.h"
+
 /// Homogeneous bodies with closed-form mass properties. Lengths in m. S: the solid's own axes, origin where the
 /// comment says (its centre of mass unless said). Solids of revolution are about z.
 namespace poinsot::physics {
@@ -21,7 +24,7 @@ struct HollowBox {
 };
 /// A rectangle of no thickness in the xy plane.
 struct Plate {
-  Eigen::Vector2d edges_m;
+  Vector2 edges_m;
 };
 struct Ellipsoid {
   Eigen::Vector3d semiAxes_m;
@@ -99,8 +102,8 @@ struct Polyhedron {
 
 /// A plate of two arms, in the xy plane: outer corner at the origin, one arm along +x, one along +y.
 struct LPlate {
-  Eigen::Vector2d edges_m;  ///< outer lengths along x and y
-  double arm_m = 0;         ///< width of both arms
+  Vector2 edges_m;   ///< outer lengths along x and y
+  double arm_m = 0;  ///< width of both arms
 };
 /// A T of two round bars of one density: the bar centred at the origin along x, the shaft from the bar's surface
 /// along +y.
@@ -125,5 +128,7 @@ struct WingNut {
 using Solid = std::variant<Box, HollowBox, Plate, Ellipsoid, EllipsoidShell, Sphere, SphereShell, Hemisphere,
                            Cylinder, CylinderShell, Disc, Hoop, Rod, Cone, ConeShell, Torus, TorusShell, Capsule,
                            Polyhedron, LPlate, THandle, Racket, WingNut>;
+
+static_assert(core::laidOut<Plate, 16>() && core::laidOut<LPlate, 24>() && core::laidOut<Solid, 64>());
 
 }  // namespace poinsot::physics

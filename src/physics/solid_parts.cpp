@@ -6,20 +6,19 @@
 namespace poinsot::physics {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 // Turns that are exact in doubles.
-const Quaterniond kUnturned(1, 0, 0, 0);
-const Quaterniond kZtoX(.5, .5, .5, .5);     // x to y to z to x
-const Quaterniond kZtoY(.5, -.5, -.5, -.5);  // z to y to x to z
-const Quaterniond kUpsideDown(0, 1, 0, 0);   // half a turn about x
+const Quaternion kUnturned(1, 0, 0, 0);
+const Quaternion kZtoX(.5, .5, .5, .5);     // x to y to z to x
+const Quaternion kZtoY(.5, -.5, -.5, -.5);  // z to y to x to z
+const Quaternion kUpsideDown(0, 1, 0, 0);   // half a turn about x
 
 // Of the two pieces of a racket, in units of 0.01 kg.
 constexpr double kHoopShare = 17, kHandleShare = 16;
 
 /// At one density: the mass is the volume.
-SolidPart ofVolume(const Solid& solid, const Quaterniond& q_BS, const Vector3d& offset_B) {
+SolidPart ofVolume(const Solid& solid, const Quaternion& q_BS, const Vector3d& offset_B) {
   return {solid, volume(solid), q_BS, offset_B};
 }
 

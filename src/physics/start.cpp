@@ -114,12 +114,12 @@ Eigen::Vector3d omegaAtPhaseZero(const PrincipalMoments& moments, const EnergySt
 
 }  // namespace
 
-Eigen::Vector3d omegaFromSpace(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& omega_W) {
+Eigen::Vector3d omegaFromSpace(const Quaternion& q_WB, const Eigen::Vector3d& omega_W) {
   POINSOT_EXPECT(!q_WB.coeffs().isZero(0));
   return turnedVector(q_WB.conjugate(), omega_W);
 }
 
-Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Eigen::Quaterniond& q_WB,
+Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Quaternion& q_WB,
                                   const Eigen::Vector3d& L_W) {
   POINSOT_EXPECT(!q_WB.coeffs().isZero(0));
   return axes.angularVelocity(turnedVector(q_WB.conjugate(), L_W));
@@ -156,7 +156,7 @@ Eigen::Vector3d omegaFromEnergy(const PrincipalAxes& axes, const EnergyStart& st
         fmt::format("on the separatrix (L² = 2 T I of the middle moment) there is no period: the phase must be "
                     "0, got {}",
                     start.phase));
-  const FreeMotion motion(moments, omega0_P, Eigen::Quaterniond::Identity());
+  const FreeMotion motion(moments, omega0_P, Quaternion::Identity());
   return axes.toB(motion.at(start.phase * polhode.period()).omega_B);
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "physics/principal_axes.h"
+#include "physics/unaligned_types.h"
 
 namespace poinsot::physics {
 
@@ -12,11 +13,10 @@ namespace poinsot::physics {
 // angularVelocity.)
 
 /// omega_B of an angular velocity given in W. @pre q_WB is not 0; its length does not matter.
-Eigen::Vector3d omegaFromSpace(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& omega_W);
+Eigen::Vector3d omegaFromSpace(const Quaternion& q_WB, const Eigen::Vector3d& omega_W);
 
 /// omega_B of an angular momentum given in W, kg·m²/s. @pre q_WB is not 0; its length does not matter.
-Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Eigen::Quaterniond& q_WB,
-                                  const Eigen::Vector3d& L_W);
+Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Quaternion& q_WB, const Eigen::Vector3d& L_W);
 
 /// A spin about a principal axis, thrown badly: L is off the axis by `tilt_rad`.
 struct SpinStart {

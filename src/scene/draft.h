@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/unaligned_types.h"
 #include "scene/scene.h"
 
 /// A scene while its keys are being read: what is final goes straight into Draft::scene, what several keys decide
@@ -31,7 +32,7 @@ struct PieceDraft {
   ShapeDraft shape;
   std::optional<double> mass, density;
   std::optional<Eigen::Vector3d> offset, axis;
-  std::optional<Eigen::Quaterniond> rotation;
+  std::optional<physics::Quaternion> rotation;
   std::optional<double> angle;
 };
 

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// A number over film time that goes from one value to the next with a soft start and a soft end: of x in [0, 1]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// Where a panel lies in the picture's grid, whose cells fill it.

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// The things that have a label of their own, in the order of labelKeys.

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/abi.h"
+
 /// Limits and presets of the output, shared by the scene file and the command line.
 namespace poinsot::scene {
 

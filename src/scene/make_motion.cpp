@@ -38,7 +38,7 @@ physics::Vertical verticalOfL(const Scene& scene) {
   return down ? physics::Vertical::kDown : physics::Vertical::kUp;
 }
 
-Eigen::Quaterniond startOrientation(const Scene& scene) {
+physics::Quaternion startOrientation(const Scene& scene) {
   if (scene.motion.orientation_WB) return *scene.motion.orientation_WB;
   return physics::levelAttitude(scene.body.axes, scene.motion.omega_B, verticalOfL(scene));
 }
@@ -73,7 +73,7 @@ Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_
 
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s) {
   const Motion& motion = scene.motion;
-  const Eigen::Quaterniond q0_WB = startOrientation(scene);
+  const physics::Quaternion q0_WB = startOrientation(scene);
   if (motion.forcing.none()) return std::make_unique<physics::FreeMotion>(scene.body.axes, motion.omega_B, q0_WB);
   const physics::TimeSpan span{std::min(from_s, to_s), std::max(from_s, to_s)};
   try {

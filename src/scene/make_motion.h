@@ -5,6 +5,7 @@
 
 #include "physics/level_attitude.h"
 #include "physics/motion.h"
+#include "physics/unaligned_types.h"
 #include "scene/scene.h"
 
 namespace poinsot::scene {
@@ -14,7 +15,7 @@ namespace poinsot::scene {
 physics::Vertical verticalOfL(const Scene& scene);
 
 /// Attitude at motion time 0: the scene's, or the shortest turn of L onto verticalOfL(). Unit.
-Eigen::Quaterniond startOrientation(const Scene& scene);
+physics::Quaternion startOrientation(const Scene& scene);
 
 /// Seconds of motion per second of film: the scene's, or one that the eye follows: of omega, and of a heavy top's
 /// precession.

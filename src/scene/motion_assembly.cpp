@@ -14,8 +14,8 @@
 namespace poinsot::scene {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 /// A way to give a start: its keys, those that it cannot do without first.
 struct Way {
@@ -122,7 +122,7 @@ class StartAssembly {
     const bool inSpace = findings_.has("motion.omega_space") || findings_.has("motion.L_space");
     const bool turned = setsGoing(motion_.forcing) || !motion_.forcing.dragRate_P.isZero(0);
     if ((inSpace || turned) && !findings_.has("motion.orientation"))
-      motion_.orientation_WB = Quaterniond::Identity();
+      motion_.orientation_WB = Quaternion::Identity();
   }
 
   // ---- a tilt that does not lean the body
@@ -177,7 +177,7 @@ class StartAssembly {
   /// Returns w, x, y, z of the attitude in which L of a free body is upright and spin_axis leans from it by tilt.
   Eigen::Vector4d leaning() const {
     const Vector3d up_B = body_->axes.angularMomentum(omegaTilted(1));
-    const Quaterniond q_WB = Quaterniond::FromTwoVectors(up_B, Vector3d::UnitZ());
+    const Quaternion q_WB = Quaternion::FromTwoVectors(up_B, Vector3d::UnitZ());
     return {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()};
   }
 
@@ -204,7 +204,7 @@ class StartAssembly {
 
   std::optional<Vector3d> omega() const {
     const physics::PrincipalAxes& axes = body_->axes;
-    const Quaterniond q_WB = motion_.orientation_WB.value_or(Quaterniond::Identity());
+    const Quaternion q_WB = motion_.orientation_WB.value_or(Quaternion::Identity());
     if (start_.omega_B) return start_.omega_B;
     if (start_.omega_W) return physics::omegaFromSpace(q_WB, *start_.omega_W);
     if (start_.L_B) return axes.angularVelocity(*start_.L_B);

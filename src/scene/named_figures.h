@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/abi.h"
+
 /// Vectors and angles that a scene adds to its pictures.
 namespace poinsot::scene {
 
@@ -46,5 +48,8 @@ struct NamedAngle {
   std::string name;  ///< the TeX subset of text/
   double scale = 1;
 };
+
+static_assert(core::laidOut<FixedVector, 32>() && core::laidOut<PositionVector, 24>() &&
+              core::laidOut<VelocityVector, 24>());
 
 }  // namespace poinsot::scene

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 /// What is written into a picture and follows no thing: notes and read-outs.
 namespace poinsot::scene {
 

@@ -13,18 +13,18 @@
 namespace poinsot::scene {
 namespace {
 
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 /// The right-hand turn by `angle_rad` about an axis that is not zero. Not Eigen's: the last bit of the library's
 /// sine depends on the CPU.
-Quaterniond turn(const Vector3d& axis, double angle_rad) {
+Quaternion turn(const Vector3d& axis, double angle_rad) {
   const Vector3d direction = axis / axis.cwiseAbs().maxCoeff();  // squares stay in range
   const auto half = physics::sineCosine(angle_rad / 2);
   const double length =
       std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
   const Vector3d v = half.sine / length * direction;
-  return Quaterniond(half.cosine, v[0], v[1], v[2]);
+  return Quaternion(half.cosine, v[0], v[1], v[2]);
 }
 
 /// What a figure is made of, in its own axes S, for any mass.
@@ -86,7 +86,7 @@ std::optional<double> PieceReader::mass(double volume_m3) {
   return *piece_.density * volume_m3;
 }
 
-std::optional<Quaterniond> PieceReader::turnAboutAxis() {
+std::optional<Quaternion> PieceReader::turnAboutAxis() {
   if (!has("axis") || !has("angle")) {
     const char *present = has("axis") ? "axis" : "angle", *missing = has("axis") ? "angle" : "axis";
     findings_.refuseMissing(path(missing), path(present),
@@ -101,7 +101,7 @@ std::optional<Quaterniond> PieceReader::turnAboutAxis() {
   return turn(*piece_.axis, *piece_.angle);
 }
 
-std::optional<Quaterniond> PieceReader::rotation() {
+std::optional<Quaternion> PieceReader::rotation() {
   const bool axisAngle = has("axis") || has("angle");
   if (has("rotation") && axisAngle) {
     const std::string other = path(has("axis") ? "axis" : "angle");
@@ -110,10 +110,10 @@ std::optional<Quaterniond> PieceReader::rotation() {
   }
   if (axisAngle) return turnAboutAxis();
   if (has("rotation")) return piece_.rotation;
-  return Quaterniond::Identity();
+  return Quaternion::Identity();
 }
 
-std::optional<Piece> PieceReader::placed(const Figure& figure, const Quaterniond& q_BS) {
+std::optional<Piece> PieceReader::placed(const Figure& figure, const Quaternion& q_BS) {
   const Matter matter = std::visit([](const auto& kind) { return matterOf(kind); }, figure);
   const auto mass_kg = mass(matter.volume_m3);
   if (!mass_kg) return std::nullopt;
@@ -147,7 +147,7 @@ std::optional<Piece> pointMass(const PointDraft& point, const std::string& table
       findings.refuseMissing(table + name, table,
                              fmt::format("{}{} is missing: a point mass has mass and position", table, name));
   if (!point.mass || !point.position) return std::nullopt;
-  return Piece{{PointMass{}, *point.mass, Quaterniond::Identity(), *point.position},
+  return Piece{{PointMass{}, *point.mass, Quaternion::Identity(), *point.position},
                physics::MassProperties::ofPoint(*point.mass, *point.position)};
 }
 

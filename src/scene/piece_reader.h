@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "physics/unaligned_types.h"
 #include "scene/shape_reader.h"
 
 namespace poinsot::scene {
@@ -31,9 +32,9 @@ class PieceReader {
   bool has(std::string_view name) const { return findings_.has(path(name)); }
   bool massFits();
   std::optional<double> mass(double volume_m3);
-  std::optional<Piece> placed(const Figure& figure, const Eigen::Quaterniond& q_BS);
-  std::optional<Eigen::Quaterniond> rotation();
-  std::optional<Eigen::Quaterniond> turnAboutAxis();
+  std::optional<Piece> placed(const Figure& figure, const physics::Quaternion& q_BS);
+  std::optional<physics::Quaternion> rotation();
+  std::optional<physics::Quaternion> turnAboutAxis();
 
   const PieceDraft& piece_;
   std::string table_;

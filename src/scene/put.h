@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/expect.h"
+#include "physics/unaligned_types.h"
 #include "scene/keys.h"
 
 /// From a checked value to the place it is kept in; the type of the place says how.
@@ -51,10 +52,10 @@ inline void assign(std::vector<int>& to, const Checked& value) {
   for (const Word& word : std::get<std::vector<Word>>(value)) to.push_back(word.index);
 }
 inline void assign(std::vector<double>& to, const Checked& value) { to = std::get<std::vector<double>>(value); }
-inline void assign(Eigen::Quaterniond& to, const Checked& value) {
+inline void assign(physics::Quaternion& to, const Checked& value) {
   const auto& v = std::get<std::vector<double>>(value);
   POINSOT_EXPECT(v.size() == 4);
-  to = Eigen::Quaterniond(v[0], v[1], v[2], v[3]).normalized();
+  to = physics::Quaternion(v[0], v[1], v[2], v[3]).normalized();
 }
 template <class E>
 requires std::is_enum_v<E>

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// JSON Schema, draft 4, of a scene file, for editors; pretty, newline at the end.

@@ -18,6 +18,7 @@
 #include "physics/forcing.h"
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
+#include "physics/unaligned_types.h"
 #include "scene/grid_place.h"
 #include "scene/label_text.h"
 #include "scene/named_figures.h"
@@ -38,7 +39,7 @@ struct PointMass {};
 struct Part {
   std::variant<physics::Solid, std::shared_ptr<const geometry::Mesh>, PointMass> figure;
   double mass_kg = 1;
-  Eigen::Quaterniond q_BS = Eigen::Quaterniond::Identity();
+  physics::Quaternion q_BS = physics::Quaternion::Identity();
   Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< of S's origin, m
 };
 
@@ -62,7 +63,7 @@ using Flight = physics::Flight;
 
 struct Motion {
   Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< at motion time 0, rad/s
-  std::optional<Eigen::Quaterniond> orientation_WB;   ///< unit; none: L turned onto the world's vertical
+  std::optional<physics::Quaternion> orientation_WB;  ///< unit; none: L turned onto the world's vertical
   LPoints lPoints = LPoints::kAuto;
   physics::Forcing forcing;
   double tolerance_rad = 1e-12;  ///< of the attitude over the run, where something acts

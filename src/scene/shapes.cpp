@@ -7,8 +7,8 @@ namespace poinsot::scene {
 namespace {
 
 using namespace physics;  // its solids, by the dozen
-using Eigen::Vector2d;
 using Eigen::Vector3d;
+using physics::Vector2;
 
 double length(const ShapeDraft& shape, std::string_view name) {
   const auto found = shape.lengths.find(name);
@@ -21,7 +21,7 @@ double extent(const ShapeDraft& shape, std::size_t axis) {
 }
 
 Vector3d extents(const ShapeDraft& shape) { return {extent(shape, 0), extent(shape, 1), extent(shape, 2)}; }
-Vector2d twoExtents(const ShapeDraft& shape) { return {extent(shape, 0), extent(shape, 1)}; }
+Vector2 twoExtents(const ShapeDraft& shape) { return {extent(shape, 0), extent(shape, 1)}; }
 
 Solid cylinder(const ShapeDraft& s) {
   const double inner_m = length(s, "inner_radius");

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// A drawn thing's common options; `scale` multiplies the default size in the picture.

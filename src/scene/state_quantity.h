@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
 #include "physics/flight.h"
 #include "physics/forcing.h"
 #include "physics/principal_axes.h"
@@ -94,5 +95,7 @@ const StateQuantity& stateQuantity(int index);
 /// theta is the one to the vertical there.
 /// @pre index of a quantity.
 std::string quantityTex(int index, const physics::Forcing& forcing);
+
+static_assert(core::laidOut<ThrownBody, 80>());
 
 }  // namespace poinsot::scene

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// What a colour stands for in a picture.

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::scene {
 
 /// What happens from a film time on. Angles in radians, times in seconds of film.

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/abi.h"
+
 /// Quantities written as text ("3 rpm", "20 cm") and their value in SI units.
 namespace poinsot::scene {
 

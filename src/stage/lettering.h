@@ -3,6 +3,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/abi.h"
+
 /// How large type and lines are. (note_rows.h: type that stands still. label_layout.h: type that follows its
 /// thing.)
 namespace poinsot::stage {

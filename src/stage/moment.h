@@ -3,6 +3,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/abi.h"
+
 namespace poinsot::stage {
 
 /// An instant of a film, or a still of it. A label that is on its way to another place, or behind a body, is faint

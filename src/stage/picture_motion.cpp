@@ -14,8 +14,8 @@ namespace poinsot::stage {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using physics::Quaternion;
 
 constexpr double kPathStep = 0.06;  // of a circle's radius: 105 points a turn, 0.1 px off a circle of 200 px
 constexpr int kOutlinePoints = 600;
@@ -118,6 +118,10 @@ PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const ph
       outline_(outlineOf(*this)),
       liveliest_(indexOfMostEnergy(*this, outline_)),
       pathStep_s_(pathStep(*this)) {}
+
+Eigen::Vector3d PictureState::velocityAt(const Eigen::Vector3d& r_B) const {
+  return velocity_V + omega_V.cross(R_VB * r_B);
+}
 
 PathPoint PictureMotion::pathPoint(double played_s) const {
   const physics::RigidBodyState state = stateAt(played_s);

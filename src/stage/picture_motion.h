@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/abi.h"
 #include "physics/motion.h"
 #include "scene/film_clock.h"
 #include "scene/make_motion.h"
@@ -30,7 +31,7 @@ struct PictureState {
   Eigen::Vector3d velocity_V;  ///< of the centre of mass, m/s; zero unless it moves along
 
   /// Of a point of the body, m from the fixed point, m/s: V + omega × r of one that moves along.
-  Eigen::Vector3d velocityAt(const Eigen::Vector3d& r_B) const { return velocity_V + omega_V.cross(R_VB * r_B); }
+  Eigen::Vector3d velocityAt(const Eigen::Vector3d& r_B) const;
   bool atRest() const { return omega_P.isZero(0); }
 };
 
@@ -119,5 +120,7 @@ class PictureMotion {
   std::size_t liveliest_;
   double pathStep_s_;  // of played time
 };
+
+static_assert(core::laidOut<PictureState, 384>());
 
 }  // namespace poinsot::stage

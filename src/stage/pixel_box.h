@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/abi.h"
+
 namespace poinsot::stage {
 
 /// A rectangle of the picture, px from its top left corner, y down.

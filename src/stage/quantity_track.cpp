@@ -31,7 +31,7 @@ double nearest(QuantityBranch branch, double value, double to) {
 }
 
 /// A quaternion's parts change sign together; each alone could not tell at its zeros.
-void takeSign(Eigen::Quaterniond& q, const Eigen::Quaterniond& of) {
+void takeSign(physics::Quaternion& q, const physics::Quaternion& of) {
   if (q.dot(of) < 0) q.coeffs() = -q.coeffs();
 }
 
@@ -103,7 +103,7 @@ void QuantityTrack::sampleAll() {
   values_.assign(quantities_.size(), {});
   ranges_.assign(quantities_.size(), {kInfinity, -kInfinity, 0});
   std::vector<double> last(quantities_.size(), std::numeric_limits<double>::quiet_NaN());
-  Eigen::Quaterniond before = motion_->at(clock_.motionTime_s(0)).q_WB;
+  physics::Quaternion before = motion_->at(clock_.motionTime_s(0)).q_WB;
   for (const double film_s : filmTimes_s_) {
     physics::RigidBodyState state = motion_->at(motionTime_s(film_s));
     takeSign(state.q_WB, before);

@@ -11,11 +11,11 @@ namespace poinsot::stage {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
+using geometry::Vector2;
 
 /// Points (distance from the axis z, z).
-using Profile = std::vector<Vector2d>;
+using Profile = std::vector<Vector2>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kSegments = 120;  // of meshes: a chord is 0.03 % of the radius inside the circle, 0.1 px of 300
@@ -30,7 +30,7 @@ constexpr double kShellWall = 0.05;   // in the radius
 constexpr double kWindow_rad = 0.55;  // half the angle of the opening at a ball's pole
 constexpr double kGutter_rad = 0.6;   // half the angle of the opening along a torus
 
-Vector3d at(const Vector2d& p, double angle) { return {p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()}; }
+Vector3d at(const Vector2& p, double angle) { return {p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()}; }
 
 void ring(const Sketch& sketch, double radius, double z) {
   sketch.mark(loop(96, [&](double s) { return at({radius, z}, s); }), true);
@@ -56,7 +56,7 @@ Profile joined(Profile first, const Profile& second) {
 void meridians(const Sketch& sketch, const Profile& line, int count) {
   for (int i = 0; i < count; ++i) {
     std::vector<Vector3d> points;
-    for (const Vector2d& p : line) points.push_back(at(p, 2 * kPi * i / count));
+    for (const Vector2& p : line) points.push_back(at(p, 2 * kPi * i / count));
     sketch.mark(points, false, i == 0 ? kHeavy : 1);
   }
 }
@@ -81,7 +81,7 @@ void openEllipsoid(const Sketch& sketch, const Vector3d& semiAxes, double innerS
   sketch.mark(loop(96, [&](double s) { return Vector3d(innerShare * onIt(kWindow_rad, s)); }), true);
   for (int i = 0; i < 4; ++i) {
     std::vector<Vector3d> line;
-    for (const Vector2d& p : arc(1, kWindow_rad, 0.96 * kPi))
+    for (const Vector2& p : arc(1, kWindow_rad, 0.96 * kPi))
       line.push_back(semiAxes.cwiseProduct(at(p, 0.5 * kPi * i)));
     sketch.mark(line, false, i == 0 ? kHeavy : 1);
   }
@@ -163,7 +163,7 @@ void torusMarks(const Sketch& sketch, double radius, double tubeRadius, const Pr
   constexpr int kRings = 8;
   for (int i = 0; i < kRings; ++i) {
     std::vector<Vector3d> points;
-    for (const Vector2d& p : section) points.push_back(at(p, 2 * kPi * i / kRings));
+    for (const Vector2& p : section) points.push_back(at(p, 2 * kPi * i / kRings));
     sketch.mark(points, closed, i == 0 ? kHeavy : 1);
   }
   ring(sketch, radius + tubeRadius, 0);
@@ -238,8 +238,8 @@ void add(const Sketch& sketch, const physics::Capsule& solid) {
     ring(sketch, r, z);
   }
   Profile side = arc(r, 0, 0.5 * kPi), bottom = arc(r, 0.5 * kPi, kPi);
-  for (Vector2d& p : side) p.y() += h;
-  for (Vector2d& p : bottom) p.y() -= h;
+  for (Vector2& p : side) p.y() += h;
+  for (Vector2& p : bottom) p.y() -= h;
   meridians(sketch, joined(side, bottom), 4);
 }
 

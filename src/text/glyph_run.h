@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 /// Type: from a small TeX subset to positioned glyphs of the embedded fonts, and to coverage of pixels.
 /// Lengths named _em are in units of the type size, from the left end of the baseline, x right and y up.
 namespace poinsot::text {

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/abi.h"
+
 namespace poinsot::text {
 
 /// UTF-8.

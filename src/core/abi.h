@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Refuses flags under which a caller and the library would lay out the same type differently. Nothing else would
+// notice: such a program links and computes wrong numbers. Every public header includes this one.
+#include <cstddef>
+#include <version>
+
+#if defined(_GLIBCXX_DEBUG) && !defined(POINSOT_BUILT_WITH_GLIBCXX_DEBUG)
+#error "poinsot: _GLIBCXX_DEBUG changes std::vector and others; build poinsot with it too, or omit it"
+#elif !defined(_GLIBCXX_DEBUG) && defined(POINSOT_BUILT_WITH_GLIBCXX_DEBUG)
+#error "poinsot: this library was built with _GLIBCXX_DEBUG; define it here too"
+#endif
+#if defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
+#error "poinsot: _GLIBCXX_USE_CXX11_ABI=0 selects another std::string than the library's; omit it"
+#endif
+// Matrices of public types are stored by columns.
+#ifdef EIGEN_DEFAULT_TO_ROW_MAJOR
+#error "poinsot: EIGEN_DEFAULT_TO_ROW_MAJOR changes the order of a matrix's entries; omit it"
+#endif
+
+namespace poinsot::core {
+
+/// Holds a public type to the layout that it has in the library.
+///   static_assert(core::laidOut<RigidBodyState, 120>());
+template <class T, std::size_t kSize, std::size_t kAlignment = alignof(double)>
+constexpr bool laidOut() {
+  static_assert(sizeof(T) == kSize && alignof(T) == kAlignment,
+                "poinsot: a flag or macro of this compilation gives this type another layout than it has in the "
+                "library; docs/library.md, \"Flags\", has those that are supported");
+  return true;
+}
+
+}  // namespace poinsot::core
