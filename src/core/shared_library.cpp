@@ -22,6 +22,12 @@ SharedLibrary::SharedLibrary(const char* soname, const char* package, ErrorKind 
   if (!handle_) throw Error(kind, whyNotOpened(soname, package, dlerror()));
 }
 
+bool SharedLibrary::isOpen(const char* soname) {
+  void* const handle = dlopen(soname, RTLD_NOLOAD | RTLD_LAZY);
+  if (handle) dlclose(handle);  // gives back what this dlopen counted
+  return handle != nullptr;
+}
+
 void* SharedLibrary::address(const char* name) const { return dlsym(handle_, name); }
 
 }  // namespace poinsot::core

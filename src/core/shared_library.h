@@ -16,6 +16,9 @@ class SharedLibrary {
   /// @param kind  of errors, here and below.
   /// @throws Error with the loader's reason and, where the library is missing, the package to install.
   SharedLibrary(const char* soname, const char* package, ErrorKind kind);
+  /// Whether something in the process has opened the library; opens nothing.
+  static bool isOpen(const char* soname);
+
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 

@@ -3,6 +3,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <mutex>
+
 #include "core/shared_library.h"
 #include "gl/back_ends.h"
 
@@ -12,8 +14,10 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
+constexpr const char* kLibrary = "libEGL.so.1";
+
 struct EglFunctions {
-  core::SharedLibrary library{"libEGL.so.1", "libegl1 libgl1-mesa-dri", ErrorKind::kGraphics};
+  core::SharedLibrary library{kLibrary, "libegl1 libgl1-mesa-dri", ErrorKind::kGraphics};
   decltype(eglGetProcAddress)* getProcAddress;
   decltype(eglInitialize)* initialize;
   decltype(eglTerminate)* terminate;
@@ -21,6 +25,11 @@ struct EglFunctions {
   decltype(eglCreateContext)* createContext;
   decltype(eglDestroyContext)* destroyContext;
   decltype(eglMakeCurrent)* makeCurrent;
+  decltype(eglQueryAPI)* queryApi;
+  decltype(eglQueryString)* queryString;
+  decltype(eglGetCurrentContext)* getCurrentContext;
+  decltype(eglGetCurrentDisplay)* getCurrentDisplay;
+  decltype(eglGetCurrentSurface)* getCurrentSurface;
 
   EglFunctions() {
     library.load(getProcAddress, "eglGetProcAddress");
@@ -30,6 +39,11 @@ struct EglFunctions {
     library.load(createContext, "eglCreateContext");
     library.load(destroyContext, "eglDestroyContext");
     library.load(makeCurrent, "eglMakeCurrent");
+    library.load(queryApi, "eglQueryAPI");
+    library.load(queryString, "eglQueryString");
+    library.load(getCurrentContext, "eglGetCurrentContext");
+    library.load(getCurrentDisplay, "eglGetCurrentDisplay");
+    library.load(getCurrentSurface, "eglGetCurrentSurface");
   }
 };
 
@@ -38,20 +52,52 @@ const EglFunctions& egl() {
   return functions;
 }
 
-EGLDisplay surfacelessDisplay() {
+/// The display without surfaces, of which a process has one: contexts of the caller's may be on it too. It ends
+/// with the last of ours, unless it was there before the first.
+class SurfacelessDisplay {
+ public:
+  SurfacelessDisplay() {
+    const std::lock_guard lock(mutex_);
+    if (users_ == 0) wasThere_ = egl().queryString(display_, EGL_VERSION) != nullptr;
+    if (!egl().initialize(display_, nullptr, nullptr)) throw missing();
+    ++users_;
+  }
+  ~SurfacelessDisplay() {
+    const std::lock_guard lock(mutex_);
+    if (--users_ == 0 && !wasThere_) egl().terminate(display_);
+  }
+  SurfacelessDisplay(const SurfacelessDisplay&) = delete;
+  SurfacelessDisplay& operator=(const SurfacelessDisplay&) = delete;
+
+  operator EGLDisplay() const { return display_; }
+
+ private:
+  static Error missing();
+  static EGLDisplay find();
+
+  static inline std::mutex mutex_;
+  static inline int users_ = 0;
+  static inline bool wasThere_ = false;
+  const EGLDisplay display_ = find();
+};
+
+Error SurfacelessDisplay::missing() {
+  return Error(ErrorKind::kGraphics,
+               "EGL has no surfaceless Mesa display; install it with: apt-get install libgl1-mesa-dri");
+}
+
+EGLDisplay SurfacelessDisplay::find() {
   const auto getPlatformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl().getProcAddress("eglGetPlatformDisplayEXT"));
   if (!getPlatformDisplay) throw Error(ErrorKind::kGraphics, "EGL is too old: it has no platform displays");
-  EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (display == EGL_NO_DISPLAY || !egl().initialize(display, nullptr, nullptr))
-    throw Error(ErrorKind::kGraphics,
-                "EGL has no surfaceless Mesa display; install it with: apt-get install libgl1-mesa-dri");
+  const EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (display == EGL_NO_DISPLAY) throw missing();
   return display;
 }
 
 class EglContext final : public OffscreenContext {
  public:
-  EglContext() : display_(surfacelessDisplay()) {
+  EglContext() {
     constexpr EGLint kAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                       3,
                                       EGL_CONTEXT_MINOR_VERSION,
@@ -61,24 +107,36 @@ class EglContext final : public OffscreenContext {
                                       EGL_NONE};
     egl().bindApi(EGL_OPENGL_API);
     context_ = egl().createContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
-    if (context_ == EGL_NO_CONTEXT || !egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-      egl().terminate(display_);
-      throw Error(ErrorKind::kGraphics, "EGL gives no surfaceless OpenGL 3.3 core context");
-    }
+    if (context_ != EGL_NO_CONTEXT && egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+      return;
+    if (context_ != EGL_NO_CONTEXT) egl().destroyContext(display_, context_);
+    throw Error(ErrorKind::kGraphics, "EGL gives no surfaceless OpenGL 3.3 core context");
   }
   ~EglContext() override {
     egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl().destroyContext(display_, context_);
-    egl().terminate(display_);
   }
   const char* backendName() const override { return "egl"; }
 
  private:
-  EGLDisplay display_;
+  CallersContext callers_;
+  SurfacelessDisplay display_;
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
 }  // namespace
+
+std::function<void()> callersEglContext() {
+  const EGLContext context = core::SharedLibrary::isOpen(kLibrary) ? egl().getCurrentContext() : EGL_NO_CONTEXT;
+  if (context == EGL_NO_CONTEXT) return nullptr;
+  return [api = egl().queryApi(), display = egl().getCurrentDisplay(), draw = egl().getCurrentSurface(EGL_DRAW),
+          read = egl().getCurrentSurface(EGL_READ), context] {
+    egl().bindApi(api);
+    // EGL takes its context for current while OSMesa has replaced it, and would do nothing.
+    egl().makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl().makeCurrent(display, draw, read, context);
+  };
+}
 
 std::unique_ptr<OffscreenContext> openEglContext() {
   auto context = std::make_unique<EglContext>();

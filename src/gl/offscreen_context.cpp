@@ -26,14 +26,28 @@ BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)(
   }
 }
 
+thread_local int ours = 0;  // contexts of this thread
+
 }  // namespace
+
+CallersContext::CallersContext() {
+  if (ours++ > 0) return;  // one of ours may end before another
+  egl_ = callersEglContext();
+  osMesa_ = callersOsMesaContext();
+}
+
+CallersContext::~CallersContext() {
+  --ours;
+  if (egl_) egl_();
+  if (osMesa_) osMesa_();
+}
 
 std::string OffscreenContext::renderer() const { return glString(GL_RENDERER); }
 std::string OffscreenContext::version() const { return glString(GL_VERSION); }
 
 void makeReady(FunctionLoader loader) {
-  const int version = gladLoadGL(loader);
-  if (version < GLAD_MAKE_VERSION(3, 3))
+  const int version = poinsot_gladLoadGL(loader);
+  if (version < POINSOT_GLAD_MAKE_VERSION(3, 3))
     throw Error(ErrorKind::kGraphics, "the back end's OpenGL is older than 3.3");
   expectDraws();
 }

@@ -5,11 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::gl {
 
 enum class Backend { kAuto, kOsMesa, kEgl };
 
 /// A current OpenGL 3.3 core context without a window. Drawing goes to framebuffer objects of the caller's.
+///
+/// While it lives, it replaces the context that was current on the thread before. At its end the earlier context
+/// is current again if it is EGL's or OSMesa's; it must still exist. A context of GLX must be released and made
+/// current by its owner; to keep it current, draw on another thread, for which context is current is a matter of
+/// each thread.
 class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;

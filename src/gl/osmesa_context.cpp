@@ -12,18 +12,26 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
+constexpr const char* kLibrary = "libOSMesa.so.8";
+
 struct OsMesaFunctions {
-  core::SharedLibrary library{"libOSMesa.so.8", "libosmesa6", ErrorKind::kGraphics};
+  core::SharedLibrary library{kLibrary, "libosmesa6", ErrorKind::kGraphics};
   decltype(OSMesaCreateContextAttribs)* createContextAttribs;
   decltype(OSMesaMakeCurrent)* makeCurrent;
   decltype(OSMesaDestroyContext)* destroyContext;
   decltype(OSMesaGetProcAddress)* getProcAddress;
+  decltype(OSMesaGetCurrentContext)* getCurrentContext;
+  decltype(OSMesaGetColorBuffer)* getColorBuffer;
+  decltype(OSMesaGetIntegerv)* getIntegerv;
 
   OsMesaFunctions() {
     library.load(createContextAttribs, "OSMesaCreateContextAttribs");
     library.load(makeCurrent, "OSMesaMakeCurrent");
     library.load(destroyContext, "OSMesaDestroyContext");
     library.load(getProcAddress, "OSMesaGetProcAddress");
+    library.load(getCurrentContext, "OSMesaGetCurrentContext");
+    library.load(getColorBuffer, "OSMesaGetColorBuffer");
+    library.load(getIntegerv, "OSMesaGetIntegerv");
   }
 };
 
@@ -63,6 +71,7 @@ class OsMesaContext final : public OffscreenContext {
   const char* backendName() const override { return "osmesa"; }
 
  private:
+  CallersContext callers_;
   OSMesaContext context_ = nullptr;
   std::array<unsigned char, 4> windowPixel_{};
 };
@@ -70,6 +79,15 @@ class OsMesaContext final : public OffscreenContext {
 }  // namespace
 
 void openOsMesaLibrary() { osMesa(); }
+
+std::function<void()> callersOsMesaContext() {
+  const OSMesaContext context = core::SharedLibrary::isOpen(kLibrary) ? osMesa().getCurrentContext() : nullptr;
+  GLint width = 0, height = 0, format = 0, type = 0;
+  void* buffer = nullptr;
+  if (!context || !osMesa().getColorBuffer(context, &width, &height, &format, &buffer)) return nullptr;
+  osMesa().getIntegerv(OSMESA_TYPE, &type);
+  return [=] { osMesa().makeCurrent(context, buffer, static_cast<GLenum>(type), width, height); };
+}
 
 std::unique_ptr<OffscreenContext> openOsMesaContext() {
   auto context = std::make_unique<OsMesaContext>();
