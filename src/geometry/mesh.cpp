@@ -45,6 +45,8 @@ std::string toString(const FilePlace& place) {
   return fmt::format("{} {}", place.isLine ? "line" : "byte", number);
 }
 
+Eigen::Vector3d Bounds::centre_M() const { return low_M + size_m() / 2; }
+
 Bounds boundsOf(const Mesh& mesh) {
   POINSOT_EXPECT(!mesh.vertices_M.empty());
   Bounds bounds{mesh.vertices_M[0], mesh.vertices_M[0]};

@@ -37,7 +37,7 @@ struct Bounds {
   Eigen::Vector3d low_M, high_M;
 
   Eigen::Vector3d size_m() const { return high_M - low_M; }
-  Eigen::Vector3d centre_M() const { return low_M + size_m() / 2; }
+  Eigen::Vector3d centre_M() const;
 };
 
 /// @pre at least one vertex.

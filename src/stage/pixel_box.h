@@ -12,8 +12,8 @@ struct PixelBox {
   double width() const { return right - left; }
   double height() const { return bottom - top; }
   /// Places inside, by shares of the width from the left and of the height from the bottom.
-  double x(double share) const { return left + share * width(); }
-  double y(double share) const { return bottom - share * height(); }
+  double x(double share) const;
+  double y(double share) const;
 
   bool operator==(const PixelBox&) const = default;
 };

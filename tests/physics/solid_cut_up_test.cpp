@@ -117,9 +117,10 @@ TEST(SolidCutUp, ShellsAreTheLimitOfTheirTriangles) {
     expectResidual(row.name, fine, 3e-3);  // measured 1.4e-3
     EXPECT_NEAR(fine / coarse, .25, .01) << row.name;
   }
-  const Mesh plate = prismMesh(std::array<Eigen::Vector2d, 4>{Eigen::Vector2d(-1.5, -1), Eigen::Vector2d(1.5, -1),
-                                                              Eigen::Vector2d(1.5, 1), Eigen::Vector2d(-1.5, 1)},
-                               2);
+  const Mesh plate =
+      prismMesh(std::array<geometry::Vector2, 4>{geometry::Vector2(-1.5, -1), geometry::Vector2(1.5, -1),
+                                                 geometry::Vector2(1.5, 1), geometry::Vector2(-1.5, 1)},
+                2);
   const auto bottom = [](const Vector3d& r) { return r[2] == -1; };
   EXPECT_LE(relative(surfaceMoments(plate, bottom), massProperties(Plate{{3, 2}}, 1).inertia_B().diagonal()),
             1e-15);

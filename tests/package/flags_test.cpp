@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs that are compiled with other flags than the library, and what of their names the archives leave alone.
+#include "package/flags.h"
+
+#include <cxxabi.h>
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <sstream>
+
+#include "package/state_bits.h"
+
+namespace poinsot {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Each build would show one kind of fault: vectors of 32 bytes and inline functions of the program's in the
+// library (at -O0 none is inlined, and the linker meets the program's first); vectors of 8 bytes; sums fused with
+// products.
+TEST(Flags, GiveTheLibrarysOwnBits) {
+  if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
+  const InstalledTree tree;
+  tree.folder().put("bits.cpp",
+                    "#include \"package/state_bits.h\"\nint main() { std::fputs(poinsot::stateBits().c_str(), "
+                    "stdout); }\n");
+  for (const Compilation& compilation :
+       {Compilation{"g++", "-O0 -mavx2 -mfma"}, Compilation{"g++", "-O2 -DEIGEN_MAX_ALIGN_BYTES=0"},
+        Compilation{"clang++", "-O2 -march=x86-64-v3"}}) {
+    if (!isInstalled(compilation.compiler)) continue;
+    Compilation{compilation.compiler, compilation.flags + " -I" POINSOT_SOURCE_DIR "/tests"}.make(
+        tree, "bits.cpp", kPhysics, "bits");
+    if (compilation.runsHere()) {
+      EXPECT_EQ(tree.run("./bits"), stateBits()) << compilation.text();
+    }
+  }
+}
+
+TEST(Flags, ThatCannotWorkAreRefusedWithTheReason) {
+  if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
+  const InstalledTree tree;
+  const auto refusal = [&](const std::string& header, const std::string& flags) {
+    tree.folder().put("refused.cpp", "#include \"" + header + "\"\n");
+    return Compilation{"g++", flags}.refusal(tree, "refused.cpp", kPictures);
+  };
+  EXPECT_THAT(refusal("core/error.h", "-D_GLIBCXX_DEBUG"), HasSubstr("poinsot: _GLIBCXX_DEBUG changes"));
+  EXPECT_THAT(refusal("core/error.h", "-D_GLIBCXX_USE_CXX11_ABI=0"),
+              HasSubstr("poinsot: _GLIBCXX_USE_CXX11_ABI=0 selects"));
+  EXPECT_THAT(refusal("core/error.h", "-DEIGEN_DEFAULT_TO_ROW_MAJOR"),
+              HasSubstr("poinsot: EIGEN_DEFAULT_TO_ROW_MAJOR changes"));
+  // By the size of a type: GLM's macro, and a flag that nobody thought of.
+  const std::string byLayout = "poinsot: a flag or macro of this compilation gives this type another layout";
+  EXPECT_THAT(refusal("draw/camera.h", "-mavx -DGLM_FORCE_DEFAULT_ALIGNED_GENTYPES -DGLM_FORCE_INTRINSICS"),
+              HasSubstr(byLayout));
+  EXPECT_THAT(refusal("physics/rigid_body_state.h", "-fpack-struct=1"), HasSubstr(byLayout));
+}
+
+// A program's glad has the pointers of its own window.
+TEST(Flags, LeaveAProgramsGladAlone) {
+  if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
+  expectKeepsItsGlad(InstalledTree(), {"g++", "-O0 -mavx2"}, "3.3");
+}
+
+/// Returns why a program may have this name too; empty if it is this project's alone.
+std::string whyForeign(const std::string& name, char type) {
+  static const std::regex ours("_Z(T[A-Z]|G[A-Z])*Z*N[VKRO]*7poinsot.*|(poinsot|POINSOT)_.*");
+  if (std::regex_match(name, ours)) return "";
+  // One for the whole program by the rules of the language: type information, statics of inline functions.
+  if (type == 'V' || type == 'u') return "";
+  if (name.starts_with("__clang_")) return "";  // the compiler's own, always alike
+  if (type != 'W') return "a global name outside poinsot";
+  return name.ends_with(".poinsot") || !POINSOT_OWN_INLINES ? "" : "an inline function of somebody else's";
+}
+
+// A program may use every name but ours.
+TEST(Archives, HaveNoGlobalNamesButTheirOwn) {
+  const InstalledTree tree;
+  std::istringstream lines(
+      tree.run("nm --print-file-name --extern-only --defined-only --format=posix $PREFIX/lib/*.a"));
+  std::vector<std::string> foreign;
+  int ours = 0;
+  for (std::string file, name, line; lines >> file >> name && std::getline(lines, line);) {
+    const std::string why = whyForeign(name, line.at(1));
+    if (why.empty())
+      ++ours;
+    else
+      foreign.push_back(file + " " + name + ": " + why);
+  }
+  EXPECT_THAT(foreign, IsEmpty());
+  EXPECT_GT(ours, 5000) << "nm has told of too few";
+}
+
+// Every header leads to core/abi.h, which refuses flags, and names no type that Eigen aligns. The nightly test has
+// the layouts themselves.
+TEST(PublicHeaders, HaveOneLayout) {
+  const InstalledTree tree;
+  EXPECT_EQ(tree.run("cd $PREFIX/include/poinsot; grep -rohE 'Eigen::[A-Z]\\w+' . | sort -u | tr '\\n' ' '"),
+            "Eigen::DontAlign Eigen::Matrix Eigen::Matrix3d Eigen::Quaternion Eigen::Quaterniond Eigen::Vector2d "
+            "Eigen::Vector3d ")
+      << "DontAlign goes with Matrix and Quaternion; the aligned ones stand in comments";
+  EXPECT_EQ(
+      tree.run("cd $PREFIX/include/poinsot; grep -rnE 'Eigen::(Matrix<|Quaternion<|Quaterniond|Vector2d)' . | "
+               "grep -vE 'DontAlign>|///' || true"),
+      "");
+  EXPECT_EQ(tree.run("cd $PREFIX/include/poinsot; grep -rL '^#include \"' . | sort | tr '\\n' ' '"),
+            "./core/abi.h ./core/version.h ");
+}
+
+}  // namespace
+}  // namespace poinsot
