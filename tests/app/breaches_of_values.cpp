@@ -26,8 +26,8 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
+using geometry::Vector2;
 using physics::PrincipalMoments;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -88,7 +88,7 @@ geometry::Mesh triangle(double x, std::uint32_t last) {
 std::vector<Breach> ofGeometry() {
   using namespace geometry;
   const Mesh whole = triangle(0, 2), beyond = triangle(0, 3), notANumber = triangle(kNaN, 2);
-  const std::vector<Vector2d> bent = {{0, 0}, {2, 0}, {2, 2}, {1.5, 0.5}, {0, 2}};
+  const std::vector<Vector2> bent = {{0, 0}, {2, 0}, {2, 2}, {1.5, 0.5}, {0, 2}};
   return {
       {"geometry/mesh.h", "at least one vertex", [] { boundsOf({}); }},
       {"geometry/mesh.h", "det A > 0", [=] { transformed(whole, -Matrix3d::Identity()); }},
@@ -114,19 +114,19 @@ std::vector<Breach> ofGeometry() {
       {"geometry/mesh_integrals.h", "coordinates finite", [=] { checkClosed(notANumber); }},
       {"geometry/primitives.h", "segments >= 3",
        [] {
-         turnedMesh(std::vector<Vector2d>{{0, 0}, {1, 0}, {0, 1}}, 2);
+         turnedMesh(std::vector<Vector2>{{0, 0}, {1, 0}, {0, 1}}, 2);
        }},
       {"geometry/primitives.h", "three corners or more",
        [] {
-         turnedMesh(std::vector<Vector2d>{{0, 0}, {1, 0}}, 9);
+         turnedMesh(std::vector<Vector2>{{0, 0}, {1, 0}}, 9);
        }},
       {"geometry/primitives.h", "none with r < 0",
        [] {
-         turnedMesh(std::vector<Vector2d>{{0, 0}, {-1, 0}, {0, 1}}, 9);
+         turnedMesh(std::vector<Vector2>{{0, 0}, {-1, 0}, {0, 1}}, 9);
        }},
       {"geometry/primitives.h", "three corners or more",
        [] {
-         prismMesh(std::vector<Vector2d>{{0, 0}, {1, 0}}, 1);
+         prismMesh(std::vector<Vector2>{{0, 0}, {1, 0}}, 1);
        }},
       {"geometry/primitives.h", "the first one sees every other", [=] { prismMesh(bent, 1); }},
       {"geometry/primitives.h", "subdivisions <= 8",
