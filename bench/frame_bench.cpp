@@ -20,7 +20,7 @@ const stage::Stage& racket() {
   return stage;
 }
 
-/// The film again and again.
+/// Returns the picture at a time of the film, which repeats.
 draw::Picture racketAt(double time_s) {
   return racket().compose(std::fmod(time_s, racket().scene().time.duration_s), {kSize.width, kSize.height});
 }

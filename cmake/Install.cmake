@@ -32,7 +32,7 @@ install(CODE "
   set(POINSOT_HEADERS [[${POINSOT_PUBLIC_HEADERS}]])
   set(POINSOT_DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${POINSOT_INSTALL_HEADERS}\")
   include([[${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake]])" COMPONENT development)
-# What the sanitizers of a program that draws should pass over in Mesa (docs/library.md).
+# Suppressions of what sanitizers find in Mesa, for programs that draw (docs/library.md).
 install(FILES tests/support/lsan.supp tests/support/tsan.supp DESTINATION share/poinsot COMPONENT development)
 
 # ---- CMake ------------------------------------------------------------------------------------------------------

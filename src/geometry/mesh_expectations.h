@@ -4,7 +4,7 @@
 #include "core/expect.h"
 #include "geometry/mesh.h"
 
-// What functions that take a mesh from anywhere expect of it.
+// Checks of a mesh that may come from anywhere.
 namespace poinsot::geometry {
 
 inline void expectIndicesInRange(const Mesh& mesh) {

@@ -34,7 +34,7 @@ class EasedTrack {
     double at_s, over_s, from, to;
     double integral;  ///< up to at_s
 
-    /// Not of the first one, which has taken place before any time.
+    /// Whether the value is on its way; never in the first turn, which took place before any time.
     bool turning(double passed_s) const { return passed_s < over_s && over_s > 0; }
     double value(double time_s) const;
     double integralTo(double time_s) const;

@@ -16,7 +16,8 @@ struct Moment {
   Moment(double t_s, bool isStill = false) : filmTime_s(t_s), still(isStill) {}  // a time is one of the film
 };
 
-/// What every composer expects: a film time that is finite and not negative, a picture of at least one pixel.
+/// Checks what every composer expects: a film time that is finite and not negative, a picture of at least one
+/// pixel.
 /// @throws std::logic_error otherwise.
 void expectPicture(const Moment& moment, glm::ivec2 size_px);
 

@@ -42,7 +42,7 @@ std::set<std::string> installedHeaders() {
   return done;
 }
 
-/// What follows each @pre of a header, to the end of its comment or the next tag, on one line.
+/// Returns the text after each @pre of a header, to the end of its comment or the next tag, on one line.
 std::vector<std::string> preconditions(const std::string& header) {
   std::vector<std::string> found;
   bool open = false;

@@ -90,7 +90,7 @@ TEST(Consumer, IsBuiltByCMake) {
   expectWorks(tree, "consumer");
 }
 
-/// Without the blanks that lines begin with.
+/// Returns the text without the blanks that its lines begin with.
 std::string unindented(const std::string& text) { return std::regex_replace(text, std::regex("(^|\n) +"), "$1"); }
 
 TEST(Consumer, MotionProjectIsWhatTheLibrarysPageShows) {
@@ -193,7 +193,7 @@ TEST(Consumer, NeedsOnlyWhatItsLayersNeed) {
       HasSubstr("poinsot could not be found because dependency PNG could not be found (Debian: libpng-dev)"));
 }
 
-// Whatever a static library links must be known where it is linked.
+// All that a static library links must be known where it is linked itself.
 TEST(Consumer, AllLayersAreFoundWithWhatTheyLink) {
   const InstalledTree tree;
   tree.folder().put("main.cpp", "int main() {}\n");
