@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts under a prefix. Two components are packages for Debian: the program is what a user needs;
+# Rules of `cmake --install`. Two components are packages for Debian: the program is what a user needs;
 # development is what other projects need: static libraries, public headers, and how to find them by CMake or pkg-config.
 include(CMakePackageConfigHelpers)
 include(PublicHeaders)
@@ -53,7 +53,7 @@ function(poinsot_find_text result layer)
   set(${result} "${text}endif()\n" PARENT_SCOPE)
 endfunction()
 
-# What a layer wants is below it, and so comes later.
+# From the highest rank down: layers that a layer wants are below it.
 set(POINSOT_FINDS "")
 foreach(layer ${layers})
   poinsot_find_text(text ${layer})

@@ -48,7 +48,7 @@ TEST_F(DevelopmentDeb, SaysWhatItNeedsAndIsBuiltWith) {
       "tr ',' '\\n')\n"
       "(($(wc -w <<<$packages) > 15)) && dpkg-query -W $packages >/dev/null");
 
-  // As Debian wants it: its own notices, no licence of its own, nothing that others may write or that is executed.
+  // Debian asks for this: its own notices, no licence of its own, nothing that others may write or that is executed.
   run("cd root/usr/share/doc/libpoinsot-dev && gzip -t changelog.gz && test -s copyright");
   EXPECT_EQ(run("find root -type f -perm /133"), "");
   EXPECT_EQ(run("find root -type f -path '*/share/*' -printf '%P\\n' | sort"),
