@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "core/abi.h"
+
 /// Lets the caller of a long computation end it.
 namespace poinsot::core {
 

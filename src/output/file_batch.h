@@ -44,7 +44,7 @@ class FileBatch {
   const std::filesystem::path& contentOf(const std::filesystem::path& target) const;
 
   /// Gives all files their names. If it throws, every name stands for what it did before. Without it, no name has
-  /// changed and no temporary file is left. @pre called at most once
+  /// changed and no temporary file is left. A batch has one commit: another throws std::logic_error.
   /// @throws core::Error(kIo) with the path that failed.
   void commit();
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "core/abi.h"
+
 namespace poinsot::output {
 
 /// Gives every file one name, however its path is spelled, so that names can be compared where files cannot: they
