@@ -25,7 +25,7 @@ struct GoldenReference {
   GoldenOrigin origin;
 };
 
-/// What a NAME.json says. Nothing where it is not an object of exactly these three texts, as GoldenApproval
+/// Reads a NAME.json. Returns nothing unless it is an object of exactly these three texts, as GoldenApproval
 /// writes.
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 

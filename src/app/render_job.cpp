@@ -226,7 +226,7 @@ void RenderJob::addManifest(output::FileBatch& results) const {
   addAbout(results, std::move(file));
 }
 
-/// What is told about an output rests on it. A sequence is not among the results: its frames have come before.
+/// A file about an output rests on it. A sequence is not among the results: its frames have come before.
 void RenderJob::addAbout(output::FileBatch& results, output::AtomicFile file) {
   if (results.empty())
     results.add(std::move(file));
@@ -234,7 +234,7 @@ void RenderJob::addAbout(output::FileBatch& results, output::AtomicFile file) {
     results.addBeside(std::move(file));
 }
 
-/// What an earlier run told about a sequence is wrong from the first new frame on.
+/// The manifest of an earlier run is wrong about a sequence from the first new frame on.
 void RenderJob::removeOldManifest() const {
   std::error_code ignored;  // a manifest that stays is replaced in the end
   if (request_.manifest && request_.target.kind == OutputKind::kSequence)
