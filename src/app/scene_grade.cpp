@@ -25,7 +25,7 @@ bool isFarOff(const Grade& grade) {
   });
 }
 
-/// Of a motion that is not ours, times far beyond the film's may be milliseconds, or another clock's.
+/// Somebody else's times far beyond the film's may be milliseconds, or another clock's.
 std::string timeNote(const Grade& grade, const scene::Scene& scene, const physics::TimeSpan& span) {
   constexpr double kFar = 20;
   const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
