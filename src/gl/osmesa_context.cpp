@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <GL/osmesa.h>
+#include "gl/osmesa.h"
 
 #include <array>
 
@@ -15,7 +15,8 @@ using core::ErrorKind;
 constexpr const char* kLibrary = "libOSMesa.so.8";
 
 struct OsMesaFunctions {
-  core::SharedLibrary library{kLibrary, "libosmesa6", ErrorKind::kGraphics};
+  core::SharedLibrary library{kLibrary, "libosmesa6 (Mesa 25.1 and later have none; EGL draws as well)",
+                              ErrorKind::kGraphics};
   decltype(OSMesaCreateContextAttribs)* createContextAttribs;
   decltype(OSMesaMakeCurrent)* makeCurrent;
   decltype(OSMesaDestroyContext)* destroyContext;

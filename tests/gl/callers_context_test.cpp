@@ -4,7 +4,6 @@
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/osmesa.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,6 +13,7 @@
 
 #include "core/shared_library.h"
 #include "gl/offscreen_context.h"
+#include "gl/osmesa.h"
 
 namespace poinsot::gl {
 namespace {
@@ -95,9 +95,9 @@ class OsMesaProgram final : public ProgramsContext {
 
   /// What a clear with red leaves in the buffer that the program gave it.
   std::array<GLushort, 8> cleared() {
-    find<decltype(&glClearColor)>("glClearColor")(1, 0, 0, 1);
-    find<decltype(&glClear)>("glClear")(GL_COLOR_BUFFER_BIT);
-    find<decltype(&glFinish)>("glFinish")();
+    find<PFNGLCLEARCOLORPROC>("glClearColor")(1, 0, 0, 1);
+    find<PFNGLCLEARPROC>("glClear")(GL_COLOR_BUFFER_BIT);
+    find<PFNGLFINISHPROC>("glFinish")();
     return std::exchange(pixels_, {});
   }
 
