@@ -1,16 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-# poinsot_third_party(TARGET PACKAGE name [version ...] REQUIRES "module >= version" DEBIAN package)
+# poinsot_third_party(TARGET PACKAGE name [word ...] [AT_LEAST version] REQUIRES "module >= version" DEBIAN package)
 # poinsot_third_party(PkgConfig::PREFIX MODULES module>=version ... DEBIAN package)
 #
 # Finds a library and keeps how it was found: who links an installed layer must find it too, by CMake (PACKAGE) or by
-# pkg-config (REQUIRES). MODULES say both. DEBIAN is the package that has it. A macro, as variables of find_package() are
+# pkg-config (REQUIRES). MODULES say both. DEBIAN is the package that has it. AT_LEAST is compared here, because a package
+# may refuse to stand for an older version of itself: Eigen 5 does for 3.4. A macro, as variables of find_package() are
 # its caller's.
 macro(poinsot_third_party target)
-  cmake_parse_arguments(PARTY "" "REQUIRES;DEBIAN" "PACKAGE;MODULES" ${ARGN})
+  cmake_parse_arguments(PARTY "" "AT_LEAST;REQUIRES;DEBIAN" "PACKAGE;MODULES" ${ARGN})
   if(DEFINED PARTY_PACKAGE)
+    if(NOT PARTY_AT_LEAST)
+      set(PARTY_AT_LEAST 0)
+    endif()
     find_package(${PARTY_PACKAGE} REQUIRED)
+    list(GET PARTY_PACKAGE 0 PARTY_NAME)
+    if(${PARTY_NAME}_VERSION VERSION_LESS PARTY_AT_LEAST)
+      message(FATAL_ERROR "${PARTY_NAME} ${${PARTY_NAME}_VERSION} is older than ${PARTY_AT_LEAST} (Debian: ${PARTY_DEBIAN})")
+    endif()
     list(JOIN PARTY_PACKAGE " " PARTY_WORDS)
-    set_property(GLOBAL PROPERTY "POINSOT_FIND_${target}" "_poinsot_find_package(${PARTY_DEBIAN} ${PARTY_WORDS})")
+    set_property(GLOBAL PROPERTY "POINSOT_FIND_${target}"
+      "_poinsot_find_package(${PARTY_DEBIAN} ${PARTY_AT_LEAST} ${PARTY_WORDS})")
   else()
     find_package(PkgConfig REQUIRED)
     string(REPLACE "PkgConfig::" "" PARTY_PREFIX ${target})
