@@ -3,11 +3,11 @@
 include(CheckCXXCompilerFlag)
 include(CheckPIESupported)
 
-# The compilers that the project is held to; what a later one warns of is no reason not to build, nor is what the flags
+# The compilers that the project is held to, those of Debian 12 and 13; what a later one warns of is no reason not to build, nor is what the flags
 # of a project around this one warn of.
 set(held_to OFF)
-if((CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13) OR
-   (CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15))
+if((CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15) OR
+   (CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 20))
   set(held_to ${PROJECT_IS_TOP_LEVEL})
 endif()
 option(POINSOT_WERROR "Warnings are errors" ${held_to})
@@ -18,6 +18,7 @@ if(NOT PROJECT_IS_TOP_LEVEL)
 endif()
 target_compile_options(poinsot_flags INTERFACE
   -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=  # an assertion names its file, not the place of the build
+  -pthread  # as third parties ask for it: with it for some targets only, those cannot share precompiled headers
   -ffp-contract=off       # a*b+c must not be fused where the CPU has FMA: same bits on every machine
   $<$<BOOL:${POINSOT_WERROR}>:-Werror>
   -Wall -Wextra -Wpedantic

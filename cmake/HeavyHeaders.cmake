@@ -27,10 +27,14 @@ function(poinsot_test_headers)
   endif()
 endfunction()
 
-# Lets a target use what its kind's carrier has read.
+# Lets a target use what its kind's carrier has read. A compiler that cannot use it reads the headers themselves, and must
+# find them.
 function(poinsot_use_headers target carrier)
   if(POINSOT_PCH)
     target_precompile_headers(${target} REUSE_FROM ${carrier})
+    foreach(party Eigen3::Eigen fmt::fmt)
+      target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:${party},INTERFACE_INCLUDE_DIRECTORIES>)
+    endforeach()
   endif()
 endfunction()
 
