@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
+#include "app/work_folder.h"
 #include "output/film.h"
 
 namespace poinsot::app {
@@ -10,7 +13,7 @@ namespace poinsot::app {
 WorkLeft workLeft(const JobFile& job, const JobStatus& status, int shards, const OutputTarget& output) {
   WorkLeft left;
   if (isFinished(job, output.path)) return left;
-  left.joining = output.kind == OutputKind::kFilm;
+  left.joining = output.kind == OutputKind::kFilm || std::filesystem::exists(workFolderOf(output.path));
   const auto count = static_cast<std::size_t>(shards);
   std::vector<bool> open(count);
   for (std::size_t i = 0; i < status.states.size(); ++i)

@@ -11,7 +11,7 @@ namespace poinsot::app {
 /// Work that remains of an output made in parts.
 struct WorkLeft {
   std::vector<int> shards;  ///< numbers, from 1, of the shards that have a segment to make
-  bool joining = false;     ///< the film does not stand whole under its name; never of a sequence
+  bool joining = false;     ///< the film does not stand whole under its name, or a sequence's work folder is there
 
   bool none() const { return shards.empty() && !joining; }
 };
