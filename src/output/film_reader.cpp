@@ -18,6 +18,15 @@
 namespace poinsot::output {
 namespace {
 
+/// Returns the duration of a frame, which FFmpeg 6 gave another name.
+template <class Frame>
+std::int64_t ticksOf(const Frame& frame) {
+  if constexpr (requires { frame.duration; })
+    return frame.duration;
+  else
+    return frame.pkt_duration;
+}
+
 using core::Error;
 using core::ErrorKind;
 
@@ -217,7 +226,7 @@ struct FilmReader::Parts {
   double duration_s() const {
     const std::string_view container = format->iformat->name;
     const bool says = container.find("matroska") == std::string_view::npos && container != "avi";
-    return says ? seconds(frame->pkt_duration) : 0;
+    return says ? seconds(ticksOf(*frame)) : 0;
   }
 
   ShownPicture shown() {

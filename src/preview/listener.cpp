@@ -15,30 +15,44 @@ namespace {
 
 constexpr time_t kTimeout_s = 5;
 
+/// What the library's queue tells of a job: nothing at first, from 0.12 on whether it took it.
+using Taken = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
+
 /// Runs each job on the thread that adds it: a job only hands a connection over.
 class AtOnce : public httplib::TaskQueue {
  public:
-  void enqueue(std::function<void()> job) override { job(); }
+  Taken enqueue(std::function<void()> job) override { return job(), Taken(true); }
   void shutdown() override {}
 };
 
 /// Threads that end with the scope, an exception included: the library's must be shut down before their
 /// destructor.
-class ScopedThreads : public httplib::ThreadPool {
+class ScopedThreads {
  public:
-  using ThreadPool::ThreadPool;
-  ~ScopedThreads() override { ThreadPool::shutdown(); }
+  explicit ScopedThreads(std::size_t count) : pool_(count) {}
+  ~ScopedThreads() { pool_.shutdown(); }
+  ScopedThreads(const ScopedThreads&) = delete;
+  ScopedThreads& operator=(const ScopedThreads&) = delete;
+
+  void enqueue(std::function<void()> job) { pool_.enqueue(std::move(job)); }
+
+ private:
+  httplib::ThreadPool pool_;
 };
 
-/// A connection as the library reads and writes it.
+/// A connection as the library reads and writes it. Its functions are those of all versions of the library, so
+/// none is marked as overriding.
 class Connection : public httplib::Stream {
  public:
   explicit Connection(int socket) : socket_(socket) {}
 
-  bool is_readable() const override { return true; }
-  bool is_writable() const override { return true; }
+  bool is_readable() const { return true; }
+  bool is_writable() const { return true; }
+  bool wait_readable() const { return true; }
+  bool wait_writable() const { return true; }
+  time_t duration() const { return 0; }  // the deadline is PendingConnections'
 
-  ssize_t read(char* to, std::size_t most) override {
+  ssize_t read(char* to, std::size_t most) {
     if (taken_ == arrived_) {
       const ssize_t count = retried([&] { return recv(socket_, buffer_.data(), buffer_.size(), 0); });
       if (count <= 0) return count;
@@ -50,14 +64,14 @@ class Connection : public httplib::Stream {
     taken_ += count;
     return static_cast<ssize_t>(count);
   }
-  ssize_t write(const char* from, std::size_t count) override {
+  ssize_t write(const char* from, std::size_t count) {
     return retried([&] { return send(socket_, from, count, MSG_NOSIGNAL); });
   }
 
   // Unused: every connection comes from this machine.
-  void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
-  void get_local_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
-  socket_t socket() const override { return socket_; }
+  void get_remote_ip_and_port(std::string& ip, int& port) const { ip.clear(), port = 0; }
+  void get_local_ip_and_port(std::string& ip, int& port) const { ip.clear(), port = 0; }
+  socket_t socket() const { return socket_; }
 
  private:
   template <class Call>
@@ -96,13 +110,21 @@ bool Listener::process_and_close_socket(socket_t socket) {
   return true;
 }
 
+template <class Self>
+void Listener::process(Self& self, httplib::Stream& connection) {
+  bool closed = false;
+  if constexpr (requires { self.process_request(connection, true, closed, nullptr); })
+    self.process_request(connection, true, closed, nullptr);
+  else  // from 0.15 on it wants to know who is connected
+    self.process_request(connection, "", 0, "", 0, true, closed, nullptr);
+}
+
 void Listener::answer(const core::FileHandle& socket) {
   const timeval timeout{kTimeout_s, 0};  // of a read or a write
   for (const int which : {SO_RCVTIMEO, SO_SNDTIMEO})
     setsockopt(socket.get(), SOL_SOCKET, which, &timeout, sizeof timeout);
   Connection connection(socket.get());
-  bool closed = false;
-  process_request(connection, true, closed, nullptr);
+  process(*this, connection);
   ::shutdown(socket.get(), SHUT_RDWR);
 }
 

@@ -28,6 +28,9 @@ class Listener : public httplib::Server {
  private:
   bool process_and_close_socket(socket_t socket) override;
   void answer(const core::FileHandle& socket);
+  /// Has the library answer one request. A template, as its versions differ in what they ask for.
+  template <class Self>
+  static void process(Self& self, httplib::Stream& connection);
 
   PendingConnections* pending_ = nullptr;  // while it serves
 };
