@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cli/program_run.h"
 #include "image/png_file.h"
 
@@ -144,6 +146,24 @@ TEST_F(GalleryCommand, TheSheetHoldsThePicturesWithAirAround) {
   for (int y = 40 + 270; y < 40 + 270 + 60; ++y)
     for (int x = 40; x < 40 + 480; ++x) ink += sheet.at(x, y)[0] < 200 ? 1 : 0;
   EXPECT_GT(ink, 20) << "an a of 24 pixels";  // measured 48
+}
+
+// Each scene that a released version had in its gallery is still right, and draws something on its paper.
+TEST_F(GalleryCommand, ChecksAndDrawsReleasedScenes) {
+  const std::filesystem::path released = POINSOT_SOURCE_DIR "/tests/scene/released/0.1.0";
+  std::vector<std::string> check{"check"};
+  for (const auto& entry : std::filesystem::directory_iterator(released))
+    if (entry.path().extension() == ".toml") check.push_back(entry.path());
+  ASSERT_EQ(check.size(), 1u + 29u);
+  good(check);
+  good({"gallery", released, "--size", "96x54", "-o", "g", "--no-sheet", "--quiet"});
+  EXPECT_EQ(namesIn(folder_ / "g").size(), 29u);
+  for (const std::string& name : namesIn(folder_ / "g")) {
+    const image::Image picture = image::readPng(folder_ / "g" / name);
+    EXPECT_EQ(picture.size, (image::PixelSize{96, 54})) << name;
+    const auto paper = picture.pixels.front();
+    EXPECT_GT(std::ranges::count_if(picture.pixels, [&](auto value) { return value != paper; }), 96) << name;
+  }
 }
 
 }  // namespace
