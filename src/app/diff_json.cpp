@@ -134,6 +134,16 @@ ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
   return json;
 }
 
+/// Null where nothing is known of what made a picture.
+ordered_json originJson(const GoldenOrigin& origin) {
+  ordered_json json{{"software", textOrNull(origin.software)},
+                    {"driver", textOrNull(origin.driver)},
+                    {"renderer", textOrNull(origin.renderer)},
+                    {"scene_sha256", textOrNull(origin.scene)}};
+  const bool isKnown = std::ranges::any_of(json, [](const ordered_json& fact) { return !fact.is_null(); });
+  return isKnown ? json : nullptr;
+}
+
 ordered_json outcomeJson(const Outcome& outcome) {
   ordered_json json{{"name", outcome.name}};
   json.update(figuresJson(outcome.diff, true));
@@ -143,6 +153,8 @@ ordered_json outcomeJson(const Outcome& outcome) {
                {"test", textOrNull(outcome.actual.native())},
                {"map", textOrNull(outcome.map.native())},
                {"renderer", textOrNull(outcome.origin.renderer)},
+               {"approved_by", originJson(outcome.approved)},
+               {"drawn_by", originJson(outcome.origin)},
                {"limits", limitsJson(outcome.rule)}});
   return json;
 }

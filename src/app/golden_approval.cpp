@@ -55,8 +55,10 @@ output::AtomicFile copyOf(const Outcome& outcome, const fs::path& place) {
 }
 
 std::string textOf(const GoldenOrigin& origin) {
-  const nlohmann::ordered_json json{
-      {"renderer", origin.renderer}, {"software", origin.software}, {"scene", origin.scene}};
+  const nlohmann::ordered_json json{{"renderer", origin.renderer},
+                                    {"driver", origin.driver},
+                                    {"software", origin.software},
+                                    {"scene", origin.scene}};
   return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

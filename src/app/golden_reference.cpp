@@ -2,6 +2,7 @@
 #include "app/golden_reference.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -31,14 +32,28 @@ GoldenOrigin describedOrigin(const fs::path& picture) {
   return originIn(descriptionOf(picture)).value_or(GoldenOrigin{});
 }
 
+std::string originChange(const GoldenOrigin& approved, const GoldenOrigin& drawn) {
+  std::vector<std::string> before, now;
+  for (const auto fact : {&GoldenOrigin::software, &GoldenOrigin::driver, &GoldenOrigin::renderer}) {
+    const std::string &one = approved.*fact, &other = drawn.*fact;
+    if (one.empty() || other.empty() || one == other) continue;
+    before.push_back(core::printable(one));
+    now.push_back(core::printable(other));
+  }
+  if (before.empty()) return "";
+  return fmt::format("approved by {}, drawn by {}", fmt::join(before, " with "), fmt::join(now, " with "));
+}
+
 bool isDescription(const fs::path& file) { return originIn(file).has_value(); }
 
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text) try {
-  const auto json = parseJson(text);
-  constexpr std::array kKeys{"renderer", "software", "scene"};
+  auto json = parseJson(text);
+  if (!json.is_object()) return std::nullopt;
+  json.emplace("driver", "");  // where it is missing
+  constexpr std::array kKeys{"renderer", "driver", "software", "scene"};
   const auto isText = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
-  if (!json.is_object() || json.size() != kKeys.size() || !std::ranges::all_of(kKeys, isText)) return std::nullopt;
-  return GoldenOrigin{json["renderer"], json["software"], json["scene"]};
+  if (json.size() != kKeys.size() || !std::ranges::all_of(kKeys, isText)) return std::nullopt;
+  return GoldenOrigin{json["renderer"], json["driver"], json["software"], json["scene"]};
 } catch (const core::Error&) {
   return std::nullopt;
 }

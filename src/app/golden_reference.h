@@ -14,9 +14,15 @@ namespace poinsot::app {
 /// What a picture was made with: kept beside a reference, in NAME.json.
 struct GoldenOrigin {
   std::string renderer;  ///< GL_RENDERER; the variant of a picture that another program made; empty without one
+  std::string driver;    ///< "Mesa 22.3.6"; empty for pictures of others, and where it was not recorded
   std::string software;  ///< "poinsot 0.1.0"
   std::string scene;     ///< SHA-256 of the scene and what it names, in hexadecimal; empty for pictures of others
 };
+
+/// Returns what made a new picture where its reference was made by another program, driver or renderer: "approved
+/// by poinsot 0.1.0, drawn by poinsot 0.2.0". Facts that only one of the two has are left out; empty if none is
+/// left.
+std::string originChange(const GoldenOrigin& approved, const GoldenOrigin& drawn);
 
 /// A picture that was approved for a test. Usually there is one, NAME.png; where drivers draw differently and each
 /// is right, others stand beside it, NAME@RENDERER.png.
@@ -25,8 +31,8 @@ struct GoldenReference {
   GoldenOrigin origin;
 };
 
-/// Reads a NAME.json. Returns nothing unless it is an object of exactly these three texts, as GoldenApproval
-/// writes.
+/// Reads a NAME.json. Returns nothing unless it is an object of exactly these texts, as GoldenApproval writes.
+/// Only the driver may be missing, because early references lack it.
 std::optional<GoldenOrigin> parseGoldenOrigin(std::string_view text);
 
 /// Whether a file is such a NAME.json.

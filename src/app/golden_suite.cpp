@@ -162,9 +162,9 @@ void expectDrawn(const fs::path& picture, const std::string& read, const std::st
                                   core::printable(picture.native())));
 }
 
-/// Origin of a picture: texts in its file, and the variant that the user names.
-GoldenOrigin originOf(const GoldenCase& one, const std::string& scene) {
-  GoldenOrigin origin{one.variant(), "", scene};
+/// Adds to the origin of a picture the texts in its file, and the variant that the user names.
+GoldenOrigin completed(GoldenOrigin origin, const GoldenCase& one) {
+  origin.renderer = one.variant();
   for (const auto& [key, value] : image::textsOfWholePng(one.actual).value_or(std::vector<image::PngText>{})) {
     if (key == "Software") origin.software = value;
     if (key == "Renderer" && origin.renderer.empty()) origin.renderer = value;
@@ -191,8 +191,13 @@ void expectApart(const fs::path& actual, const std::vector<GoldenReference>& ref
   }
 }
 
-std::string messageOf(const PictureDiff& diff, const PictureRule& rule) {
-  return diff.verdict == image::Verdict::kNear ? rule.reason : reasonOf(diff);
+/// Why a picture is near or different, and, if something else made it than its reference, what.
+std::string messageOf(const Outcome& outcome) {
+  if (outcome.status == OutcomeStatus::kIdentical) return reasonOf(outcome.diff);
+  const std::string change = originChange(outcome.approved, outcome.origin);
+  std::string message = outcome.status == OutcomeStatus::kNear ? outcome.rule.reason : reasonOf(outcome.diff);
+  if (!message.empty() && !change.empty()) message += "; ";
+  return message + change;
 }
 
 /// The references that a picture is compared with, and the nearest of them.
@@ -214,7 +219,7 @@ class Comparing {
     const ComparedPictures nearest = nearestOf(relevant(all, outcome.origin.renderer), outcome);
     outcome.diff = nearest.diff;
     outcome.status = statusOf(outcome.diff.verdict);
-    outcome.message = messageOf(outcome.diff, one_.test.rule);
+    outcome.message = messageOf(outcome);
     if (outcome.status != OutcomeStatus::kIdentical && outcome.diff.hasFigures) draw(nearest, outcome);
   }
 
@@ -225,7 +230,7 @@ class Comparing {
       ComparedPictures compared = compareWith(reference.picture);
       if (!outcome.reference.empty() && badness(compared.diff) >= badness(nearest.diff)) continue;
       outcome.reference = reference.picture;
-      outcome.referenceIsOwn = reference.origin.renderer == outcome.origin.renderer;
+      outcome.approved = reference.origin;
       nearest = std::move(compared);
     }
     return nearest;
@@ -326,7 +331,8 @@ class Run {
       const std::size_t place = drawings_[i].place;
       if (made[i].failure) fail(place, *made[i].failure);
       outcomes_[place].origin.scene = drawings_[i].scene;
-      outcomes_[place].pixels = made[i].pixels;
+      outcomes_[place].origin.driver = made[i].summary.driver;
+      outcomes_[place].pixels = made[i].summary.pixels;
     }
   }
 
@@ -349,7 +355,7 @@ class Run {
       const std::string pixels = pixelsOf(cases_[place].actual);  // what is wrong with it is said of it
       if (!cases_[place].test.scene.empty()) expectDrawn(cases_[place].actual, pixels, outcome.pixels);
       outcome.pixels = pixels;
-      outcome.origin = originOf(cases_[place], outcome.origin.scene);
+      outcome.origin = completed(outcome.origin, cases_[place]);
       Comparing(cases_[place], manifest_.references, request_).into(outcome);
     } catch (const core::Error& error) {
       outcome.status = OutcomeStatus::kError;

@@ -62,10 +62,17 @@ std::string attachmentsOf(const Outcome& outcome, const std::filesystem::path& r
   return text;
 }
 
+/// The end of a test that passed. A near picture has the reason as output, because only failures have a message.
+std::string passedEnd(const Outcome& outcome) {
+  if (outcome.message.empty()) return "/>\n";
+  return fmt::format(">\n    <system-out>{}: {}</system-out>\n  </testcase>\n", toString(outcome.status),
+                     xml(outcome.message));
+}
+
 std::string caseXml(const Outcome& outcome, const OutcomeReport& report) {
   const std::string head = fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
                                        attribute(report.suite), attribute(outcome.name), outcome.seconds);
-  if (outcome.passes(report.exact)) return head + "/>\n";
+  if (outcome.passes(report.exact)) return head + passedEnd(outcome);
   const char* kind = outcome.status == OutcomeStatus::kError ? "error" : "failure";
   const std::string attachments = attachmentsOf(outcome, report.attachmentRoot);
   return fmt::format(

@@ -29,10 +29,10 @@ std::string_view toString(OutcomeStatus status);
 struct Outcome {
   std::string name;
   OutcomeStatus status = OutcomeStatus::kError;
-  std::string message;                    ///< why it is no pass; the reason of its rule where it is near by one
+  std::string message;                    ///< why it is no pass, or near; then originChange()
   PictureDiff diff;                       ///< against `reference`; figures where both could be compared
   std::filesystem::path reference;        ///< the nearest of those approved; empty if none
-  bool referenceIsOwn = true;             ///< whether that was approved for what made the new picture
+  GoldenOrigin approved;                  ///< of the reference
   std::filesystem::path actual;           ///< the new picture; empty if there is none
   std::string pixels;                     ///< pixelDigest() of the new picture of a suite; empty if there is none
   std::filesystem::path map, difference;  ///< files that were written of it; empty if none

@@ -170,6 +170,7 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
     for (const core::Span& span : done->spans) trace_->add(worker.number(), span);
   if (const auto* finished = std::get_if<WorkerFinished>(&report)) {
     summary_.spent += finished->spent;
+    summary_.driver = finished->driver;
     worker.setFinished();
   }
   if (const auto* failed = std::get_if<WorkerFailed>(&report)) throw core::Error(failed->kind, failed->message);

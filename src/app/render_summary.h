@@ -15,6 +15,7 @@ struct RenderSummary {
   std::int64_t reused = 0;       ///< frames that were there already
   bool replacedDamaged = false;  ///< whether a film of this job was there, of which bytes had changed
   std::string pixels;            ///< pixelDigest() of a still, where the request asks for it
+  std::string driver;            ///< gl::OffscreenContext::driver(); empty if no worker opened a context
 };
 
 }  // namespace poinsot::app

@@ -48,7 +48,7 @@ class Batch {
     std::erase_if(running_, [&](const Running& each) {
       const bool well = attempt(each.index, [&] {
         each.job->takeReports();
-        if (!each.job->isMaking()) made_[each.index].pixels = each.job->end().pixels;
+        if (!each.job->isMaking()) made_[each.index].summary = each.job->end();
       });
       if (well && !each.job->isMaking()) listener_(each.index, std::nullopt);
       return !well || !each.job->isMaking();

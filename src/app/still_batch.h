@@ -17,7 +17,7 @@ using StillListener = std::function<void(std::size_t index, const std::optional<
 /// Result of making one of the pictures.
 struct MadeStill {
   std::optional<core::Error> failure;
-  std::string pixels;  ///< RenderSummary::pixels
+  RenderSummary summary;  ///< where it did not fail
 };
 
 /// Makes pictures of several scenes, `jobs` workers at a time. One that fails stops no other. The order in which

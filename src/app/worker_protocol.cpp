@@ -178,7 +178,7 @@ std::string toLine(const WorkerReport& report) {
                    return Json{{"spans", toJson(done.spans)}};
                  },
                  [](const WorkerFinished& finished) {
-                   return Json{{"finished", toJson(finished.spent)}};
+                   return Json{{"finished", toJson(finished.spent)}, {"driver", utf8FromBytes(finished.driver)}};
                  },
                  [](const WorkerFailed& failed) {
                    return Json{{"failed", utf8FromBytes(failed.message)}, {"kind", static_cast<int>(failed.kind)}};
@@ -194,7 +194,8 @@ WorkerReport reportFromLine(std::string_view line) {
                      json.at("pixels").get<std::string>()};
   if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
   if (json.contains("spans")) return SpansDone{spansOf(json.at("spans"))};
-  if (json.contains("finished")) return WorkerFinished{statisticsOf(json.at("finished"))};
+  if (json.contains("finished"))
+    return WorkerFinished{statisticsOf(json.at("finished")), textOf(json.at("driver"))};
   return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed"))};
 }
 

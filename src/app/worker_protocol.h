@@ -55,6 +55,7 @@ struct SpansDone {
 };
 struct WorkerFinished {
   Statistics spent;
+  std::string driver = {};  ///< gl::OffscreenContext::driver()
 };
 struct WorkerFailed {
   core::ErrorKind kind = core::ErrorKind::kGraphics;

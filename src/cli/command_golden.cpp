@@ -298,7 +298,11 @@ class Golden {
   /// another variant. Scenes share references of equal pixels.
   bool lacksOwn(const Outcome& outcome) const {
     const bool isImage = outcome.origin.scene.empty();
-    return !hasOrigin(outcome) || (options_.beside && isImage && !outcome.referenceIsOwn);
+    return !hasOrigin(outcome) || (options_.beside && isImage && !isOfOwnRenderer(outcome));
+  }
+
+  static bool isOfOwnRenderer(const Outcome& outcome) {
+    return outcome.approved.renderer == outcome.origin.renderer;
   }
 
   /// Whether it is written down what the reference was made with.
@@ -327,7 +331,7 @@ class Golden {
     for (const fs::path& file : approval.removed)
       lines += fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
                            core::printable(file.native()));
-    if (app::isToApprove(outcome, options_.exact) || !outcome.referenceIsOwn)
+    if (app::isToApprove(outcome, options_.exact) || !isOfOwnRenderer(outcome))
       lines += fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome));
     return lines;
   }

@@ -45,6 +45,12 @@ CallersContext::~CallersContext() {
 std::string OffscreenContext::renderer() const { return glString(GL_RENDERER); }
 std::string OffscreenContext::version() const { return glString(GL_VERSION); }
 
+std::string OffscreenContext::driver() const {
+  const std::string text = version();  // "4.5 (Core Profile) Mesa 22.3.6"
+  const std::size_t profile = text.find(") ");
+  return profile == std::string::npos ? text.substr(text.find(' ') + 1) : text.substr(profile + 2);
+}
+
 void makeReady(FunctionLoader loader) {
   const int version = poinsot_gladLoadGL(loader);
   if (version < POINSOT_GLAD_MAKE_VERSION(3, 3))

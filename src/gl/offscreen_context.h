@@ -23,6 +23,7 @@ class OffscreenContext {
   virtual const char* backendName() const = 0;  ///< "osmesa" or "egl"
   std::string renderer() const;                 ///< GL_RENDERER
   std::string version() const;                  ///< GL_VERSION
+  std::string driver() const;                   ///< "Mesa 22.3.6": GL_VERSION without OpenGL's number and profile
 };
 
 /// Opens a context on this thread, loads the GL functions and expects that a triangle comes out as drawn. kAuto

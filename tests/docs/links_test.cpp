@@ -53,6 +53,19 @@ TEST(Docs, LinksLeadToFiles) {
   EXPECT_GT(links, 50u);  // had none been found, none would be broken
 }
 
+// Users who keep approved pictures read there what an update moves.
+TEST(Docs, ChangesOfEachReleaseHavePictures) {
+  const std::string changes = textOf(fs::path(POINSOT_SOURCE_DIR) / "CHANGELOG.md");
+  std::size_t releases = 0;
+  for (std::size_t begin = changes.find("\n## "); begin != std::string::npos; ++releases) {
+    const std::size_t end = changes.find("\n## ", begin + 1);
+    const std::string release = changes.substr(begin, end - begin);
+    EXPECT_THAT(release, ::testing::HasSubstr("\n### Pictures\n"));
+    begin = end;
+  }
+  EXPECT_GT(releases, 0u);
+}
+
 TEST(Docs, ABrokenLinkIsSeen) {
   const fs::path page = fs::path(POINSOT_SOURCE_DIR) / "docs/physics.md";
   EXPECT_THAT(fileLinks("[a](b.md) ![c](d/e.png) [f](g.md#h \"title\") [i](https://example.org/j) [k](#l)"),

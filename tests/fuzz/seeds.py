@@ -128,6 +128,7 @@ def work_folders():
         whole = {**record, "files": [{"path": name, "bytes": 7, "sha256": "5f" * 32} for name in names]}
         yield letter.encode() + json.dumps(whole).encode()
     yield b'o{"renderer": "llvmpipe", "software": "poinsot 0.1.0", "scene": "5f"}'
+    yield b'o{"renderer": "llvmpipe", "driver": "Mesa 22.3.6", "software": "poinsot 0.1.0", "scene": "5f"}'
 
 
 def golden_manifests():
