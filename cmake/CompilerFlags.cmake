@@ -29,6 +29,10 @@ target_compile_options(poinsot_flags INTERFACE
   -Wimplicit-fallthrough
   -Wextra-semi
   -Wformat=2)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 15)
+  # It takes the members of a std::variant that are not the current one for uninitialised values that are read.
+  target_compile_options(poinsot_flags INTERFACE -Wno-maybe-uninitialized)
+endif()
 
 # Scenes come from strangers: what a mistake of ours would let them do ends the program in its place.
 target_compile_options(poinsot_flags INTERFACE -fstack-protector-strong -fstack-clash-protection)
