@@ -171,6 +171,7 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   if (const auto* finished = std::get_if<WorkerFinished>(&report)) {
     summary_.spent += finished->spent;
     summary_.driver = finished->driver;
+    summary_.renderer = finished->renderer;
     worker.setFinished();
   }
   if (const auto* failed = std::get_if<WorkerFailed>(&report)) throw core::Error(failed->kind, failed->message);

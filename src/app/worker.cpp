@@ -120,7 +120,7 @@ void work(LineReader& jobs, int reports) {
                                   keeps ? &keeper : nullptr, job.digestsPixels);
   spent.cpu_s = core::processCpu_s();
   spent.peakMemory_bytes = processPeakMemory_bytes();
-  report(reports, WorkerFinished{spent, context->driver()});
+  report(reports, WorkerFinished{spent, context->renderer(), context->driver()});
 }
 
 int failed(int reports, core::ErrorKind kind, const std::string& message) {

@@ -178,7 +178,9 @@ std::string toLine(const WorkerReport& report) {
                    return Json{{"spans", toJson(done.spans)}};
                  },
                  [](const WorkerFinished& finished) {
-                   return Json{{"finished", toJson(finished.spent)}, {"driver", utf8FromBytes(finished.driver)}};
+                   return Json{{"finished", toJson(finished.spent)},
+                               {"renderer", utf8FromBytes(finished.renderer)},
+                               {"driver", utf8FromBytes(finished.driver)}};
                  },
                  [](const WorkerFailed& failed) {
                    return Json{{"failed", utf8FromBytes(failed.message)}, {"kind", static_cast<int>(failed.kind)}};
@@ -195,7 +197,8 @@ WorkerReport reportFromLine(std::string_view line) {
   if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
   if (json.contains("spans")) return SpansDone{spansOf(json.at("spans"))};
   if (json.contains("finished"))
-    return WorkerFinished{statisticsOf(json.at("finished")), textOf(json.at("driver"))};
+    return WorkerFinished{statisticsOf(json.at("finished")), textOf(json.at("renderer")),
+                          textOf(json.at("driver"))};
   return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed"))};
 }
 

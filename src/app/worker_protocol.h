@@ -55,7 +55,8 @@ struct SpansDone {
 };
 struct WorkerFinished {
   Statistics spent;
-  std::string driver = {};  ///< gl::OffscreenContext::driver()
+  std::string renderer = {};  ///< GL_RENDERER
+  std::string driver = {};    ///< gl::OffscreenContext::driver()
 };
 struct WorkerFailed {
   core::ErrorKind kind = core::ErrorKind::kGraphics;

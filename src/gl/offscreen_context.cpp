@@ -20,7 +20,8 @@ std::string glString(GLenum name) {
 BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)()) {
   try {
     const auto context = open();
-    return {name, true, context->renderer() + ", OpenGL " + context->version()};
+    const std::string renderer = context->renderer(), doubt = rendererDoubt(renderer);
+    return {name, true, renderer + ", OpenGL " + context->version() + (doubt.empty() ? "" : "; " + doubt)};
   } catch (const Error& error) {
     return {name, false, error.message()};
   }
@@ -79,6 +80,12 @@ void preload(Backend backend) {
     openOsMesaLibrary();
   } catch (const Error&) {  // told where it is wanted
   }
+}
+
+std::string rendererDoubt(const std::string& renderer) {
+  if (renderer.starts_with("llvmpipe")) return "";
+  return "this Mesa has no llvmpipe, and " + renderer.substr(0, renderer.find(' ')) +
+         " draws more slowly and some pixels differently; install a Mesa that has it (Debian: libgl1-mesa-dri)";
 }
 
 std::vector<BackendReport> probeBackends() {

@@ -43,6 +43,11 @@ struct BackendReport {
 };
 std::vector<BackendReport> probeBackends();
 
+/// Returns why pictures of this renderer are slow and not quite those of other machines, and what to install.
+/// Empty for llvmpipe.
+/// @param renderer  GL_RENDERER
+std::string rendererDoubt(const std::string& renderer);
+
 /// Clears every environment variable of Mesa's (it reads them once, at the first context), and sets those that
 /// decide pixels and where compiled shaders are kept (gl/shader_cache.h). Call before any GL, and before other
 /// threads.

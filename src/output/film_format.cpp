@@ -119,10 +119,13 @@ void checkEncoder(const FilmFormat& format) {
   std::vector<FilmCodec> there;
   for (const CodecFacts& facts : kCodecs)
     if (missingEncoder(facts.codec) == nullptr) there.push_back(facts.codec);
+  const std::string choice =
+      there.empty() ? "" : fmt::format("choose another output.codec ({}) or ", namesOf(there));
   throw Error(
       ErrorKind::kEncode,
-      fmt::format("the FFmpeg of this machine has no encoder {}, which a film of {} takes; it can make: {}",
-                  missing, nameOf(format.codec), there.empty() ? "no film" : namesOf(there)));
+      fmt::format("the FFmpeg of this machine has no encoder {}, which a film of {} takes; {}install an FFmpeg "
+                  "that has it, such as Debian's",
+                  missing, nameOf(format.codec), choice));
 }
 
 }  // namespace

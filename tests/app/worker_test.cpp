@@ -198,7 +198,9 @@ TEST(WorkerProtocol, CarriesReports) {
   Statistics spent{7, 3, 0.9, {}, 0.7, 8};
   for (std::size_t i = 0; i < core::kSteps; ++i)
     spent.steps[static_cast<core::Step>(i)] = 0.1 * static_cast<double>(i);
-  const auto finished = std::get<WorkerFinished>(reportFromLine(toLine(WorkerFinished{spent, "Mesa 22.3.6"})));
+  const auto finished =
+      std::get<WorkerFinished>(reportFromLine(toLine(WorkerFinished{spent, "llvmpipe \xff", "Mesa 22.3.6"})));
+  EXPECT_EQ(finished.renderer, "llvmpipe \xff");
   EXPECT_EQ(finished.driver, "Mesa 22.3.6");
   const Statistics& back = finished.spent;
   EXPECT_EQ(back.frames, 7);

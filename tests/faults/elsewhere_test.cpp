@@ -115,16 +115,61 @@ TEST(Elsewhere, AnEncoderThatItLacksIsNamedBesideThoseThatItHas) {
   const RunResult mp4 = renderWithout("libx264", "t.mp4");
   EXPECT_THAT(mp4.err,
               testing::HasSubstr("the FFmpeg of this machine has no encoder libx264, which a film of h264 "
-                                 "takes; it can make: hevc, prores, vp9, av1, gif, apng\n"));
+                                 "takes; choose another output.codec (hevc, prores, vp9, av1, gif, apng) or "
+                                 "install an FFmpeg that has it, such as Debian's\n"));
   const RunResult webm = renderWithout("libvpx-vp9,libx265", "t.webm");
-  EXPECT_THAT(webm.err, testing::HasSubstr("no encoder libvpx-vp9, which a film of vp9 takes; it can make: h264, "
-                                           "prores, av1, gif, apng\n"));
+  EXPECT_THAT(webm.err, testing::HasSubstr("no encoder libvpx-vp9, which a film of vp9 takes; choose another "
+                                           "output.codec (h264, prores, av1, gif, apng) or install"));
   // A GIF's segments are kept with another encoder.
   const RunResult gif = renderWithout("ffv1", "t.gif");
-  EXPECT_THAT(gif.err, testing::HasSubstr("no encoder ffv1, which a film of gif takes; it can make: h264, hevc, "
-                                          "prores, vp9, av1\n"));
+  EXPECT_THAT(gif.err, testing::HasSubstr("no encoder ffv1, which a film of gif takes; choose another "
+                                          "output.codec (h264, hevc, prores, vp9, av1) or install"));
   const RunResult any = renderWithout("libx264,libx265,prores_ks,libvpx-vp9,libsvtav1,gif,apng", "t.mp4");
-  EXPECT_THAT(any.err, testing::HasSubstr("it can make: no film\n"));
+  EXPECT_THAT(any.err, testing::HasSubstr("which a film of h264 takes; install an FFmpeg that has it"));
+}
+
+/// How the command ends on a Mesa with that setting, which no variable of its own can change any more.
+RunResult withMesa(const ScratchFolder& folder, const std::string& setting, const std::vector<std::string>& words,
+                   std::vector<std::string> more = {}) {
+  folder.put("tiny.toml", kTinyScene);
+  more.insert(more.end(), {"LD_PRELOAD=" POINSOT_ELSEWHERE, "ELSEWHERE_SETS=" + setting});
+  return run(folder, words, Stdout::kFile, more);
+}
+
+// Mesa falls back to softpipe if it was built without LLVM; its setting makes it do so with LLVM.
+TEST(Elsewhere, AMesaWithoutLlvmpipeIsNotedWithWhatToInstall) {
+  POINSOT_NOT_SANITIZED("libraries are put in the place of others");
+  const ScratchFolder folder;
+  const std::string softpipe = "GALLIUM_DRIVER=softpipe";
+  const std::string note =
+      "this Mesa has no llvmpipe, and softpipe draws more slowly and some pixels differently; "
+      "install a Mesa that has it (Debian: libgl1-mesa-dri)";
+  const RunResult backends = withMesa(folder, softpipe, {"backends"});
+  EXPECT_EQ(backends.exitCode, 0);
+  EXPECT_THAT(backends.out,
+              testing::ContainsRegex("egl +works +softpipe, OpenGL [^;]*; " + std::string("this Mesa")));
+  EXPECT_THAT(backends.out, testing::HasSubstr(note));
+  const RunResult still = withMesa(folder, softpipe, {"still", "tiny.toml", "-o", "t.png"});
+  EXPECT_EQ(still.exitCode, 0) << still.err;
+  EXPECT_THAT(still.err, testing::HasSubstr("poinsot: note: " + note + "\n"));
+  const RunResult usual = withMesa(folder, "GALLIUM_DRIVER=llvmpipe", {"still", "tiny.toml", "-o", "u.png"});
+  EXPECT_EQ(usual.exitCode, 0) << usual.err;
+  EXPECT_THAT(usual.err, testing::Not(testing::HasSubstr("note:")));
+}
+
+TEST(Elsewhere, AMesaWithoutDriversIsNamedWithWhatToInstall) {
+  POINSOT_NOT_SANITIZED("libraries are put in the place of others");
+  const ScratchFolder folder;
+  const std::vector<std::string> noOsMesa{"ELSEWHERE_HIDES=libOSMesa"};
+  const std::string advice =
+      "EGL has no surfaceless Mesa display; install it with: apt-get install libgl1-mesa-dri";
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"backends"}, {"still", "tiny.toml", "-o", "t.png"}}) {
+    const RunResult refused = withMesa(folder, "__EGL_VENDOR_LIBRARY_DIRS=/nowhere", words, noOsMesa);
+    EXPECT_EQ(refused.exitCode, words[0] == "backends" ? 1 : 3);
+    EXPECT_THAT(refused.out + refused.err, testing::HasSubstr(advice));
+  }
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"tiny.toml"});
 }
 
 TEST(Elsewhere, ALibraryThatItLacksIsNamedBeforeAnythingIsDrawn) {
