@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rooms: folders with a whole Debian in them, made by debootstrap and entered by enter.sh. Both need root."""
+
+import os
+import shutil
+import subprocess
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BASE_DAYS = 7  # an older base lacks packages that sid has replaced
+DEBIAN = "http://deb.debian.org/debian"
+
+
+class Failure(Exception):
+    """A room that cannot be made: the message says why."""
+
+
+@dataclass
+class Outcome:
+    """What a command in a room came to. `since_s` has each line that it printed and when."""
+    status: int
+    seconds: float
+    lines: list
+    since_s: list
+
+    @property
+    def text(self):
+        return "\n".join(self.lines)
+
+
+def configured_mirror():
+    """Returns the mirror from which this machine's apt gets Debian; Debian's own if it has none."""
+    form = "$(ORIGIN) $(LABEL) $(REPO_URI)"
+    try:
+        targets = subprocess.run(["apt-get", "indextargets", "--format", form, "Created-By: Packages"],
+                                 capture_output=True, text=True).stdout
+    except OSError:
+        return DEBIAN
+    return next((line.split()[2].rstrip("/") for line in targets.splitlines() if line.startswith("Debian Debian ")), DEBIAN)
+
+
+def remove(folder):
+    """Deletes a room. The processes of one that was interrupted may still be ending, and write."""
+    for _ in range(20):
+        if subprocess.run(["rm", "-rf", "--one-file-system", folder], stderr=subprocess.DEVNULL).returncode == 0:
+            return
+        time.sleep(0.2)
+    raise Failure(f"{folder}: cannot be deleted; see which process still writes there")
+
+
+def make_base(suite, mirror, folder, afresh):
+    """Makes FOLDER/base, a system of Debian's required packages and apt, unless there is a recent one."""
+    base, half = folder / "base", folder / "base.half"
+    if base.exists() and (afresh or time.time() - base.stat().st_mtime > BASE_DAYS * 86400):
+        remove(base)
+    if base.exists():
+        return
+    if shutil.which("debootstrap") is None:
+        raise Failure("debootstrap is missing: apt-get install debootstrap")
+    remove(half)
+    (folder / "debs").mkdir(parents=True, exist_ok=True)
+    log = folder / "debootstrap.log"
+    with open(log, "wb") as file:
+        words = ["debootstrap", "--variant=minbase", f"--cache-dir={folder / 'debs'}", suite, half, mirror]
+        if subprocess.run(words, stdin=subprocess.DEVNULL, stdout=file, stderr=file).returncode != 0:
+            raise Failure(f"debootstrap could not make {suite} from {mirror}; see {log}")
+    os.utime(half)
+    half.rename(base)
+
+
+class Room:
+    """A fresh copy of a base. It must be deleted by remove()."""
+
+    def __init__(self, folder, name, debs=True):
+        self.path = folder / name
+        self._debs = folder / "debs" if debs else None
+        remove(self.path)
+        subprocess.run(["cp", "-a", "--reflink=auto", folder / "base", self.path], check=True)
+        for inside in ("home/trial", "src"):
+            (self.path / inside).mkdir(parents=True, exist_ok=True)
+        if self._debs:
+            self._debs.mkdir(exist_ok=True)
+        settings = self.path / "etc/apt/apt.conf.d"
+        settings.mkdir(parents=True, exist_ok=True)
+        # A mirror may be a snapshot, whose lists are of another day.
+        (settings / "90trial").write_text('APT::Keep-Downloaded-Packages "true";\nAcquire::Check-Valid-Until "false";\n')
+
+    def clone(self, checkout):
+        """Puts the committed tree of a checkout where commands begin."""
+        subprocess.run(["git", "clone", "--quiet", "--depth=1", f"file://{checkout}", self.path / "src/poinsot"], check=True)
+
+    def run(self, words, log):
+        """Runs a command, and keeps all that it prints in the file `log`."""
+        environment = os.environ | {"POINSOT_DEBS": str(self._debs or "")}
+        begin, lines, since_s = time.monotonic(), [], []
+        with open(log, "w") as file, subprocess.Popen(
+                [HERE / "enter.sh", self.path, *words], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True) as process:
+            try:
+                for line in process.stdout:
+                    file.write(line)
+                    lines.append(line.rstrip("\n"))
+                    since_s.append(time.monotonic() - begin)
+                status = process.wait()
+            finally:
+                process.kill()  # and by that the room's first process with all others; nothing once it has ended
+        return Outcome(status, time.monotonic() - begin, lines, since_s)
+
+    def says(self, *words):
+        """Returns what a command prints to its standard output."""
+        return self.run(["sh", "-c", '"$@" 2>/dev/null', "sh", *words], os.devnull).text
