@@ -2,7 +2,7 @@
 # The headers that a caller of each layer starts from. They are installed with all that they include; the rest of src/
 # is internal. To make one public is to name it here.
 set(POINSOT_PUBLIC_HEADERS
-  core/error.h core/interruption.h core/rational.h core/sha256.h core/version.h
+  core/error.h core/file_error.h core/interruption.h core/rational.h core/sha256.h core/version.h
   physics/binet.h physics/catalogue.h physics/composition.h physics/driven_motion.h physics/flight.h
   physics/forcing.h physics/free_motion.h physics/heavy_top.h physics/herpolhode.h physics/inertia_tensor.h
   physics/mass_properties.h physics/particle_system.h physics/poinsot_construction.h physics/polhode.h

@@ -10,7 +10,7 @@
 
 #include "app/file_diff.h"
 #include "app/parallel.h"
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
 #include "output/film_reader.h"
@@ -37,7 +37,9 @@ std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string
       names.push_back(entry->path().lexically_relative(folder).native());
   }
   if (failure)
-    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.native()), failure.message()));
+    throw core::FileError(ErrorKind::kIo,
+                          fmt::format("{}: {}", core::printable(folder.native()), failure.message()), folder,
+                          failure.value());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/json_text.h"
 
 namespace poinsot::app {
 namespace {
@@ -74,6 +77,12 @@ std::string jsonLine(const ProgressState& state) {
   return fmt::format(
       R"({{"event":"progress","done":{},"total":{},"elapsed_s":{:.3f},"frames_per_second":{:.3f},"left_s":{}}})",
       state.done, state.total, state.elapsed_s, state.framesPerSecond, left);
+}
+
+std::string jsonLine(const core::FileError& error) {
+  return nlohmann::ordered_json{
+      {"event", "failed"}, {"errno", error.code()}, {"file", utf8FromBytes(error.file().native())}}
+      .dump();
 }
 
 Progress::Progress(ProgressStyle style, std::int64_t totalFrames, int columns, Writer write)

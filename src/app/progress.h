@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/file_error.h"
+
 namespace poinsot::app {
 
 /// How a render tells of itself on stderr.
@@ -43,6 +45,10 @@ std::string plainLine(const ProgressState& state);
 /// {"event":"progress","done":150,"total":300,"elapsed_s":3.641,"frames_per_second":41.2,"left_s":3.641};
 /// left_s is null while unknown.
 std::string jsonLine(const ProgressState& state);
+
+/// {"event":"failed","errno":2,"file":"out/a.mp4"}: why a run that shows its progress as JSON ends. Each byte of
+/// the file's name is a character.
+std::string jsonLine(const core::FileError& error);
 
 /// Decides when something is shown and how; the writer takes finished pieces of text.
 class Progress {

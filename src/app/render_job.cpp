@@ -14,8 +14,8 @@
 #include "app/manifest.h"
 #include "app/memory.h"
 #include "app/segment_sink.h"
-#include "core/error.h"
 #include "core/expect.h"
+#include "core/file_error.h"
 #include "gl/offscreen_context.h"
 #include "output/figure.h"
 
@@ -174,7 +174,10 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
     summary_.renderer = finished->renderer;
     worker.setFinished();
   }
-  if (const auto* failed = std::get_if<WorkerFailed>(&report)) throw core::Error(failed->kind, failed->message);
+  if (const auto* failed = std::get_if<WorkerFailed>(&report)) {
+    if (failed->file.empty()) throw core::Error(failed->kind, failed->message);
+    throw core::FileError(failed->kind, failed->message, failed->file, failed->code);
+  }
 }
 
 /// Of a still the size was known before.

@@ -15,7 +15,7 @@
 #include "app/job_file.h"
 #include "app/json_file.h"
 #include "app/json_text.h"
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/sha256.h"
 #include "core/text.h"
@@ -28,8 +28,11 @@ using Json = nlohmann::ordered_json;
 using std::filesystem::path;
 
 [[noreturn]] void cannotRead(const path& file) {
-  throw core::Error(core::ErrorKind::kIo, fmt::format("cannot read {}: {}", core::printable(file.native()),
-                                                      std::generic_category().message(errno)));
+  const int code = errno;
+  throw core::FileError(
+      core::ErrorKind::kIo,
+      fmt::format("cannot read {}: {}", core::printable(file.native()), std::generic_category().message(code)),
+      file, code);
 }
 
 // From the work folder, so that both can be moved, or seen from elsewhere.

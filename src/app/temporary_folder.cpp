@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/abandoned_folders.h"
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/text.h"
 
 namespace poinsot::app {
@@ -20,9 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& place, const std::error_code& why) {
-  throw core::Error(core::ErrorKind::kIo,
-                    fmt::format("{}: no temporary folder can be made: {} (TMPDIR names another place)",
-                                core::printable(place), why.message()));
+  throw core::FileError(core::ErrorKind::kIo,
+                        fmt::format("{}: no temporary folder can be made: {} (TMPDIR names another place)",
+                                    core::printable(place), why.message()),
+                        place, why.value());
 }
 
 /// An empty path and errno if none can be made.

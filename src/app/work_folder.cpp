@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/sha256.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
@@ -20,12 +20,14 @@
 namespace poinsot::app {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& folder, const std::string& why) {
-  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.string()), why));
+[[noreturn]] void fail(const std::filesystem::path& folder, const std::string& why, int code) {
+  throw core::FileError(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(folder.string()), why), folder,
+                        code);
 }
 
 [[noreturn]] void failWithErrno(const std::filesystem::path& folder) {
-  fail(folder, std::generic_category().message(errno));
+  const int code = errno;
+  fail(folder, std::generic_category().message(code), code);
 }
 
 /// Whether the name still leads to the folder that was opened: its last holder may have removed it meanwhile.
@@ -43,7 +45,9 @@ core::FileHandle openLocked(const std::filesystem::path& folder, WorkFolderUse u
     core::FileHandle handle(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (!handle && errno == ENOENT) continue;
     if (!handle) failWithErrno(folder);
-    if (flock(handle.get(), lock | LOCK_NB) != 0) fail(folder, "another poinsot is making this output now: wait for it, or choose another output with -o");
+    if (flock(handle.get(), lock | LOCK_NB) != 0)
+      fail(folder, "another poinsot is making this output now: wait for it, or choose another output with -o",
+           EWOULDBLOCK);
     if (stillThere(handle.get(), folder)) return handle;
   }
 }

@@ -18,7 +18,7 @@
 #include "app/segment_sink.h"
 #include "app/worker_heap.h"
 #include "app/worker_protocol.h"
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/text.h"
 
 namespace poinsot::app {
@@ -123,8 +123,8 @@ void work(LineReader& jobs, int reports) {
   report(reports, WorkerFinished{spent, context->renderer(), context->driver()});
 }
 
-int failed(int reports, core::ErrorKind kind, const std::string& message) {
-  writeLine(reports, toLine(WorkerFailed{kind, message}));
+int failed(int reports, const WorkerFailed& failure) {
+  writeLine(reports, toLine(failure));
   return EXIT_FAILURE;
 }
 
@@ -136,12 +136,14 @@ int workTellingFailures(int jobs, int reports) {
     return EXIT_SUCCESS;
   } catch (const Interrupted& interrupted) {
     return 128 + interrupted.signal();
+  } catch (const core::FileError& error) {
+    return failed(reports, {error.kind(), error.what(), error.file(), error.code()});
   } catch (const core::Error& error) {
-    return failed(reports, error.kind(), error.what());
+    return failed(reports, {error.kind(), error.what()});
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    return failed(reports, core::ErrorKind::kGraphics, error.what());
+    return failed(reports, {core::ErrorKind::kGraphics, error.what()});
   }
 }
 

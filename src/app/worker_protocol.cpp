@@ -167,25 +167,28 @@ std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(s
 FrameRange segmentFromLine(std::string_view line) { return rangeOf(Json::parse(line).at("segment")); }
 
 std::string toLine(const WorkerReport& report) {
-  const Json json = std::visit(
-      Overloaded{[](const FrameDone& done) {
-                   return Json{{"frame", done.k}, {"reused", done.reused}, {"pixels", done.pixels}};
-                 },
-                 [](const SegmentDone& done) {
-                   return Json{{"segment", toJson(done.frames)}};
-                 },
-                 [](const SpansDone& done) {
-                   return Json{{"spans", toJson(done.spans)}};
-                 },
-                 [](const WorkerFinished& finished) {
-                   return Json{{"finished", toJson(finished.spent)},
-                               {"renderer", utf8FromBytes(finished.renderer)},
-                               {"driver", utf8FromBytes(finished.driver)}};
-                 },
-                 [](const WorkerFailed& failed) {
-                   return Json{{"failed", utf8FromBytes(failed.message)}, {"kind", static_cast<int>(failed.kind)}};
-                 }},
-      report);
+  const Json json =
+      std::visit(Overloaded{[](const FrameDone& done) {
+                              return Json{{"frame", done.k}, {"reused", done.reused}, {"pixels", done.pixels}};
+                            },
+                            [](const SegmentDone& done) {
+                              return Json{{"segment", toJson(done.frames)}};
+                            },
+                            [](const SpansDone& done) {
+                              return Json{{"spans", toJson(done.spans)}};
+                            },
+                            [](const WorkerFinished& finished) {
+                              return Json{{"finished", toJson(finished.spent)},
+                                          {"renderer", utf8FromBytes(finished.renderer)},
+                                          {"driver", utf8FromBytes(finished.driver)}};
+                            },
+                            [](const WorkerFailed& failed) {
+                              return Json{{"failed", utf8FromBytes(failed.message)},
+                                          {"kind", static_cast<int>(failed.kind)},
+                                          {"file", utf8FromBytes(failed.file.native())},
+                                          {"errno", failed.code}};
+                            }},
+                 report);
   return json.dump();
 }
 
@@ -199,7 +202,8 @@ WorkerReport reportFromLine(std::string_view line) {
   if (json.contains("finished"))
     return WorkerFinished{statisticsOf(json.at("finished")), textOf(json.at("renderer")),
                           textOf(json.at("driver"))};
-  return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed"))};
+  return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed")),
+                      textOf(json.at("file")), json.at("errno").get<int>()};
 }
 
 }  // namespace poinsot::app

@@ -61,6 +61,8 @@ struct WorkerFinished {
 struct WorkerFailed {
   core::ErrorKind kind = core::ErrorKind::kGraphics;
   std::string message;
+  std::filesystem::path file = {};  ///< of a core::FileError, as is
+  int code = 0;                     ///< this errno
 };
 using WorkerReport = std::variant<FrameDone, SegmentDone, SpansDone, WorkerFinished, WorkerFailed>;
 

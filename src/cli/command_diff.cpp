@@ -27,7 +27,7 @@
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
@@ -57,9 +57,11 @@ enum class Kind { kPicture, kFolder, kFilm };
 Kind kindOf(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
-  if (!fs::exists(status))
-    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
-                                            failure ? failure.message() : "No such file or directory"));
+  if (!fs::exists(status)) {
+    if (!failure) failure = std::make_error_code(std::errc::no_such_file_or_directory);
+    throw core::FileError(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), failure.message()),
+                          path, failure.value());
+  }
   if (fs::is_directory(status)) return Kind::kFolder;
   return output::isFilm(path) ? Kind::kFilm : Kind::kPicture;
 }

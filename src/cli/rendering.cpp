@@ -199,6 +199,17 @@ app::RenderRequest renderRequest(const RenderOptions& options, const app::Output
   return render;
 }
 
+/// Does it. A program that reads the progress is told which file made it fail, and why.
+template <class Action>
+int reportingFailures(const RenderOptions& options, const Action& action) {
+  try {
+    return action();
+  } catch (const core::FileError& error) {
+    if (options.progress == "json") writeErr(app::jsonLine(error) + "\n");
+    throw;
+  }
+}
+
 /// Makes what was asked for, showing progress. @throws core::Error, app::Interrupted
 int make(const RenderOptions& options, app::RenderRequest render, const PartsOptions& parts) {
   const app::OutputTarget target = render.target;
@@ -252,21 +263,23 @@ output::RunFiles checkMakeable(const RenderOptions& options, const app::OutputTa
 int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
              const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
              const app::PictureForm& form, const PartsOptions& parts) {
-  output::RunFiles files = checkMakeable(options, target, scene, frames, form);
-  files.writes(parts.manifest, "--manifest", app::manifestKind());
-  files.writes(options.trace, "--trace", app::traceKind());
-  app::RenderRequest render =
-      renderRequest(options, target, std::move(request), scene, frames, time_s, form, parts);
-  if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
-  if (!options.dryRun && isShardOfFinishedFilm(render)) {
-    if (!options.quiet) writeErr("poinsot: " + completeText(parts, target) + "\n");
-    return kDone;
-  }
-  render.jobs = workersOf(options, render, scene);
-  if (!options.quiet && options.progress != "json")
-    writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
-             sharedSubtitlesNote(target, scene, frames) + shaderCacheNote(render));
-  return options.dryRun ? describe(render, scene) : make(options, std::move(render), parts);
+  return reportingFailures(options, [&]() -> int {
+    output::RunFiles files = checkMakeable(options, target, scene, frames, form);
+    files.writes(parts.manifest, "--manifest", app::manifestKind());
+    files.writes(options.trace, "--trace", app::traceKind());
+    app::RenderRequest render =
+        renderRequest(options, target, std::move(request), scene, frames, time_s, form, parts);
+    if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
+    if (!options.dryRun && isShardOfFinishedFilm(render)) {
+      if (!options.quiet) writeErr("poinsot: " + completeText(parts, target) + "\n");
+      return kDone;
+    }
+    render.jobs = workersOf(options, render, scene);
+    if (!options.quiet && options.progress != "json")
+      writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
+               sharedSubtitlesNote(target, scene, frames) + shaderCacheNote(render));
+    return options.dryRun ? describe(render, scene) : make(options, std::move(render), parts);
+  });
 }
 
 }  // namespace poinsot::cli

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/program_path.h"
 #include "core/text.h"
 
@@ -30,8 +30,10 @@ std::vector<fs::path> scenesIn(const fs::path& folder) {
     if (entry->path().extension() == ".toml") found.push_back(entry->path());
   const std::string shown = core::printable(folder.native());
   if (failure)
-    throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}; POINSOT_SCENES names the folder of the scenes",
-                                                        shown, failure.message()));
+    throw core::FileError(
+        core::ErrorKind::kIo,
+        fmt::format("{}: {}; POINSOT_SCENES names the folder of the scenes", shown, failure.message()), folder,
+        failure.value());
   if (found.empty())
     throw core::Error(core::ErrorKind::kUsage, fmt::format("{}: no scene (NAME.toml) is there", shown));
   std::ranges::sort(found);

@@ -10,18 +10,23 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/file_error.h"
 #include "core/text.h"
 
 namespace poinsot::core {
 namespace {
 
-std::string reasonOfErrno() { return std::generic_category().message(errno); }
+/// Its caller knows the name.
+[[noreturn]] void failByErrno(ErrorKind kind) {
+  const int code = errno;
+  throw FileError(kind, std::generic_category().message(code), {}, code);
+}
 
 /// Its size as the file says.
 std::size_t expectRegular(const FileHandle& file, ErrorKind kind) {
   struct stat status {};
-  if (!file || ::fstat(file.get(), &status) != 0) throw Error(kind, reasonOfErrno());
-  if (S_ISDIR(status.st_mode)) throw Error(kind, "it is a directory");
+  if (!file || ::fstat(file.get(), &status) != 0) failByErrno(kind);
+  if (S_ISDIR(status.st_mode)) throw FileError(kind, "it is a directory", {}, EISDIR);
   if (!S_ISREG(status.st_mode)) throw Error(kind, "it is not a regular file");
   return static_cast<std::size_t>(status.st_size);
 }
@@ -44,7 +49,7 @@ std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kin
     const std::size_t wanted = std::min(sizeof buffer, mostBytes + 1 - bytes.size());
     const ssize_t count = ::read(file.get(), buffer, wanted);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw Error(kind, reasonOfErrno());
+    if (count < 0) failByErrno(kind);
     if (count == 0) break;
     bytes.append(buffer, static_cast<std::size_t>(count));
   }
@@ -62,7 +67,8 @@ std::string readRegularFile(const std::filesystem::path& path, std::size_t mostB
   try {
     return allBytesOf(openForReading(path), mostBytes, kind);
   } catch (const Error& error) {
-    throw Error(error.kind(), fmt::format("cannot read {}: {}", printable(path.string()), error.message()));
+    throw FileError(error.kind(), fmt::format("cannot read {}: {}", printable(path.string()), error.message()),
+                    path, codeOf(error));
   }
 }
 

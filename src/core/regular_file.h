@@ -16,7 +16,8 @@ FileHandle openForReading(const std::filesystem::path& path);
 
 /// From where an open regular file stands (no directory, and no pipe or device that might never end) to its end:
 /// at most one byte more than `mostBytes`, which is enough to refuse it.
-/// @throws Error(kind) saying only why. An empty handle is errno's reason.
+/// @throws Error(kind) saying only why, a FileError without a name if the system refuses. An empty handle is
+/// errno's reason.
 std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind);
 
 /// All of them, if they are not more than `mostBytes`: a file that says so itself is not read.
@@ -24,7 +25,7 @@ std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kin
 std::string allBytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind);
 
 /// All bytes of a regular file.
-/// @throws Error(kind) "cannot read FILE: why"; Error(kLimit) likewise, if it has more than `mostBytes`.
+/// @throws FileError(kind) "cannot read FILE: why"; FileError(kLimit) likewise, if it has more than `mostBytes`.
 std::string readRegularFile(const std::filesystem::path& path, std::size_t mostBytes, ErrorKind kind);
 
 }  // namespace poinsot::core

@@ -21,8 +21,8 @@
 #include <new>
 #include <system_error>
 
-#include "core/error.h"
 #include "core/expect.h"
+#include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "core/version.h"
@@ -221,7 +221,8 @@ std::string fileBytes(const std::filesystem::path& path) {
     // No PNG within the limits of decodePng is longer than this, so reading less cuts only what is refused anyway.
     return core::bytesOf(core::openForReading(path), kLargestPngBytes * 2, ErrorKind::kIo);
   } catch (const Error& error) {
-    throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), error.message()));
+    throw core::FileError(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), error.message()),
+                          path, core::codeOf(error));
   }
 }
 

@@ -12,8 +12,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
 #include "core/expect.h"
+#include "core/file_error.h"
 #include "core/text.h"
 #include "output/file_batch.h"
 
@@ -21,8 +21,9 @@ namespace poinsot::output {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view doing, int code) {
-  throw core::Error(core::ErrorKind::kIo,
-                    fmt::format("{}: {}: {}", core::printable(path.native()), doing, std::strerror(code)));
+  throw core::FileError(core::ErrorKind::kIo,
+                        fmt::format("{}: {}: {}", core::printable(path.native()), doing, std::strerror(code)),
+                        path, code);
 }
 
 /// Repeats a call that a signal interrupted; 0 or an errno.

@@ -5,10 +5,14 @@
 #include <sys/stat.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdarg>
+#include <cstring>
 #include <mutex>
 #include <new>
 
+#include "core/file_error.h"
+#include "core/regular_file.h"
 #include "core/text.h"
 
 namespace poinsot::output {
@@ -60,10 +64,13 @@ CodecParametersPtr parametersOf(const AVCodecContext& context) {
 
 void expectRegularFile(const std::filesystem::path& path) {
   struct stat status {};
-  const bool found = ::stat(path.c_str(), &status) == 0;
-  if (found && S_ISREG(status.st_mode)) return;
-  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
-                                                      found ? "not a regular file" : "cannot be read"));
+  const core::FileHandle file = core::openForReading(path);
+  const int code = file && ::fstat(file.get(), &status) == 0 ? 0 : errno;
+  if (code == 0 && S_ISREG(status.st_mode)) return;
+  const std::string why =
+      code == 0 ? "not a regular file" : fmt::format("cannot be read: {}", std::strerror(code));
+  throw core::FileError(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), why), path,
+                        S_ISDIR(status.st_mode) ? EISDIR : code);
 }
 
 std::string fileUrl(const std::filesystem::path& path) { return "file:" + path.native(); }

@@ -12,8 +12,8 @@
 #include <iterator>
 #include <utility>
 
-#include "core/error.h"
 #include "core/expect.h"
+#include "core/file_error.h"
 #include "core/text.h"
 
 namespace poinsot::output {
@@ -22,8 +22,10 @@ namespace {
 using std::filesystem::path;
 
 [[noreturn]] void fail(const path& file, int code) {
-  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: cannot be given its name: {}",
-                                                      core::printable(file.native()), std::strerror(code)));
+  throw core::FileError(
+      core::ErrorKind::kIo,
+      fmt::format("{}: cannot be given its name: {}", core::printable(file.native()), std::strerror(code)), file,
+      code);
 }
 
 /// Returns the kind of file that a name stands for; 0 for nothing.

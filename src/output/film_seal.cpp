@@ -11,7 +11,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "output/animation_text.h"
@@ -38,9 +38,12 @@ using Listener = std::function<std::size_t(std::string& window, bool last)>;
 void readThrough(int descriptor, const std::filesystem::path& file, const Listener& listen) {
   constexpr std::size_t kBlock = 64 << 10;
   const auto expect = [&](bool good) {
+    const int code = errno;
     if (!good)
-      throw core::Error(core::ErrorKind::kIo, fmt::format("{}: cannot be read: {}", core::printable(file.native()),
-                                                          std::generic_category().message(errno)));
+      throw core::FileError(core::ErrorKind::kIo,
+                            fmt::format("{}: cannot be read: {}", core::printable(file.native()),
+                                        std::generic_category().message(code)),
+                            file, code);
   };
   struct stat status {};
   expect(::fstat(descriptor, &status) == 0);

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/text.h"
 
 namespace poinsot::output {
@@ -21,8 +21,10 @@ void createFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directory(folder, failure);
   // Two workers may create it at once; either success will do.
   if (!failure || std::filesystem::is_directory(folder)) return;
-  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: folder cannot be created: {}",
-                                                      core::printable(folder.native()), failure.message()));
+  throw core::FileError(
+      core::ErrorKind::kIo,
+      fmt::format("{}: folder cannot be created: {}", core::printable(folder.native()), failure.message()), folder,
+      failure.value());
 }
 
 std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<image::PngText>& texts, double dpi,

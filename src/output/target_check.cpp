@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/file_error.h"
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "output/atomic_file.h"
@@ -19,21 +19,29 @@
 namespace poinsot::output {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view reason) {
-  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason));
+/// @param code  the errno that opening or making such a file would give.
+[[noreturn]] void refuse(const std::filesystem::path& path, int code, std::string_view reason) {
+  throw core::FileError(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason), path,
+                        code);
+}
+
+/// @param doing  "cannot be written to: ", say.
+[[noreturn]] void refuseByErrno(const std::filesystem::path& path, std::string_view doing = "") {
+  const int code = errno;
+  refuse(path, code, fmt::format("{}{}", doing, std::strerror(code)));
 }
 
 void checkFolder(const std::filesystem::path& folder) {
   struct stat status {};
   if (::stat(folder.c_str(), &status) < 0) {
     if (errno == ENOENT)
-      refuse(folder,
+      refuse(folder, ENOENT,
              "no such folder; make it with: mkdir -p " + core::printable(core::shellWord(folder.native())));
-    refuse(folder, std::strerror(errno));
+    refuseByErrno(folder);
   }
-  if (!S_ISDIR(status.st_mode)) refuse(folder, "not a folder");
+  if (!S_ISDIR(status.st_mode)) refuse(folder, ENOTDIR, "not a folder");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) < 0)
-    refuse(folder, fmt::format("cannot be written to: {}", std::strerror(errno)));
+    refuseByErrno(folder, "cannot be written to: ");
 }
 
 std::string_view kindOf(mode_t mode) {
@@ -55,16 +63,17 @@ void checkExisting(const std::filesystem::path& target, bool force, const FileKi
   struct stat status {};
   if (::lstat(target.c_str(), &status) < 0) {
     if (errno == ENOENT) return;
-    refuse(target, std::strerror(errno));
+    refuseByErrno(target);
   }
   if (!S_ISREG(status.st_mode))
-    refuse(target, fmt::format("is {}; outputs are written to regular files", kindOf(status.st_mode)));
-  if (!force && !(kind.isOwn && kind.isOwn(target))) refuse(target, refusalOf(kind));
+    refuse(target, S_ISDIR(status.st_mode) ? EISDIR : EEXIST,
+           fmt::format("is {}; outputs are written to regular files", kindOf(status.st_mode)));
+  if (!force && !(kind.isOwn && kind.isOwn(target))) refuse(target, EEXIST, refusalOf(kind));
 }
 
 void checkName(const std::filesystem::path& target) {
   const auto name = target.filename();
-  if (name.empty() || name == "." || name == "..") refuse(target, "is a folder; name a file in it");
+  if (name.empty() || name == "." || name == "..") refuse(target, EISDIR, "is a folder; name a file in it");
 }
 
 }  // namespace
@@ -89,9 +98,8 @@ void checkAddedTo(const std::filesystem::path& target) {
   checkName(target);
   struct stat status {};
   if (::stat(target.c_str(), &status) < 0) return checkFolder(folderOf(target));
-  if (S_ISDIR(status.st_mode)) refuse(target, "is a folder; text is added to a file");
-  if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) < 0)
-    refuse(target, fmt::format("cannot be added to: {}", std::strerror(errno)));
+  if (S_ISDIR(status.st_mode)) refuse(target, EISDIR, "is a folder; text is added to a file");
+  if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) < 0) refuseByErrno(target, "cannot be added to: ");
 }
 
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {

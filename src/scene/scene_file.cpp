@@ -7,6 +7,7 @@
 #include <functional>
 #include <set>
 
+#include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "scene/assemble.h"
@@ -24,8 +25,13 @@ namespace {
 
 // --- Reading the file ---
 
-[[noreturn]] void refuseFile(const std::filesystem::path& path, core::ErrorKind kind, const std::string& why) {
-  throw core::Error(kind, "cannot read the scene: " + why, core::SourceLocation{core::printable(path.string())});
+/// @param cause  says why; of the errors of core::allBytesOf().
+[[noreturn]] void refuseFile(const std::filesystem::path& path, const core::Error& cause) {
+  const bool tooLong = cause.kind() == core::ErrorKind::kLimit;
+  throw core::FileError(
+      cause.kind(),
+      "cannot read the scene: " + cause.message() + (tooLong ? "; " + howToRaise(Limit::kSceneBytes) : ""), path,
+      core::codeOf(cause), core::SourceLocation{core::printable(path.string())});
 }
 
 // --- Overrides ---
@@ -188,12 +194,10 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
 }
 
 std::string readSceneText(const std::filesystem::path& path, const Limits& limits) {
-  constexpr Limit kBytes = Limit::kSceneBytes;
   try {
-    return core::allBytesOf(core::openForReading(path), limits.bytes(kBytes), core::ErrorKind::kScene);
+    return core::allBytesOf(core::openForReading(path), limits.bytes(Limit::kSceneBytes), core::ErrorKind::kScene);
   } catch (const core::Error& error) {
-    const bool tooLong = error.kind() == core::ErrorKind::kLimit;
-    refuseFile(path, error.kind(), error.message() + (tooLong ? "; " + howToRaise(kBytes) : ""));
+    refuseFile(path, error);
   }
 }
 

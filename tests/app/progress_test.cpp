@@ -30,6 +30,11 @@ TEST(Progress, LinesGiveRateAndTimeLeft) {
       R"({"event":"progress","done":1,"total":300,"elapsed_s":0.500,"frames_per_second":0.000,"left_s":null})");
 }
 
+TEST(Progress, EventOfAFailureNamesFileAndErrno) {
+  const core::FileError error(core::ErrorKind::kIo, "full", "a\"\xff.mp4", 28);  // U+00FF stands for the byte 0xff
+  EXPECT_EQ(jsonLine(error), R"({"event":"failed","errno":28,"file":"a\"ÿ.mp4"})");
+}
+
 TEST(Progress, BarFillsAndFitsTheTerminal) {
   // 79 columns less 48 for the figures and 2 for the brackets leave 29 cells, of which half are 14.
   EXPECT_EQ(barLine(kHalf, 79), "[==============>              ]  50 %  150/300 frames  37.5 frames/s  0:04 left");

@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+
 #include "app/job_identity.h"
 #include "app/pixel_digest.h"
 #include "app/worker_protocol.h"
@@ -195,6 +197,11 @@ TEST(WorkerProtocol, CarriesReports) {
       std::get<WorkerFailed>(reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "disk\nfull"})));
   EXPECT_EQ(failed.kind, core::ErrorKind::kIo);
   EXPECT_EQ(failed.message, "disk\nfull");
+  EXPECT_TRUE(failed.file.empty());
+  const auto full = std::get<WorkerFailed>(
+      reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "full", "a\xff.mp4", ENOSPC})));
+  EXPECT_EQ(full.file, "a\xff.mp4");
+  EXPECT_EQ(full.code, ENOSPC);
   Statistics spent{7, 3, 0.9, {}, 0.7, 8};
   for (std::size_t i = 0; i < core::kSteps; ++i)
     spent.steps[static_cast<core::Step>(i)] = 0.1 * static_cast<double>(i);

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <string>
 #include <utility>
 
+#include "core/file_error.h"
 #include "support/scratch_folder.h"
 
 namespace poinsot::core {
@@ -60,6 +62,26 @@ TEST(RegularFile, NothingElseIsOpened) {
                                                                         ": No such file or directory"));
   EXPECT_EQ(refusal("/dev/zero", 9),
             Refusal(ErrorKind::kScene, "cannot read /dev/zero: it is not a regular file"));
+}
+
+TEST(RegularFile, ErrorsHaveNameAndErrno) {
+  const ScratchFolder folder;
+  const auto codeWhenReading = [](const std::filesystem::path& path) {
+    try {
+      readRegularFile(path, 1, ErrorKind::kIo);
+    } catch (const FileError& error) {
+      EXPECT_EQ(error.file(), path);
+      return codeOf(error);
+    }
+    return -1;
+  };
+  const std::filesystem::path file = folder.put("file", "ab");
+  EXPECT_EQ(codeWhenReading(folder / "none"), ENOENT);
+  EXPECT_EQ(codeWhenReading(file / "below"), ENOTDIR);
+  EXPECT_EQ(codeWhenReading(folder.path()), EISDIR);
+  EXPECT_EQ(codeWhenReading("/dev/zero"), 0);  // no call fails
+  EXPECT_EQ(codeWhenReading(file), 0);         // too long
+  EXPECT_EQ(codeOf(Error(ErrorKind::kIo, "full")), 0);
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+
+#include "core/file_error.h"
 #include "decoded_film.h"
 #include "output/film.h"
 #include "output/png_sequence.h"
@@ -47,6 +50,24 @@ TEST_F(TargetCheckTest, RefusesWhatIsNoPlaceForAFile) {
   EXPECT_THAT(refusal(in("")), HasSubstr("is a folder"));
   EXPECT_THAT(refusal(in("..")), HasSubstr("is a folder"));
   EXPECT_THAT(refusal(in(std::string(256, 'n'))), HasSubstr("File name too long"));
+}
+
+TEST_F(TargetCheckTest, ErrorsHaveTheErrnoOfOpening) {
+  const auto codeAt = [&](const std::string& name) {
+    try {
+      checkTarget(in(name), false);
+    } catch (const core::FileError& error) {
+      return error.code();
+    }
+    return 0;
+  };
+  save("file", "x");
+  std::filesystem::create_directory(in("folder"));
+  EXPECT_EQ(codeAt("none/a.png"), ENOENT);
+  EXPECT_EQ(codeAt("file/a.png"), ENOTDIR);
+  EXPECT_EQ(codeAt("folder"), EISDIR);
+  EXPECT_EQ(codeAt("file"), EEXIST);
+  EXPECT_EQ(codeAt(std::string(256, 'n')), ENAMETOOLONG);
 }
 
 TEST_F(TargetCheckTest, RefusesWhatIsNoRegularFileEvenByForce) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "core/abi.h"
+#include "core/error.h"
+
+namespace poinsot::core {
+
+/// The failure to read or write a file, with the system's reason for callers that act on it.
+class FileError : public Error {
+ public:
+  /// @param code  the errno of the system call that failed; 0 if the file itself is wrong.
+  FileError(ErrorKind kind, const std::string& message, std::filesystem::path file, int code,
+            std::optional<SourceLocation> where = std::nullopt)
+      : Error(kind, message, std::move(where)), file_(std::move(file)), code_(code) {}
+
+  const std::filesystem::path& file() const { return file_; }
+  int code() const { return code_; }
+
+ private:
+  std::filesystem::path file_;
+  int code_;
+};
+
+/// Returns the errno of a FileError; 0 for other errors. Serves who words an error anew.
+inline int codeOf(const Error& error) {
+  const auto* file = dynamic_cast<const FileError*>(&error);
+  return file != nullptr ? file->code() : 0;
+}
+
+}  // namespace poinsot::core
