@@ -11,6 +11,7 @@
 #include "app/parallel.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/interruption.h"
 #include "core/text.h"
 #include "image/png_file.h"
 #include "output/film_reader.h"
@@ -95,6 +96,7 @@ class FilmPair {
   }
 
   static std::optional<output::ShownPicture> read(output::FilmReader& film, FilmTimes& times) {
+    core::checkInterruption();
     auto shown = film.next();
     if (shown) times.add(*shown);
     return shown;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/interruption.h"
 #include "image/image.h"
 
 namespace poinsot::image {
@@ -18,7 +19,8 @@ void forEachChangedPixel(const BasicImage<Sample>& a, const BasicImage<Sample>& 
   const auto equal = [&](const Sample* p, const Sample* q, int pixels) {
     return std::memcmp(p, q, samples(pixels) * sizeof(Sample)) == 0;
   };
-  for (int y = where.top; y < where.bottom; ++y)
+  for (int y = where.top; y < where.bottom; ++y) {
+    core::checkInterruption();
     for (int x = where.left; x < where.right; x += kRun) {
       const int count = std::min(kRun, where.right - x);
       const Sample *p = a.at(x, y), *q = b.at(x, y);
@@ -27,6 +29,7 @@ void forEachChangedPixel(const BasicImage<Sample>& a, const BasicImage<Sample>& 
         if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2] || (a.channels == 4 && p[3] != q[3]))
           visit(x + i, y, p, q);
     }
+  }
 }
 
 }  // namespace poinsot::image

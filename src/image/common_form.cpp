@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/expect.h"
+#include "core/interruption.h"
 
 namespace poinsot::image {
 namespace {
@@ -12,8 +13,12 @@ namespace {
 template <typename Sample>
 bool isOpaque(const BasicImage<Sample>& picture) {
   if (picture.channels == 3) return true;
-  for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
-    if (picture.pixels[i] != BasicImage<Sample>::kMost) return false;
+  for (int y = 0; y < picture.size.height; ++y) {
+    core::checkInterruption();
+    const Sample* p = picture.at(0, y);
+    for (int x = 0; x < picture.size.width; ++x)
+      if (p[4 * x + 3] != BasicImage<Sample>::kMost) return false;
+  }
   return true;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/interruption.h"
 #include "image/common_form.h"
 
 namespace poinsot::image {
@@ -113,6 +114,7 @@ ImageDifference summed(const BasicImage<Sample>& a, const BasicImage<Sample>& b,
                        const ComparisonOptions& options) {
   Sums<Sample> sums(a.channels, options.level);
   for (int y = 0; y < a.size.height; ++y) {
+    core::checkInterruption();
     const Sample *p = a.at(0, y), *q = b.at(0, y);
     for (int x = 0; x < a.size.width; ++x, p += a.channels, q += a.channels)
       if (!options.ignored || !options.ignored->ignores(x, y)) sums.add(x, y, p, q);

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "core/expect.h"
+#include "core/interruption.h"
 #include "image/flip_color.h"
 #include "image/flip_filters.h"
 
@@ -146,6 +147,7 @@ template <typename Sample>
 std::optional<Box> differingBox(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
   std::optional<Box> box;
   for (int y = 0; y < a.size.height; ++y) {
+    core::checkInterruption();
     const Sample *p = a.at(0, y), *q = b.at(0, y);
     for (int x = 0; x < a.size.width; ++x, p += a.channels, q += b.channels) {
       if (p[0] == q[0] && p[1] == q[1] && p[2] == q[2]) continue;
@@ -159,8 +161,10 @@ std::optional<Box> differingBox(const BasicImage<Sample>& a, const BasicImage<Sa
 template <typename Sample>
 BasicImage<Sample> cutOut(const BasicImage<Sample>& picture, const Box& box) {
   BasicImage<Sample> out(box.size(), 3);
-  for (int y = box.y0; y <= box.y1; ++y)
+  for (int y = box.y0; y <= box.y1; ++y) {
+    core::checkInterruption();
     for (int x = box.x0; x <= box.x1; ++x) std::copy_n(picture.at(x, y), 3, out.at(x - box.x0, y - box.y0));
+  }
   return out;
 }
 
@@ -190,15 +194,18 @@ FlipMap flipOf(const BasicImage<Sample>& a, const BasicImage<Sample>& b, double 
 class WeightedQuantiles {
  public:
   explicit WeightedQuantiles(const std::vector<double>& values) : bins_(kBins) {
-    for (const double value : values) {
-      bins_[binOf(value)].push_back(value);
-      total_ += value;
+    constexpr std::size_t kCheckedAtOnce = 1 << 16;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i % kCheckedAtOnce == 0) core::checkInterruption();
+      bins_[binOf(values[i])].push_back(values[i]);
+      total_ += values[i];
     }
   }
 
   double at(double share) {
     double sum = 0;
     for (auto& bin : bins_) {
+      core::checkInterruption();
       const double above = sum + std::accumulate(bin.begin(), bin.end(), 0.0);
       if (above > share * total_) return within(bin, sum, share * total_);
       sum = above;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/expect.h"
+#include "core/interruption.h"
 
 namespace poinsot::image {
 
@@ -21,6 +22,7 @@ double* RowWindow::slot(int plane, int y) {
 
 void RowWindow::moveTo(int y) {
   POINSOT_EXPECT(y >= middle_ && y < size_.height);
+  core::checkInterruption();  // every measure with a filter moves through the rows of large pictures
   middle_ = y;
   made_ = std::max(made_, y - radius_);
   std::vector<double*> rows(static_cast<std::size_t>(planes_));

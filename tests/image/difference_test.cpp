@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "core/error.h"
+#include "core/interruption.h"
 #include "image/near_rule.h"
 
 namespace poinsot::image {
@@ -83,6 +86,14 @@ Verdict verdictOf(const Image& a, const Image& b, const NearRule& rule = {}) {
 }
 
 // What a comparer must accept and reject: each limit of the rule alone decides at least one case.
+TEST(Difference, EndsWhenItsCallerIsInterrupted) {
+  const Image a = noise({4000, 2000}, 1), b = noise({4000, 2000}, 2);
+  const core::InterruptionCheck check([] { throw std::runtime_error("stop"); });
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_THROW(compare(a, b), std::runtime_error);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));  // 60; all takes 3 s
+}
+
 TEST(Verdict, NeedsEveryLimit) {
   const Image a = noise({200, 100}, 2);  // 20 000 pixels: 0.5 % are 100
   Image wobble = a, tooMany = a, tooMuch = a;
