@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motions.h"
 
+#include <pthread.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 
 #include "scene/make_motion.h"
 #include "signals.h"
@@ -11,30 +16,57 @@ namespace {
 
 constexpr std::size_t kMost = 4;  // of up to 60 MB each; most take some kB
 
+/// Guards the lists of all scenes, and is never held while something is made. A fork holds it, so that the child
+/// gets whole lists and a mutex that it can lock.
+std::mutex listing;
+const int forking = pthread_atfork([] { listing.lock(); }, [] { listing.unlock(); }, [] { listing.unlock(); });
+
 }  // namespace
 
-std::shared_ptr<const physics::Motion> Motions::over(const scene::Scene& scene, double from_s, double to_s) {
+bool Motions::Entry::isMade() const { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+
+Motions::Made Motions::over(const scene::Scene& scene, double from_s, double to_s) {
   const physics::TimeSpan span{std::min(from_s, 0.0), std::max(to_s, 0.0)};
-  const std::shared_ptr<Entry> entry = entryOf(span);
-  std::unique_lock making(entry->making, std::defer_lock);
-  while (!making.try_lock_for(kPatience)) checkSignals();
-  if (!entry->motion) entry->motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  return entry->motion;
+  while (true) {
+    const auto [entry, isNew] = claim(span);
+    if (isNew) return make(scene, entry);
+    if (!entry->isMade() && entry->maker == std::this_thread::get_id())
+      return scene::makeMotion(scene, span.from_s, span.to_s);
+    while (entry->made.wait_for(kPatience) != std::future_status::ready) checkSignals();
+    if (Made motion = entry->made.get()) return motion;
+  }
 }
 
-std::shared_ptr<Motions::Entry> Motions::entryOf(const physics::TimeSpan& span) {
-  const std::scoped_lock lock(mutex_);
-  const auto same = [&](const auto& entry) {
+Motions::Made Motions::make(const scene::Scene& scene, const SharedEntry& entry) {
+  try {
+    Made motion = scene::makeMotion(scene, entry->span.from_s, entry->span.to_s);
+    entry->promise.set_value(motion);
+    return motion;
+  } catch (...) {
+    {
+      const std::scoped_lock lock(listing);
+      entries_.remove(entry);
+    }
+    entry->promise.set_value(nullptr);
+    throw;
+  }
+}
+
+Motions::Claim Motions::claim(const physics::TimeSpan& span) {
+  const std::scoped_lock lock(listing);
+  const pid_t process = getpid();
+  // The thread that was making it did not come along.
+  std::erase_if(entries_, [&](const SharedEntry& entry) { return entry->process != process && !entry->isMade(); });
+  const auto same = [&](const SharedEntry& entry) {
     return entry->span.from_s == span.from_s && entry->span.to_s == span.to_s;
   };
   if (const auto found = std::ranges::find_if(entries_, same); found != entries_.end()) {
     entries_.splice(entries_.begin(), entries_, found);
-    return entries_.front();
+    return {entries_.front(), false};
   }
   if (entries_.size() >= kMost) entries_.pop_back();
-  entries_.push_front(std::make_shared<Entry>());
-  entries_.front()->span = span;
-  return entries_.front();
+  entries_.push_front(std::make_shared<Entry>(span, process));
+  return {entries_.front(), true};
 }
 
 }  // namespace poinsot::python
