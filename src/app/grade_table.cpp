@@ -12,8 +12,8 @@
 
 #include "app/grade_columns.h"
 #include "app/trajectory_number.h"
-#include "core/error.h"
 #include "core/expect.h"
+#include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 
@@ -231,7 +231,7 @@ TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& named) {
              fmt::format("{} has {} rows, t has {}", names[i], known.back().size(), times_s.size()));
   }
 
-  TrajectoryTable table(columns.known(), "table");
+  TrajectoryTable table(columns.known(), "");
   std::vector<double> row(known.size());
   for (std::size_t k = 0; k < times_s.size(); ++k) {
     if (!std::isfinite(times_s[k]))
@@ -248,7 +248,8 @@ TrajectoryTable readTrajectoryTable(const std::string& fileName) {
   try {
     csv = core::bytesOf(core::openForReading(fileName), kMostTableBytes, core::ErrorKind::kIo);
   } catch (const core::Error& error) {
-    throw core::Error(core::ErrorKind::kIo, "cannot be read: " + error.message(), place);
+    throw core::FileError(core::ErrorKind::kIo, "cannot be read: " + error.message(), fileName,
+                          core::codeOf(error), place);
   }
   if (csv.size() > kMostTableBytes)
     throw core::Error(core::ErrorKind::kLimit,

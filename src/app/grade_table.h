@@ -24,6 +24,7 @@ class TrajectoryTable {
   double t_s(std::size_t row) const { return at(row, kTimeAt); }
   /// Where the time of a row was read.
   core::SourceLocation placeOfTime(std::size_t row) const {
+    if (fileName_.empty()) return {"t[" + std::to_string(row) + "]"};  // in memory
     return {fileName_, timePlaces_[row].line, timePlaces_[row].column};
   }
 

@@ -44,7 +44,7 @@ void addFinalState(Section& section, const physics::PrincipalMoments& moments, c
 void addIntegration(Section& section, const physics::DrivenMotionReport& report) {
   section.add("method", "method", report.method, "", "");
   section.add("order", "order of the step", report.order, "", report.order == 0 ? "closed form" : "");
-  section.add("steps", "steps over the run", static_cast<double>(report.steps), "", "");
+  section.add("steps", "steps over the run", static_cast<int>(report.steps), "", "");
   section.add("shortest_step", "shortest step", report.shortestStep_s, "s", "");
   section.add("tolerance", "attitude error asked for, at most", report.tolerance_rad, "rad", "motion.tolerance");
   section.add("estimated_attitude_error", "estimated attitude error", report.estimatedAttitudeError_rad, "rad",

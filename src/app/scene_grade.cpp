@@ -46,18 +46,30 @@ std::string noteFromFirstRow(const MotionMaker& maker, const TrajectoryTable& th
   }
 }
 
+/// Returns the row whose time is farthest from 0.
+std::size_t farthestRow(const TrajectoryTable& theirs) {
+  std::size_t farthest = 0;
+  for (std::size_t row = 1; row < theirs.rows(); ++row)
+    if (std::abs(theirs.t_s(row)) > std::abs(theirs.t_s(farthest))) farthest = row;
+  return farthest;
+}
+
 /// Makes the motion over their times. @throws core::Error(kLimit) if a driven motion is too long; for a log on a
-/// clock's time, far from 0, the message also gives its errors from the first row on.
+/// clock's time, far from 0, the message also gives its errors from the first row on. The place is that of the
+/// farthest time.
 std::unique_ptr<const physics::Motion> motionOver(const MotionMaker& maker, const TrajectoryTable& theirs) {
   const physics::TimeSpan span = spanOf(theirs);
   try {
     return maker(span);
   } catch (const core::Error& error) {
-    if (error.kind() != core::ErrorKind::kLimit || span.from_s <= span.to_s - span.from_s) throw;
-    const std::string note = noteFromFirstRow(maker, theirs);
-    if (note.empty()) throw;
+    if (error.kind() != core::ErrorKind::kLimit) throw;
+    const bool onClock = span.from_s > span.to_s - span.from_s;
+    const std::string note = onClock ? noteFromFirstRow(maker, theirs) : "";
     throw core::Error(error.kind(),
-                      fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s, note));
+                      note.empty()
+                          ? error.message()
+                          : fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s, note),
+                      theirs.placeOfTime(farthestRow(theirs)));
   }
 }
 
