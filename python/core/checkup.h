@@ -8,21 +8,22 @@
 
 namespace poinsot::python {
 
-/// A remark, and where it was found: line 0 of what has no line.
+/// A remark and its place; the line is 0 if it has none.
 struct Remark {
   std::string file;
   int line = 0, column = 0;
   std::string message;
 };
 
-/// What `check` says of a scene that was loaded, and what a film of it takes.
+/// Holds the remarks of `check` on a scene that was loaded, and the memory that its pictures take.
 struct Checkup {
-  std::vector<Remark> problems;    ///< why nothing can be drawn; empty where all is well
-  std::vector<Remark> notes;       ///< what is allowed and may be a slip
-  double filmMemory_bytes = 0;     ///< of a worker that makes its film, an MP4
-  double pictureMemory_bytes = 0;  ///< of drawing one picture
+  std::vector<Remark> problems;    ///< reasons why nothing can be drawn; empty if all is well
+  std::vector<Remark> notes;       ///< values that are allowed and may be slips
+  double filmMemory_bytes = 0;     ///< that a worker needs for its film, an MP4
+  double pictureMemory_bytes = 0;  ///< that drawing one picture needs
 };
 
+/// Returns the remarks and the memory; draws nothing.
 Checkup checkupOf(const LoadedScene& scene);
 
 }  // namespace poinsot::python

@@ -12,7 +12,8 @@
 #include "app/diff_json.h"
 #include "app/file_diff.h"
 #include "app/user_limits.h"
-#include "core/error.h"
+#include "core/file_error.h"
+#include "core/regular_file.h"
 #include "core/text.h"
 #include "output/film_reader.h"
 #include "signals.h"
@@ -102,6 +103,18 @@ app::DiffPicture read(Source&& source) {
   return {std::move(png.picture), png.stored, std::move(png.color)};
 }
 
+/// The name of a missing film says its kind, but nothing can be compared with it.
+void expectReadable(const Source& source) {
+  const auto* file = std::get_if<fs::path>(&source);
+  if (file == nullptr) return;
+  try {
+    core::bytesOf(core::openForReading(*file), 0, core::ErrorKind::kIo);
+  } catch (const core::Error& error) {
+    throw core::FileError(error.kind(), core::printable(file->native()) + ": " + error.message(), *file,
+                          core::codeOf(error));
+  }
+}
+
 /// Names of files as the program prints them; empty of an array.
 std::string nameOf(const Source& source) {
   const auto* file = std::get_if<fs::path>(&source);
@@ -109,6 +122,7 @@ std::string nameOf(const Source& source) {
 }
 
 std::string comparedJson(Source reference, Source test, const app::DiffRequest& request, int jobs) {
+  for (const Source* source : {&reference, &test}) expectReadable(*source);
   const app::DiffNames names{nameOf(reference), nameOf(test)};
   const bool film = isFilm(reference), testIsFilm = isFilm(test);
   if (film != testIsFilm)

@@ -13,7 +13,7 @@ namespace poinsot::python {
 /// (grey, grey and alpha, RGB, RGB and alpha) of uint8 or uint16, without gaps.
 using PictureSource = pybind11::object;
 
-/// How pictures are compared, by the names of poinsot.diff().
+/// Arguments of poinsot.diff() that decide how pictures are compared.
 struct DiffAsk {
   std::vector<std::pair<std::string, std::string>> rule;  ///< keys and words as in a golden.toml: "max", "0-2"
   std::vector<std::vector<double>> ignore;                ///< left, top, width, height
@@ -23,9 +23,9 @@ struct DiffAsk {
   std::vector<std::string> limits;  ///< as after --limit
 };
 
-/// What `diff --json` says of two pictures or two films.
-/// @throws core::Error(kUsage) for a rule that there is not, and for pictures that cannot be compared: of
-/// different size, a film beside a picture; as app::compareFiles() and app::diffFilms().
+/// Compares two pictures or two films, and returns the JSON that `diff --json` prints.
+/// @throws core::Error(kUsage) for an unknown rule, and for pictures that cannot be compared: of different sizes,
+/// or a film beside a picture; as app::compareFiles() and app::diffFilms().
 std::string diffJson(const PictureSource& reference, const PictureSource& test, const DiffAsk& ask);
 
 }  // namespace poinsot::python

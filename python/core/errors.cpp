@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "core/file_error.h"
 #include "scene/problem.h"
 
 namespace poinsot::python {
@@ -18,7 +18,7 @@ namespace {
 namespace py = pybind11;
 using core::ErrorKind;
 
-/// As poinsot/_errors.py has the kinds.
+/// Returns the name that poinsot/_errors.py has for a kind.
 const char* nameOf(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::kUsage:
@@ -48,9 +48,16 @@ void raise(ErrorKind kind, const std::string& text, const Facts&... facts) {
   PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
 }
 
+void raise(const core::FileError& error) {
+  const std::string text = inPython(error.what());
+  if (error.kind() == ErrorKind::kLimit) return raise(error.kind(), text);
+  const py::object name = py::module_::import("os").attr("fsdecode")(py::bytes(error.file().native()));
+  raise(ErrorKind::kIo, text, py::tuple(), error.code(), name);
+}
+
 /// Takes the option off the place of an override. @returns the key; empty for a problem of a file.
 std::string takeOverride(scene::Problem& problem) {
-  constexpr std::string_view kOption = "-D ";  // stands where a file's name does otherwise
+  constexpr std::string_view kOption = "-D ";  // the file name of an override's place
   std::string& place = problem.where.file;
   if (problem.where.line != 0 || !place.starts_with(kOption)) return "";
   place.erase(0, kOption.size());
@@ -78,6 +85,8 @@ void translateErrors() {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const scene::SceneErrors& errors) {
       raise(errors);
+    } catch (const core::FileError& error) {
+      raise(error);
     } catch (const core::Error& error) {
       raise(error.kind(), inPython(error.what()));
     }

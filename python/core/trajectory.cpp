@@ -51,7 +51,7 @@ std::string placeOf(std::size_t k, const Shape& shape) {
   return fmt::format("times[{}]: ", fmt::join(index, ", "));
 }
 
-/// Does it. What it throws begins with what `origin` returns.
+/// Calls `action`. Puts the text of `origin` before the message of an error.
 template <class Action, class Origin>
 auto naming(const Action& action, const Origin& origin) {
   try {

@@ -17,7 +17,17 @@ ones. R_WB and q_WB take components in B to components in W.
 
 from ._core import version as __version__
 from ._diff import diff
-from ._errors import Error, FileError, LimitError, PhysicsError, Problem, RenderError, SceneError, UsageError
+from ._errors import (
+    Error,
+    FarTimeWarning,
+    FileError,
+    LimitError,
+    PhysicsError,
+    Problem,
+    RenderError,
+    SceneError,
+    UsageError,
+)
 from ._explain import explain
 from ._film import Film
 from ._packages import MissingPackageError
@@ -26,6 +36,7 @@ from ._trajectory import Trajectory
 
 __all__ = [
     "Error",
+    "FarTimeWarning",
     "FileError",
     "Film",
     "LimitError",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks of arguments: a value that a function cannot take raises UsageError, which says what it takes."""
 
+import decimal
 import math
 import numbers
 import operator
@@ -14,6 +15,7 @@ from ._errors import UsageError
 
 _LONGEST = 60  # characters of a value in a message
 _MOST = 2**63 - 1  # of whole numbers, as _core has them
+_MOST_JOBS = 1024
 
 
 def refuse(argument: str, it: object, takes: str) -> NoReturn:
@@ -90,9 +92,12 @@ def flag(argument: str, it: object) -> bool:
     return bool(it)
 
 
-def whole_number(argument: str, it: object) -> int:
+def jobs(it: object) -> int | None:
+    """How many processes or threads work at a time; None where the function chooses."""
+    if it is None:
+        return None
     found = whole(it)
-    return found if found is not None else refuse(argument, it, "a whole number")
+    return found if found is not None and 1 <= found <= _MOST_JOBS else refuse("jobs", it, f"from 1 to {_MOST_JOBS}")
 
 
 def function(argument: str, it: object) -> None:
@@ -104,12 +109,28 @@ def bits(it: object) -> int:
     return 16 if whole(it) == 16 else 8 if whole(it) == 8 else refuse("bits", it, "8 or 16")
 
 
-def number(argument: str, it: object) -> float:
+def is_masked(it: object) -> bool:
+    """Whether it is an array that masks one of its values."""
+    return isinstance(it, np.ma.MaskedArray) and bool(np.any(it.mask))
+
+
+def real(it: object) -> float | None:
+    """A real number; infinite beyond the range of doubles. None for anything else: a truth value, a timedelta64, which
+    NumPy has as a whole number, or text.
+    """
+    if isinstance(it, (bool, np.bool_, np.timedelta64)) or not isinstance(it, (numbers.Real, decimal.Decimal)):
+        return None
     try:
-        value = float(it) if isinstance(it, numbers.Real) and not isinstance(it, bool) else math.nan
+        return float(it)
     except OverflowError:
-        value = math.inf
-    return value if math.isfinite(value) else refuse(argument, it, "a number")
+        return math.inf
+    except ValueError:  # of a signalling NaN
+        return math.nan
+
+
+def number(argument: str, it: object) -> float:
+    value = real(it)
+    return value if value is not None and math.isfinite(value) else refuse(argument, it, "a number")
 
 
 def text(argument: str, it: object, takes: str) -> str:

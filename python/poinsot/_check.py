@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What may be wrong with a scene that was loaded, and what its pictures take."""
+"""Notes about a scene that was loaded, and how much memory its pictures take."""
 
+import math
 from typing import Any
 
 from . import _core
@@ -8,7 +9,7 @@ from ._errors import Problem
 
 
 def check(core: _core.Scene) -> dict[str, Any]:
-    """Checks a scene as Scene.check() says."""
+    """Returns the dictionary of Scene.check()."""
     found = _core.checkup(core)
     problems, notes = (
         [Problem(one.file, one.line, one.column, one.message) for one in remarks]
@@ -16,7 +17,7 @@ def check(core: _core.Scene) -> dict[str, Any]:
     )
     estimates = {
         "frames": core.frame_count,
-        "film_memory_bytes": found.film_memory,
-        "picture_memory_bytes": found.picture_memory,
+        "film_memory_bytes": math.ceil(found.film_memory),
+        "picture_memory_bytes": math.ceil(found.picture_memory),
     }
     return {"ok": not problems, "problems": problems, "notes": notes, "estimates": estimates}

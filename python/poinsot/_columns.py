@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _times
+from ._arguments import is_masked
 from ._errors import UsageError
 
 #: Arrays of vectors, and the columns of their components, as in the program's CSV.
@@ -33,12 +34,13 @@ def split(name: str, values: Any) -> Iterator[tuple[str, NDArray[np.float64]]]:
 
 def doubles(name: str, values: Any) -> NDArray[np.float64]:
     """An array of real numbers. Raises UsageError for anything else."""
-    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
-        raise UsageError(f"{name}: has masked values; fill or remove them, as with {name}.compressed()")
+    if is_masked(values):
+        masked = f"numpy.ma.getmaskarray({name})" + (".any(axis=-1)" if values.ndim > 1 else "")
+        raise UsageError(f"{name}: has masked values; fill them, or leave out their rows in all columns: keep = ~{masked}")
     array = np.asarray(values)
     if array.dtype.kind not in "iufO":
         raise UsageError(f"{name}: values of the type {array.dtype}; real numbers are expected")
     try:
         return np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise UsageError(f"{name}: real numbers are expected: {error}") from error
+        raise UsageError(f"{name}: has values that are no real numbers") from error

@@ -39,7 +39,7 @@ def diff(
     ignore: boxes (x, y, width, height) in pixels from the top left that are not compared.
     mask: a picture as above, or an array of bool (height, width); where it is painted, pixels are not compared.
     pixels_per_degree: of view, for FLIP, 1 to 1000.
-    jobs: frames of films that are compared at a time; one for each CPU if not given.
+    jobs: how many frames of films are compared at a time, 1 to 1024; one for each CPU if not given.
     limits: as of load(); the memory counts.
 
     Returns a dictionary, among its keys: verdict ("identical", "near" or "different"), beyond (limits that do not hold,
@@ -52,8 +52,6 @@ def diff(
     """
     if not 1 <= _arguments.number("pixels_per_degree", pixels_per_degree) <= _MOST_PER_DEGREE:
         _arguments.refuse("pixels_per_degree", pixels_per_degree, f"a number from 1 to {_MOST_PER_DEGREE}")
-    if jobs is not None and _arguments.whole_number("jobs", jobs) < 1:
-        _arguments.refuse("jobs", jobs, "at least 1")
     result: dict[str, Any] = json.loads(
         _core.diff(
             _source("reference", reference),
@@ -62,7 +60,7 @@ def diff(
             _boxes(ignore),
             None if mask is None else _source("mask", _painted(mask)),
             float(pixels_per_degree),
-            jobs or len(os.sched_getaffinity(0)),
+            _arguments.jobs(jobs) or len(os.sched_getaffinity(0)),
             _arguments.limits(limits),
         )
     )
@@ -77,15 +75,23 @@ def _is_path(it: Any) -> bool:
 
 def _boxes(boxes: Any) -> list[list[float]]:
     takes = "a list of boxes (x, y, width, height) in pixels"
-    if isinstance(boxes, (str, bytes)) or not isinstance(boxes, (Sequence, np.ndarray)):
+    given = _entries(boxes)
+    if given is None:
         _arguments.refuse("ignore", boxes, takes)
     found = []
-    for box in boxes:
-        sides = [_arguments.whole(side) for side in box] if isinstance(box, (tuple, list, np.ndarray)) else []
+    for box in given:
+        sides = [_arguments.whole(side) for side in _entries(box) or ()]
         if len(sides) != 4 or None in sides:
             _arguments.refuse("ignore", boxes, takes)
         found.append([float(side or 0) for side in sides])
     return found
+
+
+def _entries(it: Any) -> list[Any] | None:
+    """The entries of a list or an array; None for anything else."""
+    if isinstance(it, np.ndarray):
+        return list(it) if it.ndim and not _arguments.is_masked(it) else None
+    return list(it) if isinstance(it, Sequence) and not isinstance(it, (str, bytes)) else None
 
 
 def _source(side: str, it: Any) -> bytes | NDArray[Any]:
@@ -111,6 +117,8 @@ def _source(side: str, it: Any) -> bytes | NDArray[Any]:
 def _array(side: str, it: Any) -> NDArray[Any]:
     if not hasattr(it, "__array__") and not isinstance(it, Sequence):
         _arguments.refuse(side, it, "a path, an array of pixels or a PIL image")
+    if _arguments.is_masked(it):
+        raise UsageError(f"{side}: has masked values; give mask= the boolean array {side}.mask")
     try:
         return np.asarray(it)
     except (ValueError, TypeError, OverflowError):

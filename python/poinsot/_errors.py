@@ -6,8 +6,8 @@ from __future__ import annotations
 import errno
 import os
 import re
-import stat
 from collections.abc import Iterable
+from functools import partial
 from typing import Any, NamedTuple
 
 
@@ -40,12 +40,16 @@ class SceneError(Error, ValueError):
         return type(self), (str(self), self.problems)
 
 
-class LimitError(Error):
-    """More than a limit allows; the text says how to raise it."""
+class LimitError(Error, ValueError):
+    """More than a limit allows, and how to raise it; or a motion time outside the span in which the motion is known."""
 
 
 class SceneLimitError(SceneError, LimitError):
     """A scene in which nothing is wrong but that it asks for more than limits allow."""
+
+
+class FarTimeWarning(UserWarning):
+    """Times so far from the start that the attitude is no longer exact to rounding."""
 
 
 class PhysicsError(Error, ValueError):
@@ -57,8 +61,9 @@ class RenderError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be read or written. Where the system gives the reason, it is also the FileNotFoundError,
-    IsADirectoryError, NotADirectoryError or PermissionError that `open()` would raise, with its `errno`.
+    """A file cannot be read or written; `filename` is its name. Where the system gives the reason, it is also the
+    FileNotFoundError, FileExistsError, IsADirectoryError, NotADirectoryError or PermissionError that `open()` would
+    raise, with its `errno` and `strerror`.
     """
 
     def __new__(cls, text: str = "", number: int | None = None, filename: str | None = None) -> FileError:
@@ -68,6 +73,7 @@ class FileError(Error, OSError):
         super().__init__(text)
         if number is not None:
             self.errno = number
+            self.strerror = os.strerror(number)
         self.filename = filename
 
     def __str__(self) -> str:
@@ -79,6 +85,10 @@ class FileError(Error, OSError):
 
 class FileMissingError(FileError, FileNotFoundError):
     """The file, or the folder it is to be written to, does not exist."""
+
+
+class FileIsThereError(FileError, FileExistsError):
+    """Another file stands where the file is to be written."""
 
 
 class FileIsFolderError(FileError, IsADirectoryError):
@@ -95,6 +105,7 @@ class FileDeniedError(FileError, PermissionError):
 
 _FILE_ERRORS: dict[int | None, type[FileError]] = {
     errno.ENOENT: FileMissingError,
+    errno.EEXIST: FileIsThereError,
     errno.EISDIR: FileIsFolderError,
     errno.ENOTDIR: FolderIsFileError,
     errno.EACCES: FileDeniedError,
@@ -102,39 +113,23 @@ _FILE_ERRORS: dict[int | None, type[FileError]] = {
 }
 
 
-def cannot_read(text: str, path: str) -> FileError:
-    """The error of a file that was not read, with the system's reason."""
-    return FileError(text, _failure(path, stat.S_IFREG, os.R_OK), path)
-
-
-def cannot_write(text: str, path: str) -> FileError:
-    """The error of a file that was not written, with the system's reason if it lies in the folder."""
-    return FileError(text, _failure(os.path.dirname(path) or ".", stat.S_IFDIR, os.W_OK), path)
-
-
-def _failure(path: str, kind: int, access: int) -> int | None:
-    try:
-        mode = os.stat(path).st_mode
-    except OSError as error:
-        return error.errno
-    if stat.S_IFMT(mode) != kind and kind == stat.S_IFDIR:
-        return errno.ENOTDIR
-    if stat.S_ISDIR(mode) and kind == stat.S_IFREG:
-        return errno.EISDIR
-    return None if os.access(path, access) else errno.EACCES
-
-
 _CLASSES: dict[str, type[Error]] = {
     "usage": UsageError,
     "limit": LimitError,
     "physics": PhysicsError,
     "render": RenderError,
-    "file": FileError,
 }
 
 
-def made(kind: str, text: str, problems: Iterable[Problem] = ()) -> Error:
-    """The error of a kind that _core names. Its text is one of in_python()."""
+def made(
+    kind: str, text: str, problems: Iterable[Problem] = (), number: int = 0, filename: str | None = None
+) -> Error:
+    """The error of a kind that _core names. Its text is one of in_python().
+
+    number, filename: of an error of a file: the system's errno, 0 if no call of the system failed.
+    """
+    if kind == "file":
+        return FileError(text, number or None, filename)
     if kind != "scene":
         return _CLASSES[kind](text)
     problems = tuple(problems)
@@ -147,9 +142,12 @@ def says_limit(text: str) -> bool:
     return 'limits={"' in text
 
 
+# What users wrote is kept: quoted texts, and lines of a file, which a message shows indented.
+_QUOTED = r""""[^"\n]*"|(?<!\w)'[^'\n]*'(?!\w)|`[^`\n]*`|^ .*$"""
+
 # Options as the layers and the program name them in messages, and what stands for each here. The first that fits wins.
 _OPTIONS = [
-    (re.compile(rf"(?<![\w-]){option}"), argument)
+    (re.compile(rf"(?<![\w-]){option}|(?P<kept>{_QUOTED})", re.MULTILINE), argument)
     for option, argument in (
         (r"--limit (\w+)=N", r'limits={"\1": N}'),
         (r"--max-memory SIZE", r'limits={"memory": SIZE}'),
@@ -170,5 +168,9 @@ _OPTIONS = [
 def in_python(text: str) -> str:
     """A message in which arguments of functions stand for options of the program."""
     for option, argument in _OPTIONS:
-        text = option.sub(argument, text)
+        text = option.sub(partial(_replaced, argument), text)
     return text
+
+
+def _replaced(argument: str, found: re.Match[str]) -> str:
+    return found["kept"] or found.expand(argument)

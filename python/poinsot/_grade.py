@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far somebody's trajectory is off the motion of a scene."""
+"""Grading the trajectory of another engine: how far it is off the motion of a scene."""
 
 from __future__ import annotations
 
@@ -15,13 +15,23 @@ from ._errors import UsageError
 from ._trajectory import Trajectory
 
 
+_MOST_NAMED = 8  # columns in a message
+
+# Arrays that a motion is graded by, and what stands for them in messages.
+_GRADED = ("q_WB", "q_WB_xyzw", "omega_B", "omega_W")
+_WANTED = (
+    "q_WB, an array (n, 4), or omega_B, an array (n, 3), or the columns of their components q_w, q_x, q_y, q_z or "
+    "omega_B_x, omega_B_y, omega_B_z"
+)
+
+
 def grade(core: _core.Scene, table: Any, max_attitude_error: float | str | None) -> dict[str, Any]:
-    """Grades a table as Scene.grade() says."""
+    """Returns the dictionary of Scene.grade()."""
     limit = None if max_attitude_error is None else _limit(max_attitude_error)
     if isinstance(table, (str, bytes, os.PathLike)):
         result: dict[str, Any] = json.loads(_core.grade_file(core, os.fsencode(_arguments.path("table", table))))
     else:
-        columns = [column for name, values in _pairs(table) for column in _known(name, values)]
+        columns = _columns_of(table)
         result = json.loads(_core.grade_columns(core, [name for name, _ in columns], [values for _, values in columns]))
         result["file"] = None
     result["passes"] = None if limit is None else _passes(result, limit)
@@ -61,9 +71,37 @@ def _pairs(table: Any) -> Iterator[tuple[str, Any]]:
         )
 
 
+def _columns_of(table: Any) -> list[tuple[str, Any]]:
+    """The columns of a table. Raises UsageError, with the names of its arrays, for what is no motion."""
+    columns: list[tuple[str, Any]] = []
+    rows: dict[str, int] = {}
+    for name, values in _pairs(table):
+        parts = list(_known(name, values))
+        columns += parts
+        if _is_known(name):
+            rows[name] = len(parts[0][1])
+    if "t" in rows:  # else the lack of it is reported
+        _require_motion([name for name, _ in columns])
+        for name, count in rows.items():
+            if count != rows["t"]:
+                raise UsageError(f"table: {name} has {count} rows, t has {rows['t']}")
+    return columns
+
+
+def _require_motion(names: list[str]) -> None:
+    if not {part for array in _GRADED for part in _columns.PARTS[array]} & set(names):
+        others = [_arguments.shown(name) for name in names if name not in _core.all_trajectory_columns]
+        found = f"; got {', '.join(others[:_MOST_NAMED])}" if others else ""
+        raise UsageError(f"table: no motion to grade; give {_WANTED}{found}")
+
+
+def _is_known(name: str) -> bool:
+    return name in _columns.PARTS or name in _core.all_trajectory_columns
+
+
 def _known(name: str, values: Any) -> Iterator[tuple[str, Any]]:
-    """Columns to grade. The values of other columns are left out, whatever they are: their names serve messages."""
-    if name in _columns.PARTS or name in _core.all_trajectory_columns:
+    """Columns to grade. Columns of other names are left empty: only messages name them."""
+    if _is_known(name):
         yield from _columns.split(name, values)
     else:
         yield name, np.empty(0)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The program `poinsot`, which makes the files: with workers of its own, out of reach of the interpreter's threads."""
 
+import errno
+import glob
 import json
 import os
 import re
@@ -9,8 +11,9 @@ import signal
 import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
-from ._errors import Error, FileError, cannot_write, in_python, made, says_limit
+from ._errors import Error, FileError, in_python, made, says_limit
 
 _VARIABLE = "POINSOT_PROGRAM"
 
@@ -41,6 +44,7 @@ def run(
     # A word that begins with "-" would be an option.
     place = os.path.join(".", output) if output.startswith("-") else output
     said: list[str] = []
+    failure: dict[str, Any] = {}
     with _started([command, "--progress=json", "-o", place, *words]) as process:
         assert process.stderr
         try:
@@ -48,6 +52,8 @@ def run(
                 event = _event(line)
                 if event is None:
                     said.append(line)
+                elif event["event"] == "failed":
+                    failure = event
                 elif progress is not None:
                     progress(event["done"], event["total"])
         except BaseException:
@@ -55,7 +61,9 @@ def run(
             process.communicate()
             raise
     if process.returncode:
-        raise _failure(process.returncode, "".join(said), output)
+        raise _error(process.returncode, "".join(said), failure)
+    if not _is_there(output):
+        raise FileError(f"{output}: {_found()[1]} ended well and did not write it", errno.ENOENT, output)
 
 
 def _started(words: Sequence[str]) -> subprocess.Popen[str]:
@@ -75,7 +83,8 @@ def _started(words: Sequence[str]) -> subprocess.Popen[str]:
         raise FileError(f"{called}: cannot be started: {error.strerror}", error.errno, program) from error
 
 
-def _failure(status: int, said: str, output: str) -> Error:
+def _error(status: int, said: str, failure: dict[str, Any]) -> Error:
+    """The error of a program that ended so. `failure` is empty, or the event of which file made it fail."""
     text = in_python(re.sub(r"^poinsot: (error: )?", "", said, flags=re.MULTILINE)).strip()
     match status:  # as the program's manual page has them
         case 2:
@@ -83,12 +92,17 @@ def _failure(status: int, said: str, output: str) -> Error:
         case 3:
             return made("render", text)
         case 4:
-            return cannot_write(text, output)
+            name = os.fsdecode(failure["file"].encode("latin-1")) if failure else None  # a character for each byte
+            return made("file", text, number=failure.get("errno", 0), filename=name)
     return Error(text or f"the program ended with {status}")
 
 
-def _event(line: str) -> dict[str, int] | None:
-    if not line.startswith("{"):
-        return None
-    event = json.loads(line)
-    return {"done": event["done"], "total": event["total"]} if event.get("event") == "progress" else None
+def _event(line: str) -> dict[str, Any] | None:
+    """An event that the program reports on a line of its own; None for a line of text."""
+    return json.loads(line) if line.startswith("{") else None
+
+
+def _is_there(output: str) -> bool:
+    """Whether there is such a file, or a picture of such a sequence."""
+    around = re.split(r"\{frame(?::0\d)?\}", output)
+    return os.path.exists(output) if len(around) == 1 else bool(glob.glob("*".join(map(glob.escape, around))))

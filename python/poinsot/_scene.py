@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from . import _arguments, _check, _core, _grade, _program, _sweep, _times, _toml
 from ._core import Scene as _CoreScene
-from ._errors import SceneError, cannot_read
+from ._errors import FarTimeWarning
 from ._film import Film
 from ._times import Time, Times
 from ._trajectory import Trajectory
@@ -45,18 +45,16 @@ class _Source:
         file = os.fsencode(self.file_name)
         if self.text is not None:
             return Scene._of(_CoreScene.of_text(self.text, file, *words), self)
-        try:
-            core = _CoreScene.of_file(file, *words)
-        except SceneError as error:
-            if error.problems:
-                raise
-            raise cannot_read(str(error), self.file_name) from None
+        core = _CoreScene.of_file(file, *words)
         return Scene._of(core, replace(self, text=core.text))
 
     def elsewhere(self) -> _Source:
-        """The same for a process in another folder."""
-        roots = tuple(os.path.abspath(root) for root in self.asset_roots)
-        return replace(self, file_name=os.path.abspath(self.file_name), asset_roots=roots)
+        """The same with absolute names, for a process in another folder."""
+        try:
+            roots = tuple(os.path.abspath(root) for root in self.asset_roots)
+            return replace(self, file_name=os.path.abspath(self.file_name), asset_roots=roots)
+        except FileNotFoundError:  # the folder of this process was removed
+            return self
 
 
 def _source(
@@ -78,7 +76,7 @@ def load(
     limits: Mapping[str, int | str] | None = None,
     asset_roots: Sequence[Path_] = (),
 ) -> Scene:
-    """The scene of a file.
+    """Loads the scene of a file.
 
     overrides: keys to set above what the file says, as {"style.theme": "dark", "motion.omega_body": [0, 5, "1 rpm"]}.
     limits: limits to raise or lower, as {"side": 16384, "memory": "4 GiB"}.
@@ -99,26 +97,34 @@ def loads(
     limits: Mapping[str, int | str] | None = None,
     asset_roots: Sequence[Path_] = (),
 ) -> Scene:
-    """The scene of a text in TOML, or of its tables as dictionaries:
+    """Loads the scene of a text in TOML, or of its tables as dictionaries:
 
         poinsot.loads({"body": {"principal_moments": [1, 2, 2.5]}, "motion": {"omega_body": [0.05, "20 rpm", 0]}})
 
-    name: of the scene, as of its file without ".toml".
-    folder: where files that it names lie.
-    Others, and what is raised: as load().
+    name: the scene's name, as that of a file without ".toml".
+    folder: folder from which files are read that the scene names.
+
+    Values are plain numbers and texts, or times (timedelta, timedelta64), arrays and pandas Series without masked
+    values, and paths. Other arguments and errors are those of load().
     """
     file_name = Path(_arguments.path("folder", folder)) / f"{_arguments.stem('name', name)}.toml"
     return _source(str(file_name), overrides, limits, asset_roots, _toml.scene_text(source)).scene()
 
 
 class Scene:
-    """A body, its motion, and how it is shown; checked, and never changed. Made by load() and loads().
+    """A scene file that was read and checked: a body, its motion, and how both are drawn. load() and loads() return it.
+    It never changes.
 
     Film time runs from 0 to `duration`; motion time is the physics' own, and may run slower or faster.
+
+    Scenes are equal if their text, overrides, limits, asset roots and file names are.
     """
+
+    __slots__ = ("__weakref__", "_core", "_place", "_source")
 
     _core: _CoreScene
     _source: _Source
+    _place: _Source  # the same, wherever the process goes
 
     def __init__(self) -> None:
         raise TypeError("a scene is made by poinsot.load() or poinsot.loads()")
@@ -128,10 +134,17 @@ class Scene:
         scene = cls.__new__(cls)
         scene._core = core
         scene._source = source
+        scene._place = source.elsewhere()
         return scene
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._place == other._place
+
+    def __hash__(self) -> int:
+        return hash(self._place)
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return _Source.scene, (self._source.elsewhere(),)
+        return _Source.scene, (self._place,)
 
     def __copy__(self) -> Scene:
         return self
@@ -141,7 +154,7 @@ class Scene:
 
     @property
     def name(self) -> str:
-        """The file's name without folder and ending."""
+        """Name of the file without folder and ending."""
         return self._core.name
 
     @property
@@ -158,22 +171,22 @@ class Scene:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height of its pictures, in pixels."""
+        """Width and height of a picture, in pixels."""
         return self._core.size
 
     @property
     def fps(self) -> Fraction:
-        """Frames of the film per second."""
+        """Frames per second of the film."""
         return Fraction(*self._core.fps)
 
     @property
     def duration(self) -> float:
-        """Of the film, in s."""
+        """Length of the film, s."""
         return self._core.duration
 
     @property
     def frame_count(self) -> int:
-        """Of the film."""
+        """How many frames the film has."""
         return self._core.frame_count
 
     def replace(self, overrides: Mapping[str, Any]) -> Scene:
@@ -194,14 +207,14 @@ class Scene:
         and 0. The last bits depend on the span. A scene keeps its latest four spans, so more times of the same span cost
         little.
 
-        Ctrl-C is heard. Raises UsageError for a time that is not finite, and LimitError for one outside the span or so
-        far that the motion is beyond the range of numbers; PhysicsError. Warns of times so far that the attitude is no
-        longer exact to rounding.
+        Ctrl-C ends it. Raises UsageError for a time that is not finite, and LimitError, which is also a ValueError, for
+        one outside the span or so far that the motion is beyond the range of numbers; PhysicsError. A FarTimeWarning
+        reports times so far that the attitude is no longer exact to rounding.
         """
         t = _times.times("times", times)
         rows = self._core.trajectory(t, _times.span(span))
         if rows.note:
-            warnings.warn(rows.note, stacklevel=2)
+            warnings.warn(rows.note, FarTimeWarning, stacklevel=2)
         return Trajectory(
             t=t,
             q_WB=rows.q_WB,
@@ -216,22 +229,22 @@ class Scene:
         )
 
     def info(self) -> dict[str, Any]:
-        """What one would work out by hand: moments, energies, periods, cones, rates. As `poinsot info --json`."""
+        """Returns the dictionary of `poinsot info --json`: moments, energies, periods, cones, rates."""
         facts: dict[str, Any] = json.loads(self._core.info_json())
         return facts
 
     def check(self) -> dict[str, Any]:
-        """What `poinsot check` says of the scene, and what a film of it takes.
+        """Returns the notes that `poinsot check` prints about the scene, and how much memory a film of it takes.
 
-        Returns a dictionary: ok; problems, why no picture can be drawn; notes, what is allowed and may be a slip (both
-        lists of Problem, with file, line, column and message); estimates: frames, film_memory_bytes of a worker that
-        makes the film as an MP4, picture_memory_bytes of render(). load() already raises what is wrong with the text
-        itself, as SceneError.
+        The dictionary has: ok; problems, the reasons why no picture can be drawn; notes, values that are allowed and may
+        be slips (both lists of Problem, with file, line, column and message); estimates: frames, film_memory_bytes of a
+        worker that makes the film as an MP4, picture_memory_bytes of render(), all whole numbers. load() has already
+        raised mistakes in the text itself, as SceneError.
         """
         return _check.check(self._core)
 
     def grade(self, table: Any, *, max_attitude_error: float | str | None = None) -> dict[str, Any]:
-        """How far another engine's trajectory is off the motion of this scene, and from when on.
+        """Measures how far another engine's trajectory is off the motion of this scene, and from when on.
 
         table: a path of a CSV file, a dictionary of arrays, a structured array, a pandas.DataFrame or a Trajectory. Its
             columns are those of `poinsot trajectory`, in any order: t (motion time in s) and at least one of q_w, q_x,
@@ -338,9 +351,11 @@ class Scene:
     ) -> Path:
         """Writes the picture at film time t: .png, .pdf, .svg or .tex, by the name.
 
-        width: on paper, as "86mm": then type and lines have a size in points, and `size` is only the proportion.
-        dpi: pixels to the inch there.
-        force: replaces a file that poinsot did not write. Others as render().
+        width: width on paper, as "86mm". Type and lines then have a size in points, and `size` gives the proportion only.
+        dpi: pixels per inch on paper.
+        force: replaces a file that poinsot did not write.
+
+        Other arguments are those of render(). Ctrl-C stops the program, which may take half a second.
 
         Returns the path. Raises UsageError, LimitError, RenderError, FileError.
         """
@@ -375,18 +390,19 @@ class Scene:
         size: width and height in pixels, in place of the scene's.
         frames: a pair, the first and the last, both included; or a range, as range(0, 10) for frames 0 to 9; all if not
         given.
-        jobs: worker processes; one for each CPU if not given.
+        jobs: how many processes work, 1 to 1024; one for each CPU if not given.
         resume: goes on with what an earlier call that was stopped left.
         force: replaces a file that poinsot did not write.
-        progress: called with how many frames are done, and of how many. What it raises stops the film, as Ctrl-C does.
+        progress: called with how many frames are done, and of how many. What it raises stops the film, as Ctrl-C
+        does within half a second.
 
         Raises UsageError, LimitError, RenderError, FileError.
         """
         file = _arguments.path("path", path)
         first, last = _arguments.frames(frames, self.frame_count) or (0, self.frame_count - 1)
         words = ["--frames", f"{first}-{last}"] if frames is not None else []
-        if jobs is not None:
-            words.append(f"--jobs={_arguments.whole_number('jobs', jobs)}")
+        if (workers := _arguments.jobs(jobs)) is not None:
+            words.append(f"--jobs={workers}")
         if _arguments.flag("resume", resume):
             words.append("--resume")
         if _arguments.flag("force", force):
@@ -407,13 +423,13 @@ class Scene:
         self, command: str, output: str, words: list[str], progress: Callable[[int, int], object] | None = None
     ) -> None:
         """Runs the program on the text that was loaded, whatever is in the scene's file by now."""
-        folder, name = os.path.split(self._source.file_name)
+        folder, name = os.path.split(self._place.file_name)
         with tempfile.TemporaryDirectory(prefix="poinsot-") as scratch:
             copy = Path(scratch) / name
             copy.write_text(self.text, encoding="utf-8")
-            allowed = [f"--asset-root={root}" for root in (folder or ".", *self._source.asset_roots)]
-            allowed += [f"--limit={word}" for word in self._source.limits]
-            overrides = [word for override in self._source.overrides for word in ("-D", override)]
+            allowed = [f"--asset-root={root}" for root in (folder or ".", *self._place.asset_roots)]
+            allowed += [f"--limit={word}" for word in self._place.limits]
+            overrides = [word for override in self._place.overrides for word in ("-D", override)]
             _program.run(command, output, [*words, *allowed, *overrides, "--", str(copy)], progress)
 
     def _repr_png_(self) -> bytes:

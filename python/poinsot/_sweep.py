@@ -15,11 +15,11 @@ _ROUNDING = 1e-15  # of a cosine whose angle is pi/2 or pi
 
 
 def sweep_map(core: _core.Scene, shape: tuple[int, int]) -> dict[str, Any]:
-    """Computes the map as Scene.sweep_map() says."""
+    """Returns the dictionary of Scene.sweep_map()."""
     rows, columns = _checked(shape)
     theta, phi = np.linspace(0, np.pi, rows), np.linspace(0, 2 * np.pi, columns)
     direction_P = _directions(theta[:, np.newaxis], phi[np.newaxis, :])
-    by_row = [_core.stability(core, row) for row in direction_P]  # Ctrl-C is heard between them
+    by_row = [_core.stability(core, row) for row in direction_P]  # Ctrl-C ends it between two rows
     numbers = by_row[0]
     x, y, z = numbers.L_P / np.linalg.norm(numbers.L_P)
     return {
@@ -54,7 +54,7 @@ def _checked(shape: Any) -> tuple[int, int]:
 
 
 def _directions(theta: NDArray[np.float64], phi: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Unit vectors; at right angles to an axis exactly so, where the flip takes for ever."""
+    """Unit vectors. Components that are 0 but for rounding are exactly 0: there the flip takes for ever."""
     parts = np.broadcast_arrays(np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta))
     direction: NDArray[np.float64] = np.stack(parts, axis=-1)
     direction[np.abs(direction) < _ROUNDING] = 0

@@ -2,16 +2,13 @@
 """Times that a caller gives, as seconds."""
 
 import datetime
-import decimal
-import math
-import numbers
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import shown
+from ._arguments import real, shown
 from ._errors import UsageError
 
 #: A time of a function's argument: in s, or with a unit.
@@ -30,8 +27,13 @@ def times(argument: str, it: Any) -> NDArray[np.float64]:
     """
     given = _array(argument, it)
     seconds = _seconds(argument, given)
-    _require(argument, np.isfinite(seconds), lambda index: f"{given[index]}: a time is a finite number of seconds")
+    _require(argument, np.isfinite(seconds), lambda index: f"{shown(given[index])}: a time is a finite number of seconds")
     return seconds
+
+
+def has_unit(it: object) -> bool:
+    """Whether it is a length of time that has its own unit."""
+    return isinstance(it, (datetime.timedelta, np.timedelta64))
 
 
 def span(it: Any) -> tuple[float, float] | None:
@@ -87,6 +89,8 @@ def _seconds(argument: str, given: NDArray[Any]) -> NDArray[np.float64]:
 
 def _of_timedeltas(argument: str, given: NDArray[Any]) -> NDArray[np.float64]:
     unit, count = np.datetime_data(given.dtype)
+    if np.isnat(given).all():
+        return np.full(given.shape, np.nan)
     if unit not in _UNITS:
         raise UsageError(f"{argument}: a timedelta64 without a unit that has a length in seconds ({unit})")
     lengths = given.astype(np.int64).astype(np.float64) * count
@@ -106,12 +110,8 @@ def _of_object(argument: str, it: Any) -> float:
         return float(it.total_seconds())
     if isinstance(it, (np.generic, np.ndarray)):
         return float(times(argument, it)) if np.ndim(it) == 0 else _refuse(argument, it)
-    if isinstance(it, (numbers.Real, decimal.Decimal)) and not isinstance(it, bool):
-        try:
-            return float(it)
-        except OverflowError:
-            return math.inf
-    _refuse(argument, it)
+    seconds = real(it)
+    return _refuse(argument, it) if seconds is None else seconds
 
 
 def _require(argument: str, good: NDArray[np.bool_], why: Callable[[tuple[int, ...]], str]) -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,11 +19,21 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trajectory:
-    """The motion at some times, each array with the shape of `t` in front of the shape of one value.
+    """The motion at some times, as arrays. Each has the shape of `t` in front of the shape of one value.
 
-    B: the body's axes, as the scene describes the body. W: inertial axes, z up.
+    Axes: B those of the body, as the scene describes it; W inertial ones, z up.
+
+    t: motion time, s.
+    q_WB: (..., 4) unit quaternion w, x, y, z, its scalar first, with w >= 0; takes components in B to those in W.
+    q_WB_xyzw: (..., 4) the same with its scalar last.
+    R_WB: (..., 3, 3) the same rotation as a matrix.
+    omega_B, omega_W: (..., 3) angular velocity I^-1 L, in B and in W, rad/s.
+    L_B, L_W: (..., 3) angular momentum, in B and in W, kg m^2/s.
+    T: (...) energy of rotation, J.
+    rate_B, rate_W: (..., 3) rate at which the attitude turns, rad/s: omega, unless motion.dissipation acts.
+    columns: names of the columns of to_frame().
 
     motion[key] selects times as t[key] does: motion[-1], motion[::10], motion[motion.t > 1]. Its arrays are copies.
     """
@@ -37,7 +47,7 @@ class Trajectory:
     T: Array  #: (...) energy of rotation, J
     rate_B: Array  #: (..., 3) rate at which the attitude turns in B, rad/s; omega_B unless motion.dissipation acts
     rate_W: Array  #: (..., 3) the same vector in W
-    columns: tuple[str, ...] = field(repr=False)  #: names of to_frame()'s columns: those of the program's CSV
+    columns: tuple[str, ...]  #: names of to_frame()'s columns: those of the program's CSV
 
     @property
     def L_B(self) -> Array:
@@ -83,6 +93,12 @@ class Trajectory:
             for name, array in arrays.items()
         }
         return Trajectory(**picked, columns=self.columns)
+
+    def __repr__(self) -> str:
+        if self.t.size == 0:
+            return "<poinsot trajectory: 0 times>"
+        count = f"{self.t.size} time{'s' if self.t.size > 1 else ''}"
+        return f"<poinsot trajectory: {count}, from {self.t.min():g} s to {self.t.max():g} s>"
 
     def __iter__(self) -> Iterator[Trajectory]:
         return (self[i] for i in range(len(self)))

@@ -11,11 +11,13 @@ import pickle
 import warnings
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import poinsot
+from poinsot import _errors
 
 OWN = {"body": {"principal_moments": [1, 2, 2.5]}, "motion": {"omega_body": [0.05, 2, 0]}}
 CIRCLE = []
@@ -26,12 +28,19 @@ WRONG = [
     *(b"x", object(), [], (1, "2"), [1, 2, 3], [[1], [1, 2]], {}, {1: 2}, {"x": object()}, {"\ud800": 1}),
     *(range(5, 2), range(0, 9, 2), lambda: None, len, CIRCLE, {"x": CIRCLE}, slice(3), np.arange(3), np.float64(0.5)),
     *(np.ma.array([1.0], mask=[True]), np.array("2001-01-01", "M8[s]"), np.array(3, "m8"), np.array([object()])),
+    *(2**31, 2**40, 10**5000, -(10**400), np.timedelta64(2, "Y"), np.timedelta64("NaT"), np.ma.masked, [None]),
+    *(np.ma.array(np.eye(2), mask=np.eye(2)), np.array([1j]), Decimal("sNaN"), Decimal("1e999"), datetime.date.today()),
 ]
 
 # A good value of each argument that has no default.
 PICTURE = np.zeros((16, 16, 3), np.uint8)
 GOOD = {"path": "scenes/none.toml", "source": OWN, "overrides": {}, "t": 0.0, "times": 0.0}
 GOOD |= {"reference": PICTURE, "test": PICTURE, "table": {"t": [0.0], "T": [1.0], "omega_B": [[0.0, 1.0, 0.0]]}}
+
+
+def called(it):
+    """A value in a test's message: Python writes no integer of 5000 digits."""
+    return f"<{it.bit_length()} bits>" if isinstance(it, int) else f"{it!r:.60}"
 
 
 def functions(scene):
@@ -55,19 +64,114 @@ def test_a_wrong_argument_is_refused_in_the_functions_own_words(tmp_path, racket
             good["path"] = tmp_path / "none" / "a.mp4"  # ends soon where nothing else is wrong
         for parameter in parameters:
             for wrong in WRONG:
-                where = f"{name}({parameter}={wrong!r:.60})"
+                where = f"{name}({parameter}={called(wrong)})"
                 try:
                     with warnings.catch_warnings():
                         warnings.simplefilter("ignore", UserWarning)
                         function(**{**good, parameter: wrong})
-                except (poinsot.Error, TypeError) as error:
+                except poinsot.Error as error:
                     refused += 1
-                    for word in ("--", "_core", "0x", "-D ", "array([", "incompatible"):
+                    for word in ("--", "_core", "0x", "-D ", "array([", "incompatible", "argument must be", "0" * 30):
                         assert word not in str(error), f"{where}: {error}"
                     assert str(error), where
                 except BaseException as error:
                     raise AssertionError(f"{where}: {error!r}") from error
     assert refused > 500
+
+
+NO_DURATIONS = [it for it in WRONG if not (isinstance(it, float) and 0.001 <= it <= 3600)]
+
+
+@pytest.mark.parametrize("wrong", NO_DURATIONS, ids=[called(wrong) for wrong in NO_DURATIONS])
+def test_a_wrong_value_of_a_scene_is_refused_with_its_key(racket, wrong):
+    for given in (wrong, [wrong], {"x": wrong}):
+        with pytest.raises((poinsot.UsageError, poinsot.SceneError)) as caught:
+            racket.replace({"time.duration": given})
+        assert str(caught.value).startswith(("time.duration", "a key of time.duration")), str(caught.value)
+        assert len(str(caught.value)) < 400, "a message shows no large value whole"
+        with pytest.raises((poinsot.UsageError, poinsot.SceneError), match=r"time\.duration|a list that holds itself"):
+            poinsot.loads({**OWN, "time": {"duration": given}})
+
+
+def test_masks_none_and_complex_numbers_are_named_with_their_key():
+    masked = np.ma.array([[2.0, 0, 0], [0, 2, 0], [0, 0, 3]], mask=np.eye(3))
+    for key, wrong, words in (
+        ("body.inertia", masked, r"^body\.inertia: has masked values"),
+        ("body.principal_moments", [1, None, 2], r"^body\.principal_moments\[1\]=None: a scene has"),
+        ("motion.omega_body", np.array([1, 2, 3j]), r"^motion\.omega_body\[0\]=\S*1\+0j\S*: a scene has"),
+        ("body.mass", 10**400, r"^body\.mass=<int>: a number beyond"),
+    ):
+        table, _, name = key.partition(".")
+        with pytest.raises(poinsot.UsageError, match=words):
+            poinsot.loads(OWN, {key: wrong})
+        with pytest.raises(poinsot.UsageError, match=words):
+            poinsot.loads({**OWN, table: {name: wrong}})
+
+
+@pytest.mark.parametrize(
+    ("given", "seconds"),
+    [
+        (np.timedelta64(1500, "ns"), 1.5e-6),
+        (np.timedelta64(2, "s"), 2.0),
+        (np.array(250, "m8[ms]"), 0.25),
+        (datetime.timedelta(milliseconds=300), 0.3),
+        (Decimal("0.3"), 0.3),
+    ],
+)
+def test_a_time_of_a_scene_may_have_its_unit(given, seconds):
+    started = poinsot.loads({**OWN, "time": {"start": given}})
+    assert started.motion_time(0) == seconds  # film time 0 is this motion time
+    assert poinsot.loads(OWN).replace({"time.start": given}).motion_time(0) == seconds
+    with pytest.raises(poinsot.SceneError, match=r"body\.mass.* s"):  # only where a time is meant
+        poinsot.loads({**OWN, "body": {"principal_moments": [1, 2, 2.5], "mass": np.timedelta64(2, "s")}})
+
+
+def test_series_of_pandas_are_vectors_and_paths_are_texts(tmp_path):
+    (tmp_path / "own.toml").write_text('[style]\ntheme = "dark"\n')
+    styled = poinsot.loads(OWN, {"style.file": Path("own.toml")}, folder=tmp_path)
+    assert styled.overrides == {"style.file": "own.toml"}
+    pandas = pytest.importorskip("pandas")
+    moments = pandas.Series([1.0, 2.0, 2.5], index=["a", "b", "c"])
+    assert poinsot.loads(OWN, {"body.principal_moments": moments}).overrides == {"body.principal_moments": [1, 2, 2.5]}
+    with pytest.raises(poinsot.UsageError, match=r"^body\.principal_moments\[1\]"):
+        poinsot.loads(OWN, {"body.principal_moments": pandas.Series([1, None, 2.5], dtype=object)})
+
+
+def test_times_that_are_not_finite_are_shown_short():
+    scene = poinsot.loads(OWN)
+    for wrong in (10**400, [0, 10**5000], np.timedelta64("NaT"), np.array(["NaT"], "m8[s]")):
+        with pytest.raises(poinsot.UsageError, match=r"^times.* = (<int>|NaT): a time is a finite number") as caught:
+            scene.trajectory(wrong)
+        assert len(str(caught.value)) < 100
+
+
+@pytest.mark.parametrize("wrong", [0, -1, 1025, 2**31, 2**40, 1.5, "2", True])
+def test_jobs_are_from_1_to_1024(racket, tmp_path, wrong):
+    for made in (functools.partial(racket.film, tmp_path / "a.mp4"), functools.partial(poinsot.diff, PICTURE, PICTURE)):
+        with pytest.raises(poinsot.UsageError, match="^jobs=.*from 1 to 1024"):
+            made(jobs=wrong)
+
+
+def test_options_in_texts_of_the_user_are_kept(racket):
+    for theme in ("--width 300", "a --resume b"):
+        with pytest.raises(poinsot.SceneError, match=f'got "{theme}"'):
+            racket.replace({"style.theme": theme})
+    source = poinsot.loads(OWN).text + "[style]\ntheme = '--size 3x3' # --force\n"
+    with pytest.raises(poinsot.SceneError, match=r"theme = '--size 3x3' # --force"):
+        poinsot.loads(source)
+    for kept in ("'--width 300'", '"--limit frames=N"', "   1 | name = --force", "`--resume`"):
+        assert _errors.in_python(f"use --force\n{kept}\n--dpi 300") == f"use force=True\n{kept}\ndpi=300"
+
+
+def test_a_scene_takes_no_attributes_and_equals_its_copy(racket):
+    with pytest.raises(AttributeError):
+        racket.foo = 1
+    with pytest.raises(AttributeError):
+        racket.name = "other"
+    again = pickle.loads(pickle.dumps(racket))
+    assert again == racket and hash(again) == hash(racket) and again is not racket
+    assert racket.replace({"style.theme": "dark"}) != racket != racket.text
+    assert poinsot.loads(OWN) == poinsot.loads(OWN) != poinsot.loads(OWN, folder="/") != poinsot.loads(OWN)
 
 
 def test_a_scene_is_made_by_functions():
@@ -208,8 +312,59 @@ def test_a_file_that_cannot_be_read_is_pythons_own_error_too(tmp_path, monkeypat
     error = caught.value
     assert isinstance(error, poinsot.FileError) and (error.errno, error.filename) == (number, name)
     assert str(error).endswith(("directory", "File name too long", "Not a directory"))
+    assert error.strerror == os.strerror(number)
     again = pickle.loads(pickle.dumps(error))
     assert (type(again), str(again), again.errno) == (type(error), str(error), number)
+
+
+def failing_calls(scene, path):
+    """Calls that read or write a file of that name, without its ending."""
+    for suffix, call in ((".png", poinsot.diff), (".mp4", poinsot.diff)):
+        yield functools.partial(call, f"{path}{suffix}", PICTURE)
+        yield functools.partial(call, PICTURE, PICTURE, mask=f"{path}.png")
+    yield functools.partial(scene.grade, f"{path}.csv")
+    yield functools.partial(poinsot.load, f"{path}.toml")
+    for suffix in (".png", ".pdf"):
+        yield functools.partial(scene.save, f"{path}{suffix}", size=(32, 32))
+    yield functools.partial(scene.film, f"{path}.mp4", size=(32, 32), frames=(0, 1))
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "number"),
+    [
+        ("none/x", FileNotFoundError, errno.ENOENT),
+        ("file/x", NotADirectoryError, errno.ENOTDIR),
+        ("x" * 300, OSError, errno.ENAMETOOLONG),
+    ],
+)
+def test_every_function_gives_the_systems_reason(tmp_path, monkeypatch, racket, name, kind, number):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(kind):
+        open(name)  # the oracle
+    for call in failing_calls(racket, name):
+        with pytest.raises(kind) as caught:
+            call()
+        error = caught.value
+        assert isinstance(error, poinsot.FileError), call
+        assert (error.errno, error.strerror) == (number, os.strerror(number)), call
+        assert error.filename and os.path.dirname(name) in error.filename, call
+
+
+def test_a_folder_that_takes_no_files_is_the_systems_error(racket):
+    # Nobody can make a file in /proc, root neither.
+    for made in (functools.partial(racket.save, "/proc/x.png"), functools.partial(racket.film, "/proc/x.mp4")):
+        with pytest.raises((FileNotFoundError, PermissionError)) as caught:
+            made(size=(32, 32))
+        assert isinstance(caught.value, poinsot.FileError) and caught.value.filename.startswith("/proc")
+
+
+def test_a_name_that_is_no_utf8_is_the_errors_filename(tmp_path, racket):
+    name = os.fsdecode(os.fsencode(tmp_path) + b"/\xff/a.mp4")
+    for call in (functools.partial(racket.film, name), functools.partial(poinsot.diff, name, name)):
+        with pytest.raises(FileNotFoundError) as caught:
+            call()
+        assert caught.value.filename in (name, os.path.dirname(name))
 
 
 def test_a_file_that_cannot_be_written_says_why(tmp_path, racket):
@@ -217,8 +372,12 @@ def test_a_file_that_cannot_be_written_says_why(tmp_path, racket):
         racket.film(tmp_path / "none" / "a.mp4")
     assert isinstance(caught.value, poinsot.FileError)
     (tmp_path / "a.png").write_text("a note of mine")
-    with pytest.raises(poinsot.FileError, match="not written by poinsot; force=True replaces it"):
+    with pytest.raises(FileExistsError, match="not written by poinsot; force=True replaces it") as caught:
         racket.save(tmp_path / "a.png")
+    assert isinstance(caught.value, poinsot.FileError) and caught.value.filename == str(tmp_path / "a.png")
+    (tmp_path / "b.png").mkdir()
+    with pytest.raises(IsADirectoryError):
+        racket.save(tmp_path / "b.png", size=(32, 32))
     assert racket.save(tmp_path / "a.png", force=True).read_bytes().startswith(b"\x89PNG")
 
 
@@ -227,6 +386,13 @@ def test_a_program_that_cannot_be_started_is_named_with_its_variable(tmp_path, m
     with pytest.raises(FileNotFoundError, match=r"^POINSOT_PROGRAM=.*nothing: cannot be started") as caught:
         racket.film("a.mp4")
     assert isinstance(caught.value, poinsot.FileError)
+
+
+def test_a_program_that_makes_nothing_is_noticed(tmp_path, monkeypatch, racket):
+    monkeypatch.setenv("POINSOT_PROGRAM", "/bin/true")
+    for name in ("a.mp4", "{frame:03}.png"):
+        with pytest.raises(poinsot.FileError, match="POINSOT_PROGRAM=/bin/true ended well and did not write it"):
+            racket.film(tmp_path / name)
 
 
 def test_more_than_a_limit_allows_is_a_limit_error(tmp_path):

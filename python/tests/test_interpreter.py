@@ -14,6 +14,7 @@ import os, sys, threading, time
 import numpy as np
 import poinsot
 
+random = np.random.default_rng(7)
 BODY = {"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [0.3, 2, 0.1]}}
 DRIVEN = {"motion.torque.body": [0.1, 0.2, 0.3]}
 FILM = {"time.duration": 100, "time.speed": 10}
@@ -22,7 +23,7 @@ def ready():
     print("ready", flush=True)
 """
 
-# Each would take 1 to 15 s. The last waits for a thread that integrates the same motion.
+# Each would take 1 to 15 s. "motion of a thread" waits for a thread that integrates the same motion.
 LONG = {
     "rows": "s = poinsot.loads(BODY); ready(); s.trajectory(np.arange(6e6))",
     "driven motion": "s = poinsot.loads(BODY, DRIVEN); ready(); s.trajectory(1000)",
@@ -37,6 +38,18 @@ time.sleep(0.05)
 ready()
 s.trajectory(300)
 """,
+    # A frame of 1600x900 that differs takes 0.4 s.
+    "films": """
+s = poinsot.loads(BODY, {"output.size": [1600, 900], "time.duration": 0.2})
+names = [s.replace({"time.start": t}).film(f"{FOLDER}/{t}.mp4").path for t in (0, 1)]
+ready()
+poinsot.diff(*names)
+""",
+    "pictures": """
+a, b = (random.integers(0, 255, (3000, 3000, 3), np.uint8) for _ in range(2))
+ready()
+poinsot.diff(a, b)
+""",
 }
 
 
@@ -45,9 +58,9 @@ def run(program, **options):
 
 
 @pytest.mark.parametrize("work", LONG)
-def test_ctrl_c_is_heard_in_half_a_second(work):
+def test_ctrl_c_is_heard_in_half_a_second(work, tmp_path):
     tried = textwrap.indent(LONG[work], "    ")
-    program = f"{PRELUDE}\ntry:\n{tried}\nexcept KeyboardInterrupt:\n    print('heard', flush=True)\n"
+    program = f"{PRELUDE}\nFOLDER = {str(tmp_path)!r}\ntry:\n{tried}\nexcept KeyboardInterrupt:\n    print('heard', flush=True)\n"
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout.readline() == "ready\n"
         time.sleep(0.1)
@@ -85,6 +98,31 @@ if (child := os.fork()) != 0:  # a fork has none of the threads
 print("end")
 """)
     assert (said.stdout.splitlines()[0], said.stderr, said.returncode) == ("end", "", 0)  # used to be aborted
+
+
+def test_a_fork_integrates_what_a_thread_of_its_parent_was_integrating():
+    said = run(f"""{PRELUDE}
+s = poinsot.loads(BODY, DRIVEN)
+threading.Thread(target=s.trajectory, args=[120], daemon=True).start()
+time.sleep(0.1)
+if (child := os.fork()) == 0:
+    print(s.trajectory(100, span=(0, 120)).T == poinsot.loads(BODY, DRIVEN).trajectory(100, span=(0, 120)).T, flush=True)
+    os._exit(0)
+assert os.waitpid(child, 0)[1] == 0
+""")
+    assert (said.stdout, said.stderr, said.returncode) == ("True\n", "", 0)
+
+
+def test_a_handler_may_ask_for_the_motion_that_it_interrupts():
+    said = run(f"""{PRELUDE}
+import signal
+s, heard = poinsot.loads(BODY, DRIVEN), []
+signal.signal(signal.SIGALRM, lambda *_: heard.append(s.trajectory(100, span=(0, 120)).T))
+signal.setitimer(signal.ITIMER_REAL, 0.1)
+own = s.trajectory(100, span=(0, 120)).T
+print(heard == [own])
+""")
+    assert (said.stdout, said.stderr, said.returncode) == ("True\n", "", 0)
 
 
 @pytest.mark.parametrize("before", ["", "import poinsot"])

@@ -68,6 +68,7 @@ def test_threads_share_a_motion():
 def test_a_time_outside_the_span_is_refused():
     with pytest.raises(poinsot.LimitError, match=r"^times\[1\]: t = 3.5 s: .* known from 0 s to 3 s"):
         poinsot.loads(TOP).trajectory([1, 3.5], span=(0, 3))
+    assert issubclass(poinsot.LimitError, ValueError)
     for wrong in ((3, 0), (0, 1, 2), 3, "0-3", (0, float("nan"))):
         with pytest.raises(poinsot.UsageError, match="^span"):
             poinsot.loads(TOP).trajectory(1, span=wrong)

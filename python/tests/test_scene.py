@@ -123,5 +123,6 @@ def test_what_a_scene_says_of_itself(racket):
     assert racket.motion_time(10.0) == pytest.approx(9.0)  # at speed 0.9
     assert racket.motion_time([[0, 1], [2, 3]]).shape == (2, 2)
     assert racket.info()["body_flips"] is True
+    assert type(poinsot.load("scenes/heavy_top.toml").info()["steps"]) is int
     assert "racket" in racket.alt_text()
     assert "tennis_racket" in repr(racket)

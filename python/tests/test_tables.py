@@ -201,15 +201,17 @@ GOOD = {"t": [0.0, 1.0], "omega_B": np.ones((2, 3))}
         ([1, 2], "table: got list"),
         ({}, "no column t"),
         ({"time": [1.0]}, "no column t; is it 'time'"),
-        ({"t": [0, 1]}, "no motion to grade"),
+        ({"t": [0, 1]}, r"table: no motion to grade; give q_WB, an array \(n, 4\), or omega_B, an array \(n, 3\)"),
+        ({"t": [0, 1], "qx": [1, 1], "qy": [0, 0]}, "no motion to grade; .*; got 'qx', 'qy'$"),
         ({"t": [0, 1], "q_w": [1, 1]}, "column q_z is missing"),
-        ({**GOOD, "t": [0, 1, 2]}, "omega_B_x has 2 rows, t has 3"),
+        ({**GOOD, "t": [0, 1, 2]}, "table: omega_B has 2 rows, t has 3"),
         ({**GOOD, "t": [0, np.nan]}, r"t\[1\] = nan: a time is a finite"),
         ({**GOOD, "t": [], "omega_B": np.ones((0, 3))}, "no rows"),
         ({**GOOD, "omega_B": np.ones((3, 2))}, r"omega_B: shape \(3, 2\); its last axis must have 3"),
         ({**GOOD, "omega_B": np.ones((2, 3)) * 1j}, "omega_B: values of the type complex"),
         ({**GOOD, "T": np.array(["a", "b"])}, "T: values of the type <U1"),
-        ({**GOOD, "T": np.array([1, "b"], object)}, "T: real numbers are expected"),
+        ({**GOOD, "T": np.array([1, "b"], object)}, "T: has values that are no real numbers$"),
+        ({**GOOD, "omega_B": np.ma.array(np.ones((2, 3)), mask=np.eye(2, 3))}, r"omega_B: has masked .*\.any\(axis=-1\)$"),
         ({**GOOD, "t": np.ma.array([0, 1], mask=[0, 1])}, r"t\[1\] = masked"),
         ({**GOOD, "t": np.array(["2024-01-01", "2024-01-02"], "M8[D]")}, "t: a time is a number of seconds"),
     ],
@@ -228,5 +230,17 @@ def test_bad_limits_files_and_times_are_refused(racket, tmp_path):
         racket.grade(GOOD, max_attitude_error=1)
     with pytest.raises(poinsot.FileError, match="none.csv"):
         racket.grade(tmp_path / "none.csv")
-    with pytest.raises(poinsot.LimitError, match="so far from the start"):
+    with pytest.raises(poinsot.LimitError, match=r"^t\[1\]: t = 1e\+300 s: so far from the start"):
         racket.grade({**GOOD, "t": [0, 1e300]})
+    with pytest.raises(poinsot.LimitError, match=r"^t\[1\]: .*steps"):
+        racket.replace({"motion.torque.body": [1, 0, 0]}).grade({**GOOD, "t": [0, 1e300]})
+
+
+def test_rows_with_masked_values_are_left_out_as_the_message_says(racket):
+    omega_B = np.ma.array(np.ones((3, 3)), mask=[[0, 0, 1], [0, 0, 0], [0, 0, 0]])
+    t = np.array([0.0, 1.0, 2.0])
+    with pytest.raises(poinsot.UsageError) as caught:
+        racket.grade({"t": t, "omega_B": omega_B})
+    advice = str(caught.value).partition("keep = ")[2]
+    keep = eval(advice, {"numpy": np, "omega_B": omega_B})
+    assert racket.grade({"t": t[keep], "omega_B": omega_B[keep]})["rows"] == 2

@@ -99,7 +99,7 @@ def test_bad_and_far_times():
     with pytest.raises(poinsot.UsageError):
         free().trajectory([0, np.nan])
     for t, words in ((1e14, "no longer exact"), (1e18, "meaningless")):
-        with pytest.warns(UserWarning, match=words):
+        with pytest.warns(poinsot.FarTimeWarning, match=words):
             free().trajectory(t)
     for far in (1e291, -1e300, 1.7e308):
         with pytest.raises(poinsot.LimitError, match="so far from the start"):
@@ -111,3 +111,18 @@ def test_bad_and_far_times():
             {"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [1, 2, 3], "drag": {"rate": [0.1, 0.2, 0.3]}}},
             limits={"steps": 100},
         ).trajectory(1e3)
+
+
+def test_a_trajectory_shows_its_times_on_a_line():
+    scene = free()
+    assert repr(scene.trajectory([[0, 1.5], [3, -1]])) == "<poinsot trajectory: 4 times, from -1 s to 3 s>"
+    assert repr(scene.trajectory(2)) == "<poinsot trajectory: 1 time, from 2 s to 2 s>"
+    assert repr(scene.trajectory([])) == "<poinsot trajectory: 0 times>"
+
+
+def test_each_array_of_a_trajectory_is_documented():
+    documented = poinsot.Trajectory.__doc__
+    arrays = [*vars(free().trajectory(0)), "L_B", "q_WB_xyzw"]
+    assert len(arrays) == 12
+    for name in arrays:
+        assert f" {name}:" in documented or f" {name}, " in documented or f", {name}:" in documented, name
