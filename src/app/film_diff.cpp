@@ -31,7 +31,9 @@ std::string filmsText(image::PixelSize size) {
 
 /// Opens a film if what its header says can be compared within the limits; no larger picture is decoded.
 output::FilmReader opened(const std::filesystem::path& film, const scene::Limits& limits) {
+  core::checkInterruption();
   const image::PixelSize size = output::FilmReader::declaredSize(film);
+  core::checkInterruption();
   expectWithinMemory(compareFilmsMemory_bytes(size), filmsText(size), limits);
   const auto most_bytes = static_cast<double>(limits[scene::Limit::kMemory]);
   return output::FilmReader(film,
