@@ -19,7 +19,8 @@ constexpr std::size_t kMost = 4;  // of up to 60 MB each; most take some kB
 /// Guards the lists of all scenes, and is never held while something is made. A fork holds it, so that the child
 /// gets whole lists and a mutex that it can lock.
 std::mutex listing;
-const int forking = pthread_atfork([] { listing.lock(); }, [] { listing.unlock(); }, [] { listing.unlock(); });
+[[maybe_unused]] const int forking =
+    pthread_atfork([] { listing.lock(); }, [] { listing.unlock(); }, [] { listing.unlock(); });
 
 }  // namespace
 
