@@ -7,11 +7,19 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+
+#include "output/atomic_file.h"
 
 namespace poinsot::app {
 namespace {
@@ -19,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using core::FileHandle;
 
-/// Holds the number of the kernel's start. Made when the lock is held already, removed last.
+/// Holds the number of the kernel's start. Made when the lock is held already, removed when nothing else is left.
 constexpr const char* kClaim = ".poinsot-claim";
 
 /// Differs from one start of a kernel to the next; the same in all its containers. Empty without /proc.
@@ -36,9 +44,31 @@ FileHandle openFolder(const fs::path& path) {
   return FileHandle(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-bool isNamedAsOurs(std::string_view name) {
-  constexpr std::string_view kStart = "poinsot-";
-  return name.starts_with(kStart) && name.size() == kStart.size() + 6;
+/// Begins the name of a folder that is about to be made or removed. It may have no claim, so no folder of other
+/// programs should be named so; the name without the dot is one that they may choose.
+constexpr std::string_view kHidden = ".poinsot-";
+constexpr std::string_view kRandom = "XXXXXX";
+
+bool isHidden(std::string_view name) {
+  return name.starts_with(kHidden) && name.size() == kHidden.size() + kRandom.size();
+}
+
+bool isNamedAsOurs(const std::string& name) { return isHidden(name) || isHidden('.' + name); }
+
+bool isFreeName(const fs::path& path) {
+  struct stat ignored {};
+  return ::lstat(path.c_str(), &ignored) != 0 && errno == ENOENT;
+}
+
+/// Gives a folder another name beside it, which must be free. Returns the name that it has then.
+fs::path renamed(const fs::path& folder, const std::string& name) {
+  fs::path other = folder.parent_path() / name;
+  return isFreeName(other) && std::rename(folder.c_str(), other.c_str()) == 0 ? other : folder;
+}
+
+fs::path hidden(const fs::path& folder) {
+  const std::string name = folder.filename();
+  return isHidden(name) ? folder : renamed(folder, '.' + name);
 }
 
 bool isOurs(const struct stat& facts, mode_t mode) {
@@ -62,10 +92,11 @@ bool isStillAt(const fs::path& path, const FileHandle& folder) {
          here.st_ino == there.st_ino;
 }
 
-bool isAbandoned(const fs::path& path, const FileHandle& folder, const std::string& kernel) {
+/// Whether nobody else holds a folder of this user's. It is locked then, so nobody else removes it.
+bool isFree(const fs::path& path, const FileHandle& folder) {
   struct stat facts {};
-  return folder && ::fstat(folder.get(), &facts) == 0 && isOurs(facts, S_IFDIR | 0700) &&
-         claimIn(folder) == kernel && lock(folder) && isStillAt(path, folder);
+  return folder && ::fstat(folder.get(), &facts) == 0 && isOurs(facts, S_IFDIR | 0700) && lock(folder) &&
+         isStillAt(path, folder);
 }
 
 /// Links within are removed, not followed. @returns whether nothing but the claim is left.
@@ -81,30 +112,63 @@ bool removeContent(const fs::path& folder) {
   return all && !failure;
 }
 
+/// Whether there is nothing in a folder but, at most, a claim that was not written.
+bool isHollow(const fs::path& folder) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+    std::error_code unread;
+    if (entry->path().filename() != kClaim || fs::file_size(entry->path(), unread) != 0 || unread) return false;
+  }
+  return !failure;
+}
+
 void removeIfAbandoned(const fs::path& path, const std::string& kernel) {
   const FileHandle folder = openFolder(path);
-  if (!isAbandoned(path, folder, kernel)) return;
+  if (!isFree(path, folder)) return;
   // The handle is used, so that nothing is found elsewhere.
   const fs::path within = fs::path("/proc/self/fd") / std::to_string(folder.get());
-  if (removeContent(within) && ::unlinkat(folder.get(), kClaim, 0) == 0) ::rmdir(path.c_str());
+  const bool isClaimed = claimIn(folder) == kernel;
+  if (!isClaimed && !(isHidden(path.filename().native()) && isHollow(within))) return;
+  const fs::path last = hidden(path);
+  if (isClaimed && !removeContent(within)) return;
+  if (::unlinkat(folder.get(), kClaim, 0) == 0 || errno == ENOENT) ::rmdir(last.c_str());
+}
+
+/// Locks and marks a new folder. Returns nothing if another process took it for abandoned before.
+std::optional<FileHandle> claim(const fs::path& folder) {
+  FileHandle handle = openFolder(folder);
+  if (!handle) return errno == ENOENT ? std::nullopt : std::optional(FileHandle());
+  if (!lock(handle)) return errno == EWOULDBLOCK ? std::nullopt : std::optional(FileHandle());
+  const FileHandle file(::openat(handle.get(), kClaim, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  if (!file && errno == ENOENT) return std::nullopt;
+  // If this fails, nobody takes the folder from a process that lives, but after a kill it may stay.
+  const std::string kernel = kernelStart();
+  if (file) output::writeAll(file.get(), {reinterpret_cast<const std::uint8_t*>(kernel.data()), kernel.size()});
+  return handle;
 }
 
 }  // namespace
 
-FileHandle claimFolder(const fs::path& folder) {
-  FileHandle handle = openFolder(folder);
-  const std::string kernel = kernelStart();
-  if (kernel.empty() || !handle || !lock(handle)) return FileHandle();
-  const FileHandle file(::openat(handle.get(), kClaim, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
-  // Half a number is none of a kernel's, so a failure here only means that the folder stays.
-  if (!file || ::write(file.get(), kernel.data(), kernel.size()) < 0) return FileHandle();
-  return handle;
+ClaimedFolder makeClaimedFolder(const fs::path& place) {
+  constexpr int kAttempts = 100;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    std::string made = place / (std::string(kHidden) + std::string(kRandom));
+    if (!::mkdtemp(made.data())) return ClaimedFolder();
+    std::optional<FileHandle> handle = claim(made);
+    if (!handle) continue;
+    fs::path path = renamed(made, fs::path(made).filename().native().substr(1));
+    if (path != made) return {std::move(path), std::move(*handle)};
+    removeClaimedFolder(path);
+  }
+  errno = EAGAIN;
+  return ClaimedFolder();
 }
 
 void removeClaimedFolder(const fs::path& folder) {
   std::error_code ignored;
-  removeContent(folder);
-  fs::remove_all(folder, ignored);
+  const fs::path last = hidden(folder);
+  removeContent(last);
+  fs::remove_all(last, ignored);
 }
 
 void removeAbandonedFolders(const fs::path& place) noexcept {
@@ -113,7 +177,7 @@ void removeAbandonedFolders(const fs::path& place) noexcept {
     if (kernel.empty()) return;
     std::error_code ignored;
     for (fs::directory_iterator entry(place, ignored), end; !ignored && entry != end; entry.increment(ignored))
-      if (isNamedAsOurs(entry->path().filename().native())) removeIfAbandoned(entry->path(), kernel);
+      if (isNamedAsOurs(entry->path().filename())) removeIfAbandoned(entry->path(), kernel);
   } catch (const std::exception&) {  // out of memory: the next start removes them
   }
 }

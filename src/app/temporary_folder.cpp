@@ -10,7 +10,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/abandoned_folders.h"
 #include "core/file_error.h"
 #include "core/text.h"
 
@@ -26,20 +25,18 @@ namespace fs = std::filesystem;
                         place, why.value());
 }
 
-/// An empty path and errno if none can be made.
-fs::path makeFolderIn(const fs::path& place) {
+ClaimedFolder makeFolderIn(const fs::path& place) {
   removeAbandonedFolders(place);
-  std::string name = place / "poinsot-XXXXXX";
-  return ::mkdtemp(name.data()) ? fs::path(name) : fs::path();
+  return makeClaimedFolder(place);
 }
 
-fs::path makeFolder() {
+ClaimedFolder makeFolder() {
   std::error_code why;
   const fs::path place = fs::temp_directory_path(why);
   const char* asked = std::getenv("TMPDIR");
   if (why) refuse(asked ? asked : "/tmp", why);
-  fs::path made = makeFolderIn(place);
-  if (made.empty()) refuse(place, std::error_code(errno, std::generic_category()));
+  ClaimedFolder made = makeFolderIn(place);
+  if (made.path.empty()) refuse(place, std::error_code(errno, std::generic_category()));
   return made;
 }
 
@@ -47,16 +44,16 @@ fs::path makeFolder() {
 
 TemporaryFolder::TemporaryFolder() : TemporaryFolder(makeFolder()) {}
 
-TemporaryFolder::TemporaryFolder(fs::path path) : path_(std::move(path)), claim_(claimFolder(path_)) {}
+TemporaryFolder::TemporaryFolder(ClaimedFolder folder) : folder_(std::move(folder)) {}
 
 TemporaryFolder TemporaryFolder::inMemory() {
-  fs::path made = makeFolderIn("/dev/shm");
-  return made.empty() ? TemporaryFolder() : TemporaryFolder(std::move(made));
+  ClaimedFolder made = makeFolderIn("/dev/shm");
+  return made.path.empty() ? TemporaryFolder() : TemporaryFolder(std::move(made));
 }
 
 TemporaryFolder::~TemporaryFolder() {
   try {
-    removeClaimedFolder(path_);
+    removeClaimedFolder(folder_.path);
   } catch (const std::bad_alloc&) {
     // It is under TMPDIR, where the system clears up.
   }

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/file_handle.h"
+#include "app/abandoned_folders.h"
 
 namespace poinsot::app {
 
@@ -19,13 +19,12 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.path; }
 
  private:
-  explicit TemporaryFolder(std::filesystem::path path);
+  explicit TemporaryFolder(ClaimedFolder folder);
 
-  std::filesystem::path path_;
-  core::FileHandle claim_;
+  ClaimedFolder folder_;
 };
 
 }  // namespace poinsot::app

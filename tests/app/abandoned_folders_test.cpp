@@ -86,6 +86,14 @@ class AbandonedFolders : public testing::Test {
     return owner.folder();
   }
 
+  /// Temporary folders, by any of their names.
+  std::vector<std::string> left() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(place_.path()))
+      if (entry.path().filename().native().find("poinsot-") != std::string::npos) names.push_back(entry.path());
+    return names;
+  }
+
   /// Only root can; for others it is made to differ in its mode.
   static void giveAway(const fs::path& path) {
     if (::chown(path.c_str(), 65534, 65534) != 0) ::chmod(path.c_str(), 0500);
@@ -116,11 +124,7 @@ TEST_F(AbandonedFolders, StayWhileTheirProcessLives) {
 }
 
 TEST_F(AbandonedFolders, StayWhileAForkOfTheirProcessLives) {
-  const ScratchFolder folder;
-  const fs::path path = place_ / "poinsot-abcdef";
-  fs::create_directory(path);
-  ::chmod(path.c_str(), 0700);
-  core::FileHandle claim = claimFolder(path);
+  auto [path, claim] = makeClaimedFolder(place_.path());
   ASSERT_TRUE(claim);
   const pid_t fork = ::fork();
   if (fork == 0)
@@ -170,6 +174,49 @@ TEST_F(AbandonedFolders, AreRemovedOnlyIfNothingSpeaksAgainstIt) {
   }
 }
 
+/// Every state that a kill between two calls leaves while a folder is made or removed.
+TEST_F(AbandonedFolders, AreRemovedHoweverFarTheirMakingOrRemovalWas) {
+  const std::string claim = ".poinsot-claim";
+  const std::vector<std::function<void(const fs::path&)>> states{
+      [](const fs::path&) {},                                                 // all is there
+      [](const fs::path& folder) { fs::remove_all(folder / "a"); },           // some is
+      [&](const fs::path& folder) { fs::remove(folder / claim); },            // nothing is
+      [&](const fs::path& folder) { std::ofstream(folder / claim) << ""; }};  // claimed in part
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const fs::path folder = abandoned(), hidden = place_ / ("." + folder.filename().native());
+    fs::rename(folder, hidden);
+    if (i > 1) {
+      fs::remove_all(hidden / "a");
+      fs::remove(hidden / "links");
+    }
+    states[i](hidden);
+    removeAbandonedFolders(place_.path());
+    EXPECT_FALSE(fs::exists(hidden)) << i;
+  }
+}
+
+/// A folder that another program has just made by mktemp.
+TEST_F(AbandonedFolders, LeavesEmptyFoldersOfOthers) {
+  const ScratchFolder others;
+  ASSERT_TRUE(others.path().filename().native().starts_with("poinsot-"));
+  removeAbandonedFolders(others.path().parent_path());
+  EXPECT_TRUE(fs::exists(others.path()));
+}
+
+/// A process ends, at one moment after the other, while it makes and removes folders.
+TEST_F(AbandonedFolders, AreRemovedAfterAKillAtAnyMoment) {
+  for (int wait_us = 20; wait_us < 6000; wait_us += 40) {
+    const pid_t owner = fork();
+    if (owner == 0)
+      for (;;) const TemporaryFolder folder;
+    usleep(static_cast<useconds_t>(wait_us));
+    ::kill(owner, SIGKILL);
+    waitpid(owner, nullptr, 0);
+  }
+  removeAbandonedFolders(place_.path());
+  EXPECT_THAT(left(), IsEmpty());
+}
+
 TEST_F(AbandonedFolders, AreRemovedWhileManyStartAtOnce) {
   std::vector<Owner> owners(12);
   for (Owner& owner : owners) owner.kill();
@@ -188,10 +235,7 @@ TEST_F(AbandonedFolders, AreRemovedWhileManyStartAtOnce) {
     EXPECT_EQ(status, 0);
   }
   removeAbandonedFolders(place_.path());
-  std::vector<std::string> left;
-  for (const auto& entry : fs::directory_iterator(place_.path()))
-    if (entry.path().filename().native().starts_with("poinsot-")) left.push_back(entry.path());
-  EXPECT_THAT(left, IsEmpty());
+  EXPECT_THAT(left(), IsEmpty());
 }
 
 }  // namespace
