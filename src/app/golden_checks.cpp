@@ -8,9 +8,11 @@
 #include <set>
 #include <system_error>
 
+#include "app/golden_files.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/file_names.h"
+#include "output/film_reader.h"
 #include "scene/problem.h"
 
 namespace poinsot::app {
@@ -40,7 +42,8 @@ struct SuiteFile {
 };
 
 std::string textOf(const SuiteFile& file) {
-  return fmt::format("{} of test '{}' (line {})", file.use, file.of->test.name, file.of->test.at.line);
+  const GoldenTest& test = file.of->test;
+  return fmt::format("{} of test '{}' (line {}{})", file.use, test.name, test.at.line, matchedText(test, ": "));
 }
 
 /// Returns the message about two uses of one file, with the change to make.
@@ -150,6 +153,21 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
                                   known.empty() ? "there are none with a variant"
                                                 : fmt::format("there are {}", fmt::join(known, ", ")),
                                   approveBy));
+  }
+}
+
+void enterPatterns(output::RunFiles& files, const GoldenManifest& manifest) {
+  const GoldenTest* last = nullptr;  // those of a pattern follow each other
+  for (const GoldenTest& test : manifest.tests) {
+    if (!isPattern(test.file) || (last && last->at.line == test.at.line)) continue;
+    last = &test;
+    const bool isImage = test.scene.empty();
+    files.readsMatching(
+        [&test, isImage](const fs::path& file) {
+          return (!isImage || output::isPictureOrFilmName(file)) && isMatch(test.folder, test.file, file);
+        },
+        fmt::format("{} '{}' (line {})", isImage ? "test.image" : "test.scene", core::printable(test.file),
+                    test.at.line));
   }
 }
 

@@ -16,6 +16,10 @@ namespace poinsot::app {
 void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& request,
                          const std::string& approveBy);
 
+/// Enters the patterns of scenes and images: a file that the run writes must be none that a pattern takes up at
+/// the next run. @param manifest  lives as long as `files`
+void enterPatterns(output::RunFiles& files, const GoldenManifest& manifest);
+
 /// Checks that no two files of a suite are one: references and their descriptions, images and masks, new pictures
 /// and maps. Folders are compared with their links followed. Letters in capitals or not are the same where the
 /// file system of the references or of `output` takes them so.

@@ -45,6 +45,24 @@ void collect(const fs::path& folder, fs::path::iterator part, const fs::path::it
   }
 }
 
+/// Whether the parts of a path from `name` on are what the parts of a pattern from `part` on mean.
+bool matches(fs::path::iterator part, const fs::path::iterator end, fs::path::iterator name,
+             const fs::path::iterator nameEnd) {
+  if (part == end || name == nameEnd) return part == end && name == nameEnd;
+  const bool isSeen = !name->native().starts_with('.');
+  if (*part == "**")
+    return matches(std::next(part), end, name, nameEnd) ||
+           (isSeen && matches(part, end, std::next(name), nameEnd));
+  return isSeen && core::matchesWildcard(part->native(), name->native()) &&
+         matches(std::next(part), end, std::next(name), nameEnd);
+}
+
+/// The path of a file that may be missing, with the links among its folders followed.
+fs::path withoutLinks(const fs::path& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(file, ignored).parent_path(), ignored) / file.filename();
+}
+
 /// A pattern in two: the folder before its first star, and the parts from there on; the last part is among them.
 struct SplitPattern {
   fs::path folder, rest;
@@ -78,6 +96,12 @@ std::vector<MatchedFile> filesMatching(const fs::path& folder, const std::string
     matched.push_back({file, (name.parent_path() / name.stem()).native()});
   }
   return matched;
+}
+
+bool isMatch(const fs::path& folder, const std::string& pattern, const fs::path& file) {
+  const auto [fixed, rest] = split(folder, pattern);
+  const fs::path name = withoutLinks(file).lexically_relative(withoutLinks(fixed / "x").parent_path());
+  return matches(rest.begin(), rest.end(), name.begin(), name.end());
 }
 
 }  // namespace poinsot::app

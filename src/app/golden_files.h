@@ -25,4 +25,7 @@ std::filesystem::path fixedFolder(const std::filesystem::path& folder, const std
 /// folders are not followed, hidden files and folders not looked at.
 std::vector<MatchedFile> filesMatching(const std::filesystem::path& folder, const std::string& path);
 
+/// Whether a pattern means this file, if it is made: by its name, and where links among the folders lead.
+bool isMatch(const std::filesystem::path& folder, const std::string& pattern, const std::filesystem::path& file);
+
 }  // namespace poinsot::app

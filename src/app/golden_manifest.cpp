@@ -231,6 +231,7 @@ class Reader {
     const char* key = isImage ? "test.image" : "test.scene";
     const fs::path& folder = isImage ? images_ : folder_;
     test.file = path;
+    test.folder = folder;
     test.at = locationOf(node.place);
     if (test.name.empty()) test.name = "*";
     test.namePattern = test.name;
@@ -267,14 +268,19 @@ class Reader {
                               core::printable(name)));
   }
 
+  static std::string lineOf(const GoldenTest& test) {
+    return fmt::format("line {}{}", test.at.line, matchedText(test, ", of "));
+  }
+
   /// `file` stands for the * of a test's name, or is the name.
   void add(GoldenTest test, const std::string& file, const Node& node) {
     test.name = filledIn(test.name, file);
     if (!isName(test.name)) return refuseName(test.name, node);
-    const auto [first, isNew] = names_.try_emplace(test.name, test.at.line);
+    const auto [first, isNew] = names_.try_emplace(test.name, lineOf(test));
     if (!isNew)
-      return problems_.add(node.place, fmt::format("test.name: {} is the name of another test, that of line {}",
-                                                   test.name, first->second));
+      return problems_.add(
+          node.place, fmt::format("test.name: {}{} is the name of another test, that of {}; choose another name",
+                                  test.name, matchedText(test, " of "), first->second));
     manifest_.tests.push_back(std::move(test));
   }
 
@@ -283,10 +289,15 @@ class Reader {
   const scene::Allowance& allowance_;
   scene::Problems problems_;
   GoldenManifest manifest_;
-  std::map<std::string, int> names_;  ///< of tests, and the lines of their [[test]]
+  std::map<std::string, std::string> names_;  ///< of tests, and where their [[test]] are
 };
 
 }  // namespace
+
+std::string matchedText(const GoldenTest& test, std::string_view before) {
+  const fs::path& file = test.scene.empty() ? test.image : test.scene;
+  return isPattern(test.file) ? fmt::format("{}{}", before, core::printable(file.native())) : "";
+}
 
 GoldenManifest parseGoldenManifest(std::string text, const fs::path& file, const scene::Allowance& allowance,
                                    const fs::path& images) {

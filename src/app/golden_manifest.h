@@ -16,9 +16,10 @@ namespace poinsot::app {
 /// One [[test]]: a scene, drawn at some times, or a picture that somebody else makes.
 struct GoldenTest {
   std::string name;
-  std::filesystem::path scene;  ///< drawn; empty if there is an image
-  std::filesystem::path image;  ///< PNG or film that another program makes; empty if there is a scene
-  std::string file;             ///< the one that is not empty, as the manifest has it: perhaps a pattern
+  std::filesystem::path scene;   ///< drawn; empty if there is an image
+  std::filesystem::path image;   ///< PNG or film that another program makes; empty if there is a scene
+  std::string file;              ///< the one that is not empty, as the manifest has it: perhaps a pattern
+  std::filesystem::path folder;  ///< `file` is a path from here
   std::string namePattern;   ///< name as the manifest has it, "*" without one; beneath it all names of the files
   bool isUnmatched = false;  ///< whether `image` is a pattern that matches no file
   std::vector<double> times_s;  ///< film times; empty: the scene's time.still
@@ -31,6 +32,9 @@ struct GoldenTest {
   std::string variant;                 ///< of an image: what made it, where references differ by that
   PictureRule rule;
 };
+
+/// Returns the file that a test is of, after `before`, if the test is one of a pattern; else nothing.
+std::string matchedText(const GoldenTest& test, std::string_view before);
 
 /// A golden.toml.
 struct GoldenManifest {

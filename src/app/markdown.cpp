@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "core/text.h"
 
@@ -56,7 +59,18 @@ std::string tableOf(const std::vector<Outcome>& outcomes, const OutcomeReport& r
          rows;
 }
 
+bool isMarkdown(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const char* summary = std::getenv("GITHUB_STEP_SUMMARY");
+  return file.extension() == ".md" || (summary && std::filesystem::equivalent(file, summary, ignored));
+}
+
 }  // namespace
+
+const output::FileKind& markdownKind() {
+  static const output::FileKind kind{"a NAME.md, or the file that GITHUB_STEP_SUMMARY names", isMarkdown};
+  return kind;
+}
 
 std::string markdownOf(const std::vector<Outcome>& outcomes, const OutcomeReport& report) {
   const auto failures = countFailures(outcomes, report.exact);

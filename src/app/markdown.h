@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "app/outcome.h"
+#include "output/file_kind.h"
 
 namespace poinsot::app {
+
+/// A file that a table of outcomes may be added to: NAME.md, or the one that GITHUB_STEP_SUMMARY names.
+const output::FileKind& markdownKind();
 
 /// The outcomes in GitHub's Markdown, for the summary of a job: the counts, a table of what does not pass (fifty
 /// at most), the command that approves it and the page with the pictures.

@@ -136,7 +136,7 @@ void enterFiles(const DiffOptions& options, const app::DiffRequest& request, con
   if (!options.curve.empty()) files.writes(options.curve, "--curve", app::curveKind(options.curve));
   files.writes(options.report, "--report", app::reportKind());
   files.writes(options.junit, "--junit", app::junitKind());
-  files.addsTo(options.markdown, "--markdown");
+  files.addsTo(options.markdown, "--markdown", app::markdownKind());
 }
 
 /// Compares in one of the three ways, and writes what was asked for about it.
@@ -352,7 +352,7 @@ void addDiff(CLI::App& program, Action& chosen) {
       ->check(notEmpty());
   command
       ->add_option("--markdown", options->markdown,
-                   "add a table in Markdown to a file, such as $GITHUB_STEP_SUMMARY")
+                   "add a table in Markdown to a NAME.md, or to $GITHUB_STEP_SUMMARY")
       ->type_name("FILE")
       ->check(notEmpty());
   command

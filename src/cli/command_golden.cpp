@@ -93,7 +93,7 @@ void enterReports(output::RunFiles& files, const GoldenOptions& options) {
   files.writes(options.report, "--report", app::reportKind());
   files.writes(options.junit, "--junit", app::junitKind());
   files.writes(options.outcome, "--outcome", app::outcomeScriptKind());
-  files.addsTo(options.markdown, "--markdown");
+  files.addsTo(options.markdown, "--markdown", app::markdownKind());
 }
 
 /// One run of a suite.
@@ -179,6 +179,7 @@ class Golden {
       files_.reads(one.test.scene.empty() ? one.actual : one.test.scene, "the suite's file");
       files_.reads(one.test.rule.mask, "the suite's file");
     }
+    app::enterPatterns(files_, manifest_);
     enterReferences(cases);
     for (const app::GoldenCase& one : cases)
       if (!one.test.isUnmatched && !options_.unused) app::enterFilesMade(files_, one, request_.output);

@@ -35,7 +35,7 @@ void addGoldenOptions(CLI::App& command, GoldenOptions& options) {
       ->check(notEmpty());
   command
       .add_option("--markdown", options.markdown,
-                  "add a table in Markdown to a file, such as $GITHUB_STEP_SUMMARY")
+                  "add a table in Markdown to a NAME.md, or to $GITHUB_STEP_SUMMARY")
       ->type_name("FILE")
       ->check(notEmpty());
   command.add_flag("--json", options.json, "the outcome as a JSON object, with the figures that diff has");

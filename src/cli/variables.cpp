@@ -20,6 +20,7 @@ constexpr Variable kVariables[] = {
     {"XDG_CONFIG_HOME", "folder of poinsot/defaults.toml and poinsot/limits.toml, in place of ~/.config"},
     {"TMPDIR", "folder for temporary files, in place of /tmp"},
     {"CI", "unless empty, 0 or false: golden and diff approve nothing"},
+    {"GITHUB_STEP_SUMMARY", "file that --markdown may add to, whatever its name is"},
     {"CI_PROJECT_DIR", "folder that the paths of attachments in JUnit reports start from"},
     {"NO_COLOR", "no colour in messages on a terminal"},
     {"TERM", "dumb: no colour and no progress line on a terminal"},

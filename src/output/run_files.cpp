@@ -29,6 +29,14 @@ void RunFiles::expectApart(const Entry& earlier, const Entry& later) {
                                 other.isOutput ? "writes, too" : "reads"));
 }
 
+void RunFiles::expectApart(const Entry& entry, const Pattern& pattern) {
+  if (!entry.isOutput || !pattern.matches(entry.file)) return;
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("{} would be a file that {} matches, so the next run would take it up; choose "
+                                "another name or folder",
+                                words(entry.file, entry.role), pattern.words));
+}
+
 void RunFiles::enter(Entry entry) {
   if (entry.file.empty()) return;
   const auto [sameName, newName] = byName_.try_emplace(names_.of(entry.file), entries_.size());
@@ -38,7 +46,13 @@ void RunFiles::enter(Entry entry) {
     const auto [sameFile, newFile] = byNumber_.try_emplace({status.st_dev, status.st_ino}, entries_.size());
     if (!newFile) expectApart(entries_[sameFile->second], entry);
   }
+  for (const Pattern& pattern : patterns_) expectApart(entry, pattern);
   entries_.push_back(std::move(entry));
+}
+
+void RunFiles::readsMatching(std::function<bool(const path&)> matches, std::string pattern) {
+  patterns_.push_back({std::move(matches), std::move(pattern)});
+  for (const Entry& entry : entries_) expectApart(entry, patterns_.back());
 }
 
 void RunFiles::reads(const path& file, std::string_view role) { enter({file, std::string(role), false}); }
@@ -57,10 +71,10 @@ void RunFiles::writesInNewFolder(const path& file, std::string_view role, const 
   checkTargetInNewFolder(file, force_, kind);
 }
 
-void RunFiles::addsTo(const path& file, std::string_view role) {
+void RunFiles::addsTo(const path& file, std::string_view role, const FileKind& kind) {
   if (file.empty()) return;
   claims(file, role);
-  checkAddedTo(file);
+  checkAddedTo(file, force_, kind);
 }
 
 void RunFiles::writes(const FramePattern& pattern, std::int64_t first, std::int64_t last, std::string_view role) {

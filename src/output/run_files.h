@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -29,6 +30,10 @@ class RunFiles {
   /// Enters an input. @throws core::Error(kUsage) if an output is the same file.
   void reads(const std::filesystem::path& file, std::string_view role);
 
+  /// Enters all files, there or not, that a pattern matches: the next run would read an output among them.
+  /// @param pattern  its words for messages. @throws core::Error(kUsage) if an output is one of them.
+  void readsMatching(std::function<bool(const std::filesystem::path&)> matches, std::string pattern);
+
   /// Enters an output that replaces earlier ones of its kind, or any regular file with --force.
   /// @throws core::Error(kUsage) if another file of the run is the same; core::Error(kIo) as checkTarget().
   void writes(const std::filesystem::path& file, std::string_view role, const FileKind& kind = drawnKind());
@@ -37,9 +42,10 @@ class RunFiles {
 
   /// Likewise where missing folders above the file are made for it. @throws as writes().
   void writesInNewFolder(const std::filesystem::path& file, std::string_view role, const FileKind& kind);
-  /// Enters an output that text is added to, whatever it holds. @throws core::Error(kUsage) as writes();
-  /// core::Error(kIo) if it cannot be added to.
-  void addsTo(const std::filesystem::path& file, std::string_view role);
+  /// Enters an output that text is added to, if it is missing, empty or of the kind, or any regular file with
+  /// --force.
+  /// @throws core::Error(kUsage) as writes(); core::Error(kIo) as checkAddedTo().
+  void addsTo(const std::filesystem::path& file, std::string_view role, const FileKind& kind);
 
   /// Enters a name without a look at what is there. @throws core::Error(kUsage) as writes().
   void claims(const std::filesystem::path& name, std::string_view role);
@@ -50,12 +56,18 @@ class RunFiles {
     std::string role;
     bool isOutput = false;
   };
+  struct Pattern {
+    std::function<bool(const std::filesystem::path&)> matches;
+    std::string words;
+  };
   void enter(Entry entry);
   /// @throws core::Error(kUsage) if one of the two is an output.
   static void expectApart(const Entry& earlier, const Entry& later);
+  static void expectApart(const Entry& entry, const Pattern& pattern);
 
   bool force_;
   std::vector<Entry> entries_;
+  std::vector<Pattern> patterns_;
   std::map<std::string, std::size_t> byName_;                ///< index of an entry
   std::map<std::pair<dev_t, ino_t>, std::size_t> byNumber_;  ///< of those that exist
   FileNames names_;

@@ -94,11 +94,15 @@ void checkTargetInNewFolder(const std::filesystem::path& target, bool force, con
   if (folder == folderOf(target)) checkExisting(target, force, kind);
 }
 
-void checkAddedTo(const std::filesystem::path& target) {
+void checkAddedTo(const std::filesystem::path& target, bool force, const FileKind& kind) {
   checkName(target);
   struct stat status {};
   if (::stat(target.c_str(), &status) < 0) return checkFolder(folderOf(target));
-  if (S_ISDIR(status.st_mode)) refuse(target, EISDIR, "is a folder; text is added to a file");
+  if (!S_ISREG(status.st_mode))
+    refuse(target, S_ISDIR(status.st_mode) ? EISDIR : EEXIST,
+           fmt::format("is {}; text is added to regular files", kindOf(status.st_mode)));
+  if (!force && status.st_size > 0 && !kind.isOwn(target))
+    refuse(target, EEXIST, fmt::format("exists and is not {}; --force adds to it", kind.name));
   if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) < 0) refuseByErrno(target, "cannot be added to: ");
 }
 

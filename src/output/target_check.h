@@ -18,9 +18,9 @@ void checkTarget(const std::filesystem::path& target, bool force, const FileKind
 /// Likewise where missing folders above the target are made for it: the nearest one that exists must be writable.
 void checkTargetInNewFolder(const std::filesystem::path& target, bool force, const FileKind& kind);
 
-/// Fails early where text could not be added to a file, or the file could not be made.
-/// @throws core::Error(kIo) as checkTarget().
-void checkAddedTo(const std::filesystem::path& target);
+/// Fails early where text could not or should not be added to a file, or the file could not be made: a regular
+/// file that is there must be empty or of the kind, unless `force`. @throws core::Error(kIo) as checkTarget().
+void checkAddedTo(const std::filesystem::path& target, bool force, const FileKind& kind);
 
 /// Likewise checks every frame first..last of a sequence. Its folder may be missing if the folder above exists.
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force);

@@ -3,6 +3,7 @@
 // files are written chunk by chunk, so that what is equal and what is not is known from the PNG specification.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -431,6 +432,31 @@ TEST_F(DiffReports, AreReadByContinuousIntegration) {
   EXPECT_THAT(table, HasSubstr("```sh\npoinsot diff old new --update "));
   EXPECT_EQ(diff({"old", "old", "--markdown", "m.md"}).exitCode, 0);
   EXPECT_EQ(bytesOf(folder_ / "m.md"), table + "### old and old: passed\n\n3 identical\n");  // is added to
+}
+
+// GitHub gives the summary of a step any name, so its variable says which file it is.
+TEST_F(DiffReports, AddMarkdownToNoFileOfAnotherKind) {
+  const std::string picture = bytesOf(folder_ / "new/x[1].png");
+  folder_.put("film.mp4", picture);
+  folder_.put("summary", "# Job\n");
+  const auto added = [&](const char* file, const std::string& summary = "", const char* more = "--quiet") {
+    return run(folder_, {"diff", "old", "old", "--markdown", file, more}, Stdout::kFile,
+               {"GITHUB_STEP_SUMMARY=" + summary});
+  };
+  const RunResult refused = added("film.mp4");
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_EQ(refused.err,
+            "poinsot: error: film.mp4: exists and is not a NAME.md, or the file that GITHUB_STEP_SUMMARY names; "
+            "--force adds to it\n");
+  EXPECT_EQ(bytesOf(folder_ / "film.mp4"), picture);
+  EXPECT_EQ(added("summary").exitCode, 4);
+  EXPECT_EQ(added("summary", (folder_ / "summary").string()).exitCode, 0);
+  EXPECT_THAT(bytesOf(folder_ / "summary"), StartsWith("# Job\n### old and old: passed"));
+  EXPECT_EQ(added("film.mp4", "", "--force").exitCode, 0);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.md").c_str(), 0600), 0);
+  const RunResult pipe = added("pipe.md");
+  EXPECT_EQ(pipe.exitCode, 4);
+  EXPECT_THAT(pipe.err, HasSubstr("pipe.md: is a pipe; text is added to regular files"));
 }
 
 TEST_F(DiffReports, ApprovePicturesByName) {

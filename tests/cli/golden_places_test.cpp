@@ -11,6 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -132,10 +133,59 @@ TEST_F(GoldenPlaces, KeepMapsOffImages) {
   manifest("[[test]]\nimage = 'new/*.png'\n");
   approve();
   EXPECT_EQ(golden().out, "2 identical\n");
-  EXPECT_THAT(golden({"-o", "new"}).err,
-              HasSubstr("-o new: new/a.flip.png would be FLIP's map of test 'a' (line 2) and is the image of test "
-                        "'a.flip' (line 2); choose another folder"));
+  EXPECT_THAT(
+      golden({"-o", "new"}).err,
+      HasSubstr(
+          "-o new: new/a.flip.png would be FLIP's map of test 'a' (line 2: new/a.png) and is the image of test "
+          "'a.flip' (line 2: new/a.flip.png); choose another folder"));
   EXPECT_TRUE(fs::exists(folder_ / "new/a.flip.png"));
+}
+
+// Whatever a run writes among the images of a pattern would be a test of the next run.
+TEST_F(GoldenPlaces, KeepWhatARunWritesOffPatterns) {
+  folder_.put("s.toml", kGoodScene);
+  save("img/b.png", flat(90));
+  const std::string scene = "size = [64, 36]\n[[test]]\nname = 'a'\nscene = 's.toml'\n";
+  const auto refusalOf = [&](const std::string& pattern, const std::vector<std::string>& words) {
+    manifest(scene + "[[test]]\nimage = '" + pattern + "'\n");
+    const RunResult refused = golden(words);
+    EXPECT_EQ(refused.exitCode, 2) << pattern << refused.out;
+    EXPECT_FALSE(fs::exists(folder_ / "ref") || fs::exists(folder_ / "out")) << pattern;
+    EXPECT_THAT(namesIn(folder_ / "img"), ElementsAre("b.png")) << pattern;
+    return refused.err;
+  };
+  const auto taken = [](const std::string& file, const std::string& pattern) {
+    return HasSubstr(file + " would be a file that test.image '" + pattern +
+                     "' (line 6) matches, so the next run would take it up; choose another name or folder");
+  };
+  fs::create_directory_symlink("img", folder_ / "link");
+  for (const char* output : {"img", "./img", "link", "img/../img"})
+    EXPECT_THAT(refusalOf("img/*.png", {"-o", output}),
+                taken("-o " + std::string(output) + "/a.flip.png", "img/*.png"));
+  EXPECT_THAT(refusalOf("img/**/*.png", {"-o", "img/deep/er"}),
+              taken("-o img/deep/er/a.flip.png", "img/**/*.png"));
+  EXPECT_THAT(refusalOf("link/*.png", {"-o", "img"}), taken("-o img/a.flip.png", "link/*.png"));
+  EXPECT_THAT(refusalOf("img/a.p*", {"-o", "img"}), taken("-o img/a.png", "img/a.p*"));
+  EXPECT_THAT(refusalOf("nothing/*.png", {"-o", "nothing"}), taken("-o nothing/a.flip.png", "nothing/*.png"));
+  fs::remove(folder_ / "nothing");
+  EXPECT_THAT(refusalOf("ref/**/*.png", {"--update"}), taken("--update ref/a.png", "ref/**/*.png"));
+  EXPECT_THAT(refusalOf("img/*", {"--junit", "img/j.png"}), taken("--junit img/j.png", "img/*"));
+
+  manifest(scene + "[[test]]\nimage = 'img/*.png'\n");
+  EXPECT_EQ(golden({"-o", "img/deeper", "--junit", "img/j.xml"}).exitCode, 1);
+}
+
+TEST_F(GoldenPlaces, NameTheFilesOfPatternsThatClash) {
+  folder_.put("s.toml", kGoodScene);
+  for (const char* name : {"img/a.png", "new/a.png"}) save(name, flat(90));
+  manifest("[[test]]\nname = 'a'\nscene = 's.toml'\n[[test]]\nimage = 'img/*.png'\n");
+  EXPECT_THAT(golden().err, HasSubstr("test.name: a of img/a.png is the name of another test, that of line 2;"));
+  manifest("[[test]]\nimage = 'img/*.png'\n[[test]]\nimage = 'new/*.png'\n");
+  EXPECT_THAT(golden().err,
+              HasSubstr("a of new/a.png is the name of another test, that of line 2, of img/a.png;"));
+  save("img/a.flip.png", flat(90));
+  manifest("[[test]]\nimage = 'img/*.png'\n");
+  EXPECT_THAT(golden({"-o", "img"}).err, HasSubstr("is the image of test 'a.flip' (line 2: img/a.flip.png);"));
 }
 
 TEST_F(GoldenPlaces, KeepNewPicturesOffImagesAndMasks) {

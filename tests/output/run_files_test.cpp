@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "output/figure_mark.h"
 #include "scratch_folder.h"
@@ -53,6 +54,41 @@ TEST_F(RunFilesTest, KnowsAnInputByItsLinkAndByItsTarget) {
   files_.reads(in("link"), "SCENE");
   EXPECT_NE(clash(in("link")), "");
   EXPECT_NE(clash(in("real")), "");
+}
+
+TEST_F(RunFilesTest, KeepsOutputsOffPatterns) {
+  const auto isPng = [](const std::filesystem::path& file) { return file.extension() == ".png"; };
+  files_.reads(in("b.png"), "the suite's file");
+  files_.claims(in("a.txt"), "--junit");
+  files_.readsMatching(isPng, "test.image '*.png'");
+  EXPECT_EQ(clash(in("a.png")), "-o " + in("a.png").native() +
+                                    " would be a file that test.image '*.png' matches, so the next run would "
+                                    "take it up; choose another name or folder");
+  EXPECT_EQ(clash(in("a.svg")), "");
+  EXPECT_THAT(
+      messageOf(core::ErrorKind::kUsage, [&] { files_.readsMatching([](const auto&) { return true; }, "'*'"); }),
+      HasSubstr("--junit "));
+}
+
+TEST_F(RunFilesTest, AddsTextToFilesOfAKindOnly) {
+  const FileKind kind{"a NAME.md", [](const std::filesystem::path& file) { return file.extension() == ".md"; }};
+  const auto refusal = [&](const std::string& name, bool force = false) {
+    return messageOf(core::ErrorKind::kIo, [&] { RunFiles(force).addsTo(in(name), "--markdown", kind); });
+  };
+  save("a.png", "picture");
+  save("a.md", "words");
+  save("empty", "");
+  std::filesystem::create_symlink("a.md", in("link.md"));
+  for (const char* name : {"new", "a.md", "empty", "link.md"}) EXPECT_EQ(refusal(name), "") << name;
+  EXPECT_EQ(refusal("a.png"), in("a.png").native() + ": exists and is not a NAME.md; --force adds to it");
+  EXPECT_EQ(refusal("a.png", true), "");
+  ASSERT_EQ(::mkfifo(in("pipe.md").c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe.md", in("piped.md"));
+  for (const bool force : {false, true}) {
+    for (const char* name : {"pipe.md", "piped.md"})
+      EXPECT_THAT(refusal(name, force), HasSubstr("is a pipe; text is added to regular files"));
+    EXPECT_THAT(refusal(".", force), HasSubstr("is a folder"));
+  }
 }
 
 TEST_F(RunFilesTest, OneInputMayBeReadTwiceAndBeEnteredLast) {
