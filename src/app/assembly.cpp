@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/next_step.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/film.h"
@@ -25,23 +26,24 @@ std::vector<FrameRange> joined(const std::vector<FrameRange>& segments) {
   return ranges;
 }
 
-[[noreturn]] void refuse(const path& target, const JobStatus& status) {
-  std::string why;
-  const auto add = [&](SegmentState state, const char* word) {
-    const auto segments = status.in(state);
-    if (!segments.empty())
-      why += fmt::format("{}frames {} are {}", why.empty() ? "" : "; ", framesText(segments), word);
-  };
-  add(SegmentState::kMissing, "missing");
-  add(SegmentState::kStale, "of another scene or of other settings");
-  add(SegmentState::kCorrupt, "damaged");
-  throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(target.native()), why));
-}
-
 /// Identifies a film: no other job has this text.
 std::string originText(const JobFile& job) {
   return fmt::format("frames {}-{} of scene sha256 {}; job sha256 {}; ", job.frames.first, job.frames.last,
                      job.scene, job.job);
+}
+
+/// Says which frames cannot be joined, and why.
+std::string gapsText(const JobStatus& status) {
+  std::string text;
+  const auto add = [&](SegmentState state, const char* word) {
+    const auto segments = status.in(state);
+    if (!segments.empty())
+      text += fmt::format("{}frames {} are {}", text.empty() ? "" : "; ", framesText(segments), word);
+  };
+  add(SegmentState::kMissing, "missing");
+  add(SegmentState::kStale, "of another scene or of other settings");
+  add(SegmentState::kCorrupt, "damaged");
+  return text;
 }
 
 }  // namespace
@@ -84,7 +86,11 @@ bool isFinished(const JobFile& job, const path& target) {
 void assemble(output::FileBatch& batch, const path& workFolder, const JobFile& job, const OutputTarget& output,
               const path& target) {
   const JobStatus status = statusOf(workFolder, job, output);
-  if (!status.complete()) refuse(target, status);
+  if (!status.complete())
+    throw core::Error(
+        core::ErrorKind::kIo,
+        fmt::format("{}: {}; {}", core::printable(target.native()), gapsText(status),
+                    isFinished(job, output.path) ? "the film itself is whole" : makeText(job, status, output)));
   if (job.kind != OutputKind::kFilm) return;
   std::vector<path> files;
   for (const FrameRange& segment : status.segments)

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/next_step.h"
 #include "app/subtitles.h"
 #include "app/work_folder.h"
-#include "app/work_left.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -51,8 +51,8 @@ int assemble(const AssembleOptions& options) {
   const auto job = app::readJobFile(folder, output);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: there are no segments of it here{}", core::printable(options.output),
-                                  app::isReadyFilm(output) ? "; the film itself is whole" : ""));
+                      fmt::format("{}: there are no segments of it here; {}", core::printable(options.output),
+                                  app::nothingUnderWayText(output, folder)));
   if (film.kind == app::OutputKind::kFilm) enterFiles(options, folder, *job, film);
   app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
   output::FileBatch results;

@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
 
 #include "app/json_text.h"
+#include "app/next_step.h"
 #include "app/work_folder.h"
 #include "app/work_left.h"
 #include "cli/commands.h"
@@ -14,6 +18,7 @@
 #include "core/error.h"
 #include "core/shell_word.h"
 #include "core/text.h"
+#include "output/png_sequence.h"
 
 namespace poinsot::cli {
 namespace {
@@ -43,9 +48,11 @@ struct Standing {
 };
 
 using Json = nlohmann::ordered_json;
+using Frames = std::vector<app::FrameRange>;
 
-/// Returns the object that is printed of a film without segments: all keys, null or empty where segments tell.
-Json jsonOfFilm(const StatusOptions& options, bool whole) {
+/// Returns the object that is printed of an output without segments: all keys, null or empty where segments tell.
+/// @param whole  null for a sequence, which keeps no record of the frames that belong to it
+Json jsonOfOutput(const StatusOptions& options, const Json& whole) {
   Json json{{"output", app::utf8FromBytes(options.output)},
             {"complete", whole},
             {"joined", whole},
@@ -59,7 +66,7 @@ Json jsonOfFilm(const StatusOptions& options, bool whole) {
 
 Json jsonOf(const StatusOptions& options, const Standing& standing) {
   const auto& [job, status, left] = standing;
-  Json json = jsonOfFilm(options, !left.joining);
+  Json json = jsonOfOutput(options, !left.joining);
   json["complete"] = left.none();
   json["frames"] = {job.frames.first, job.frames.last};
   json["segment_frames"] = job.segmentFrames;
@@ -101,23 +108,72 @@ std::string plainText(const StatusOptions& options, const Standing& standing) {
 int statusOfFilm(const StatusOptions& options, const std::filesystem::path& film) {
   const bool whole = output::isWholeFilm(film);
   if (options.json)
-    print(jsonOfFilm(options, whole));
+    print(jsonOfOutput(options, whole));
   else if (!options.shards)
     writeOut(fmt::format("{}: {}\n", core::printable(options.output),
                          whole ? "complete" : "not as it was written; render with --resume makes it again"));
   return whole ? kDone : kNo;
 }
 
+/// Returns the runs of numbers without a gap.
+Frames rangesOf(const std::vector<std::int64_t>& frames) {
+  Frames ranges;
+  for (const std::int64_t k : frames)
+    if (!ranges.empty() && ranges.back().last + 1 == k)
+      ranges.back().last = k;
+    else
+      ranges.push_back({k, k});
+  return ranges;
+}
+
+Json jsonOfFrames(const StatusOptions& options, const Frames& there, const Frames& gaps) {
+  Json json = jsonOfOutput(options, nullptr);
+  json["frames"] = {there.front().first, there.back().last};
+  for (const app::FrameRange& range : there) json["done"].push_back({range.first, range.last});
+  for (const app::FrameRange& range : gaps) json["missing"].push_back({range.first, range.last});
+  return json;
+}
+
+/// Prints which frames of a sequence without a work folder are there. It keeps no record of how many belong to it.
+/// Returns the exit code.
+int statusOfFrames(const StatusOptions& options, const Frames& there) {
+  Frames gaps;
+  for (std::size_t i = 1; i < there.size(); ++i) gaps.push_back({there[i - 1].last + 1, there[i].first - 1});
+  if (options.json)
+    print(jsonOfFrames(options, there, gaps));
+  else if (options.shards)
+    writeOut("\n");
+  else
+    writeOut(fmt::format(
+        "{}: frames {} are there\n{}for what a scene has besides: poinsot render SCENE -o {} --resume\n",
+        core::printable(options.output), app::framesText(there, 20),
+        gaps.empty() ? "" : fmt::format("missing: frames {}\n", app::framesText(gaps, 20)),
+        core::printable(core::shellWord(options.output))));
+  return gaps.empty() ? kDone : kNo;
+}
+
+/// Returns the frames of a sequence that are there if it has no work folder; else none.
+Frames framesThere(const app::OutputTarget& target) {
+  std::error_code ignored;
+  const bool isRecorded = std::filesystem::exists(app::workFolderOf(target.path), ignored);
+  if (isRecorded || target.kind != app::OutputKind::kSequence) return {};
+  return rangesOf(output::framesThere(output::FramePattern(target.path.string())));
+}
+
 int status(const StatusOptions& options) {
   const auto target = app::parseTarget(options.output);
   const auto folder = app::workFolderOf(target.path);
   const auto job = app::readJobFile(folder, target);
+  if (const Frames there = framesThere(target); !there.empty()) return statusOfFrames(options, there);
   if (!job && target.kind == app::OutputKind::kFilm && output::isOwnFilm(target.path))
     return statusOfFilm(options, target.path);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: no render of it is under way here", core::printable(options.output)));
+                      fmt::format("{}: no render of it is under way here; {}", core::printable(options.output),
+                                  app::nothingUnderWayText(target, folder)));
   const app::JobStatus state = app::statusOf(folder, *job, target);
+  // A run that was killed while it tidied up leaves some segments of a film that needs none.
+  if (!state.complete() && app::isFinished(*job, target.path)) return statusOfFilm(options, target.path);
   const Standing standing{*job, state, app::workLeft(*job, state, job->shards, target)};
   if (options.shards)
     writeOut(app::shardsText(standing.left.shards) + "\n");
@@ -139,7 +195,9 @@ void addStatus(CLI::App& program, Action& chosen) {
   command->add_flag("--shards", options->shards,
                     "only the shards that have segments to make, such as 2,7-9: for a job array");
   command->footer(
-      "Exit code 1 where something is left to do, be it only the joining.\n"
+      "Exit code 1 where something is left to do, be it only the joining; 4 where nothing of it is there.\n"
+      "A numbered sequence that has no work folder keeps no record of its length: 0 if frames are there without\n"
+      "a gap. If the scene has more, render --resume makes those, and none again.\n"
       "Example:\n"
       "  poinsot status out/film.mp4");
   command->callback([options, &chosen] { chosen = [options] { return status(*options); }; });

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <system_error>
+
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
@@ -42,6 +45,16 @@ FramePattern::FramePattern(const std::string& text) {
 std::filesystem::path FramePattern::path(std::int64_t k) const {
   POINSOT_EXPECT(k >= 0);
   return fmt::format("{}{:0{}}{}", before_, k, digits_, after_);
+}
+
+std::optional<std::int64_t> FramePattern::frameOf(const std::string& name) const {
+  const std::string before = std::filesystem::path(before_).filename();
+  if (name.size() <= before.size() + after_.size() || !name.starts_with(before)) return std::nullopt;
+  const char* begin = name.data() + before.size();
+  std::int64_t k = -1;
+  const auto read = std::from_chars(begin, name.data() + name.size() - after_.size(), k);
+  const bool isOne = read.ec == std::errc() && k >= 0 && path(k).filename() == name;
+  return isOne ? std::optional(k) : std::nullopt;
 }
 
 }  // namespace poinsot::output

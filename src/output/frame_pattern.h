@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,8 @@ class FramePattern {
 
   /// @pre k >= 0.
   std::filesystem::path path(std::int64_t k) const;
+  /// Returns the k whose path() has this file name; nothing if there is none.
+  std::optional<std::int64_t> frameOf(const std::string& name) const;
 
  private:
   std::string before_;

@@ -37,6 +37,18 @@ std::vector<std::uint8_t> encoded(const image::AnyImage& any, const std::vector<
 
 image::PngText digestText(const std::string& digest) { return {kDigestKey, digest}; }
 
+std::vector<std::int64_t> framesThere(const FramePattern& pattern) {
+  std::vector<std::int64_t> frames;
+  std::error_code failure;
+  const auto folder = folderOf(pattern.path(0));
+  for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+    if (const auto k = pattern.frameOf(entry->path().filename()); k && image::isOwnPng(entry->path(), kDigestKey))
+      frames.push_back(*k);
+  std::ranges::sort(frames);
+  return frames;
+}
+
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts, double dpi, core::StepLedger* steps,
               Durability durability) {

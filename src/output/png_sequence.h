@@ -34,6 +34,9 @@ struct SequenceOptions {
   core::StepLedger* steps = nullptr;      ///< where the time is entered
 };
 
+/// Returns the numbers, in order, of the frames of a pattern that are there and carry a digest.
+std::vector<std::int64_t> framesThere(const FramePattern& pattern);
+
 /// Frames as numbered PNG files of 8 or 16 bits a sample, each appearing under its name only when complete.
 /// Frames already written stay if the sink is destroyed without finish(): each is whole, and a resumed run keeps
 /// it.

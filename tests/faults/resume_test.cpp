@@ -11,7 +11,9 @@
 namespace poinsot::faults {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -130,20 +132,59 @@ TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
 
 TEST_F(Segments, AMissingOneIsAGapThatIsNotJoinedOver) {
   std::filesystem::remove(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json");
-  EXPECT_EQ(status().out, "t.mp4: complete; 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
-  const std::string before = bytesOf(folder_ / "t.mp4");
+  std::filesystem::remove(folder_ / "t.mp4");
+  EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
   const RunResult joined = run(folder_, {"assemble", "t.mp4", "--quiet"});
   EXPECT_EQ(joined.exitCode, 4);
-  EXPECT_THAT(joined.err, HasSubstr("frames 3-5 are missing"));
-  EXPECT_EQ(bytesOf(folder_ / "t.mp4"), before);
+  EXPECT_EQ(joined.err,
+            "poinsot: error: t.mp4: frames 3-5 are missing; make them: poinsot render SCENE -o t.mp4 --resume\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "t.mp4"));
+}
+
+// A kill while the work folder is tidied up leaves any part of it.
+TEST_F(Segments, AreNotWantedAnyMoreOnceTheFilmIsWhole) {
+  const std::filesystem::path work = folder_ / ".t.mp4.poinsot";
+  const std::string before = bytesOf(folder_ / "t.mp4");
+  const auto expectWhole = [&](const std::string& segments) {
+    EXPECT_EQ(status().out, "t.mp4: complete\n");
+    EXPECT_EQ(status().exitCode, 0);
+    EXPECT_THAT(status({"--json"}).out, AllOf(HasSubstr("\"complete\": true"), HasSubstr("\"missing\": []")));
+    EXPECT_EQ(status({"--shards"}).exitCode, 0);
+    for (const char* other : {"t.mp4", "other.mp4"}) {
+      const RunResult joined = run(folder_, {"assemble", "t.mp4", "-o", other});
+      EXPECT_EQ(joined.exitCode, 4);
+      EXPECT_THAT(joined.err, AllOf(HasSubstr(segments), EndsWith("; the film itself is whole\n")));
+    }
+    EXPECT_EQ(bytesOf(folder_ / "t.mp4"), before);
+  };
+  std::filesystem::remove(segment());
+  expectWhole("frames 3-5 are damaged");
+  std::filesystem::remove(work / "segment-000000003-000000005.json");
+  expectWhole("frames 3-5 are missing");
+  for (const std::string& name : namesIn(work))
+    if (name != "job.json") std::filesystem::remove(work / name);
+  expectWhole("t.mp4: ");
+  const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
+  EXPECT_THAT(again.err, HasSubstr("18 of them were there already"));
+  EXPECT_FALSE(std::filesystem::exists(work));
 }
 
 // What no render of this program leaves there: rubbish in place of a record, or of the job.
 TEST_F(Segments, RubbishIsNoRecord) {
   std::ofstream(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json") << "{\"frames\": [3, ";
-  EXPECT_EQ(status().out, "t.mp4: complete; 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
+  std::filesystem::remove(folder_ / "t.mp4");
+  EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
   std::ofstream(folder_ / ".t.mp4.poinsot/job.json") << "[]";
-  EXPECT_EQ(run(folder_, {"assemble", "t.mp4"}).exitCode, 4);
+  for (const std::string command : {"assemble", "status"}) {
+    const RunResult refused = run(folder_, {command, "t.mp4"});
+    EXPECT_EQ(refused.exitCode, 4);
+    EXPECT_THAT(refused.err,
+                HasSubstr("; ./.t.mp4.poinsot/job.json is missing or damaged; poinsot render SCENE -o "
+                          "t.mp4 --resume writes it again and keeps whole segments\n"));
+  }
+  const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
+  EXPECT_THAT(again.err, HasSubstr("15 of them were there already"));
+  EXPECT_EQ(filesOf(folder_.path()), undisturbed(kFilm));
 }
 
 TEST_F(Segments, ThoseOfAnotherSceneAreStale) {
@@ -154,7 +195,8 @@ TEST_F(Segments, ThoseOfAnotherSceneAreStale) {
   EXPECT_THAT(told.out, HasSubstr("\"shards_to_run\": \"2\""));
   EXPECT_THAT(status().out, HasSubstr("3 done, 3 stale\nstale: frames 3-5, 9-11, 15-17\nshards to run: 2 of 2\n"));
   EXPECT_THAT(run(folder_, {"assemble", "t.mp4"}).err,
-              HasSubstr("frames 3-5, 9-11, 15-17 are of another scene or of other settings"));
+              HasSubstr("frames 3-5, 9-11, 15-17 are of another scene or of other settings; make them: poinsot "
+                        "render SCENE -o t.mp4 --shard 2/2\n"));
 }
 
 TEST_F(Segments, AreJoinedUnderAnotherName) {
@@ -190,7 +232,50 @@ TEST(Status, OfWhatWasNeverBegunIsAnError) {
   const ScratchFolder folder;
   const RunResult told = run(folder, {"status", "t.mp4"});
   EXPECT_EQ(told.exitCode, 4);
-  EXPECT_THAT(told.err, HasSubstr("t.mp4: no render of it is under way here"));
+  EXPECT_EQ(told.err,
+            "poinsot: error: t.mp4: no render of it is under way here; nothing of it is here; make it: poinsot "
+            "render SCENE -o t.mp4\n");
+  EXPECT_EQ(run(folder, {"status", "t_{frame}.png"}).exitCode, 4);
+}
+
+TEST(Status, NamesAFileThatIsNoFilmOfOurs) {
+  const ScratchFolder folder;
+  folder.put("t.mp4", "not a film");
+  for (const std::string command : {"assemble", "status"}) {
+    const RunResult told = run(folder, {command, "t.mp4"});
+    EXPECT_EQ(told.exitCode, 4);
+    EXPECT_THAT(told.err, HasSubstr("; the file there was written by another program, or is too damaged to be "
+                                    "recognised; poinsot render SCENE -o t.mp4 --force replaces it\n"));
+  }
+}
+
+// A sequence that is ready keeps no record; its frames carry digests.
+TEST(Status, TellsAReadySequenceFromOneThatWasNeverBegun) {
+  const ScratchFolder folder;
+  folder.put("tiny.toml", kTinyScene);
+  ASSERT_EQ(run(folder, renderArguments(kShortSequence)).exitCode, 0);
+  const auto status = [&](const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"status", kShortSequence.name};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(folder, words);
+  };
+  const std::string next = "for what a scene has besides: poinsot render SCENE -o 't_{frame:03}.png' --resume\n";
+  EXPECT_EQ(status().exitCode, 0);
+  EXPECT_EQ(status().out, "t_{frame:03}.png: frames 0-5 are there\n" + next);
+  EXPECT_EQ(status({"--shards"}).out, "\n");
+  const auto json = nlohmann::json::parse(status({"--json"}).out);
+  EXPECT_EQ(json.at("complete"), nullptr);
+  EXPECT_EQ(json.at("frames"), nlohmann::json({0, 5}));
+  EXPECT_THAT(run(folder, renderArguments(kShortSequence, {"--resume", "--progress", "plain"})).err,
+              HasSubstr("6 of them were there already"));
+
+  std::filesystem::remove(folder / "t_003.png");
+  folder.put("t_004.png", "another picture");
+  folder.put("t_0009.png", bytesOf(folder / "t_000.png"));  // a name that is not of the pattern
+  EXPECT_EQ(status().exitCode, 1);
+  EXPECT_EQ(status().out, "t_{frame:03}.png: frames 0-2, 5-5 are there\nmissing: frames 3-4\n" + next);
+  EXPECT_EQ(nlohmann::json::parse(status({"--json"}).out).at("missing"), nlohmann::json({{3, 4}}));
+  EXPECT_EQ(status({"--shards"}).exitCode, 1);
 }
 
 }  // namespace

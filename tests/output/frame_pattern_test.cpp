@@ -18,6 +18,15 @@ TEST(FramePattern, NumbersFrames) {
   EXPECT_THROW(FramePattern("{frame}.png").path(-1), std::logic_error);
 }
 
+TEST(FramePattern, FindsTheNumberOfAName) {
+  const FramePattern pattern("out/a_{frame:03}.png");
+  for (const std::int64_t k : {0, 7, 999, 1000, 1234567})
+    EXPECT_EQ(pattern.frameOf(pattern.path(k).filename()), k);
+  for (const char* name : {"a_7.png", "a_0007.png", "a_-07.png", "a_.png", "a_007.pngx", "b_007.png", "a_00x.png",
+                           "a_99999999999999999999.png", "a_007", ""})
+    EXPECT_EQ(pattern.frameOf(name), std::nullopt) << name;
+}
+
 TEST(FramePattern, IsToldFromAPlainName) {
   EXPECT_TRUE(FramePattern::isPattern("a_{frame}.png"));
   EXPECT_TRUE(FramePattern::isPattern("a_}.png"));  // meant as one, and refused as one
