@@ -12,13 +12,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "core/kernel_start.h"
 #include "output/atomic_file.h"
 
 namespace poinsot::app {
@@ -29,14 +29,6 @@ using core::FileHandle;
 
 /// Holds the number of the kernel's start. Made when the lock is held already, removed when nothing else is left.
 constexpr const char* kClaim = ".poinsot-claim";
-
-/// Differs from one start of a kernel to the next; the same in all its containers. Empty without /proc.
-std::string kernelStart() {
-  std::ifstream file("/proc/sys/kernel/random/boot_id");
-  std::string line;
-  std::getline(file, line);
-  return line;
-}
 
 bool lock(const FileHandle& folder) { return ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
 
@@ -142,7 +134,7 @@ std::optional<FileHandle> claim(const fs::path& folder) {
   const FileHandle file(::openat(handle.get(), kClaim, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (!file && errno == ENOENT) return std::nullopt;
   // If this fails, nobody takes the folder from a process that lives, but after a kill it may stay.
-  const std::string kernel = kernelStart();
+  const std::string& kernel = core::kernelStart();
   if (file) output::writeAll(file.get(), {reinterpret_cast<const std::uint8_t*>(kernel.data()), kernel.size()});
   return handle;
 }
@@ -173,7 +165,7 @@ void removeClaimedFolder(const fs::path& folder) {
 
 void removeAbandonedFolders(const fs::path& place) noexcept {
   try {
-    const std::string kernel = kernelStart();
+    const std::string& kernel = core::kernelStart();
     if (kernel.empty()) return;
     std::error_code ignored;
     for (fs::directory_iterator entry(place, ignored), end; !ignored && entry != end; entry.increment(ignored))

@@ -15,6 +15,7 @@
 #include "core/expect.h"
 #include "core/file_error.h"
 #include "core/text.h"
+#include "output/abandoned_files.h"
 #include "output/file_batch.h"
 
 namespace poinsot::output {
@@ -50,13 +51,6 @@ void syncPath(const std::filesystem::path& path, int flags, std::string_view doi
 }
 
 }  // namespace
-
-std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
-                                    int attempt) {
-  constexpr std::size_t kLongestStem = 200;  // 255 bytes are all a name may have
-  const std::string stem = target.filename().native().substr(0, kLongestStem);
-  return folder / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), attempt);
-}
 
 void makeFolders(const std::filesystem::path& folder) {
   std::error_code failure;
@@ -105,6 +99,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, const std::filesystem::path
     : target_(std::move(target)) {
   // A rename must not cross file systems.
   const auto folder = temporaryFolder.empty() ? folderOf(target_) : temporaryFolder;
+  removeAbandonedFilesOnce(folder);
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts && descriptor_ < 0; ++attempt) {
     temporary_ = temporaryName(folder, target_, attempt);

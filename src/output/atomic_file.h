@@ -18,7 +18,8 @@ enum class Durability {
 };
 
 /// A file that appears under its name only when complete: written under a temporary name on the same file system,
-/// synced, renamed. Without commit() nothing is left behind and what was there before stays.
+/// synced, renamed. Without commit() nothing is left behind and what was there before stays. What a process that
+/// was killed left is removed by the next one that makes a file in the same folder.
 class AtomicFile {
  public:
   /// Creates the temporary file, in `temporaryFolder` (on the target's file system) where that is given: there
@@ -74,10 +75,6 @@ void appendToFile(const std::filesystem::path& target, std::string_view text);
 
 /// @throws core::Error(kIo) with the folder if no file can be made in it.
 void expectWritableFolder(const std::filesystem::path& folder);
-
-/// A hidden name beside `target` that is free; the `attempt`-th one to try.
-std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
-                                    int attempt);
 
 /// Makes a file's content durable. @throws core::Error(kIo).
 void syncFile(const std::filesystem::path& file);

@@ -15,6 +15,7 @@
 #include "core/expect.h"
 #include "core/file_error.h"
 #include "core/text.h"
+#include "output/abandoned_files.h"
 
 namespace poinsot::output {
 namespace {
@@ -35,10 +36,11 @@ mode_t kindOf(const path& file) {
 }
 
 /// A name for an old file, in a folder of the same file system.
-path freeName(const path& folder, const path& file) {
+/// @param ending  kept by later runs if it is not that of a temporary file
+path freeName(const path& folder, const path& file, const char* ending = ".tmp") {
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt)
-    if (path name = temporaryName(folder, file, attempt); kindOf(name) == 0) return name;
+    if (path name = temporaryName(folder, file, attempt).replace_extension(ending); kindOf(name) == 0) return name;
   fail(file, EEXIST);
 }
 
@@ -97,8 +99,8 @@ class FileBatch::Changes {
         changes_.clear();
         return file.rename();
       }
-      // Not in a folder that the next run empties: for an instant it is the only place of the file.
-      change.aside = freeName(folderOf(change.name), change.name);
+      // For an instant this is the only place of the file, so no later run removes it.
+      change.aside = freeName(folderOf(change.name), change.name, ".old");
       move(change);
     }
     file.rename();
