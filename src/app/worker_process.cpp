@@ -76,7 +76,7 @@ WorkerProcess::WorkerProcess(const WorkerJob& job, int number) : number_(number)
   jobs_ = std::move(jobs.write);
   reports_ = std::move(reports.read);
   reader_ = LineReader(reports_.get());
-  writeLine(jobs_.get(), toLine(job));
+  tell(toLine(job));
 }
 
 WorkerProcess::~WorkerProcess() {
@@ -86,7 +86,15 @@ WorkerProcess::~WorkerProcess() {
 
 void WorkerProcess::give(const FrameRange& segment) {
   segment_ = segment;
-  writeLine(jobs_.get(), toLine(segment));
+  tell(toLine(segment));
+}
+
+/// A worker that did not hear would wait for ever. Where it is gone, the end of its reports says so.
+void WorkerProcess::tell(const std::string& line) const {
+  const int code = writeText(jobs_.get(), line + '\n');
+  if (code != 0 && code != EPIPE)
+    throw core::Error(core::ErrorKind::kGraphics,
+                      "a message to a worker process could not be sent: " + std::generic_category().message(code));
 }
 
 void WorkerProcess::giveNoMore() {

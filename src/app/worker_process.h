@@ -26,6 +26,7 @@ class WorkerProcess {
   WorkerProcess(WorkerProcess&&) = delete;
 
   /// Hands it a segment, or says that there are no more. A worker that is gone is noticed through its reports.
+  /// @throws core::Error(kGraphics) if the message cannot be sent.
   void give(const FrameRange& segment);
   void giveNoMore();
   const std::optional<FrameRange>& segment() const { return segment_; }
@@ -50,6 +51,8 @@ class WorkerProcess {
   void kill();
 
  private:
+  void tell(const std::string& line) const;
+
   int number_;
   pid_t pid_ = -1;
   int status_ = 0;  ///< as waitpid has it, once pid_ is none

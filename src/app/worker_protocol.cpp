@@ -113,6 +113,47 @@ std::vector<core::Span> spansOf(const Json& json) {
   return spans;
 }
 
+/// Reads a line. Its two sides are one program, so only a line that was lost or cut makes it unreadable.
+template <class Reading>
+auto readingLine(std::string_view line, Reading reading) try {
+  return reading(Json::parse(line));
+} catch (const Json::exception&) {
+  throw core::Error(core::ErrorKind::kGraphics,
+                    "a message between the render and a worker process was lost or damaged; run it again");
+}
+
+WorkerJob jobOf(const Json& json) {
+  const Json& target = json.at("target");
+  return {sceneOf(json.at("scene")),
+          {static_cast<OutputKind>(target.at("kind").get<int>()), textOf(target.at("path"))},
+          rangeOf(json.at("frames")),
+          json.at("time").is_null() ? std::nullopt : std::optional(json.at("time").get<double>()),
+          textOf(json.at("work_folder")),
+          static_cast<gl::Backend>(json.at("backend").get<int>()),
+          json.at("reproducible").get<bool>(),
+          json.at("raster_threads").get<int>(),
+          formOf(json.at("form")),
+          json.at("segment_frames").get<std::int64_t>(),
+          json.at("resume").get<bool>(),
+          json.at("job").get<std::string>(),
+          json.at("trace").get<bool>(),
+          json.at("expected_bytes").get<double>(),
+          json.at("digests_pixels").get<bool>()};
+}
+
+WorkerReport reportOf(const Json& json) {
+  if (json.contains("frame"))
+    return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>(),
+                     json.at("pixels").get<std::string>()};
+  if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
+  if (json.contains("spans")) return SpansDone{spansOf(json.at("spans"))};
+  if (json.contains("finished"))
+    return WorkerFinished{statisticsOf(json.at("finished")), textOf(json.at("renderer")),
+                          textOf(json.at("driver"))};
+  return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed")),
+                      textOf(json.at("file")), json.at("errno").get<int>()};
+}
+
 template <class... Each>
 struct Overloaded : Each... {
   using Each::operator()...;
@@ -142,29 +183,13 @@ std::string toLine(const WorkerJob& job) {
       .dump();
 }
 
-WorkerJob jobFromLine(std::string_view line) {
-  const Json json = Json::parse(line);
-  const Json& target = json.at("target");
-  return {sceneOf(json.at("scene")),
-          {static_cast<OutputKind>(target.at("kind").get<int>()), textOf(target.at("path"))},
-          rangeOf(json.at("frames")),
-          json.at("time").is_null() ? std::nullopt : std::optional(json.at("time").get<double>()),
-          textOf(json.at("work_folder")),
-          static_cast<gl::Backend>(json.at("backend").get<int>()),
-          json.at("reproducible").get<bool>(),
-          json.at("raster_threads").get<int>(),
-          formOf(json.at("form")),
-          json.at("segment_frames").get<std::int64_t>(),
-          json.at("resume").get<bool>(),
-          json.at("job").get<std::string>(),
-          json.at("trace").get<bool>(),
-          json.at("expected_bytes").get<double>(),
-          json.at("digests_pixels").get<bool>()};
-}
-
 std::string toLine(const FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
 
-FrameRange segmentFromLine(std::string_view line) { return rangeOf(Json::parse(line).at("segment")); }
+WorkerJob jobFromLine(std::string_view line) { return readingLine(line, jobOf); }
+
+FrameRange segmentFromLine(std::string_view line) {
+  return readingLine(line, [](const Json& json) { return rangeOf(json.at("segment")); });
+}
 
 std::string toLine(const WorkerReport& report) {
   const Json json =
@@ -192,18 +217,6 @@ std::string toLine(const WorkerReport& report) {
   return json.dump();
 }
 
-WorkerReport reportFromLine(std::string_view line) {
-  const Json json = Json::parse(line);
-  if (json.contains("frame"))
-    return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>(),
-                     json.at("pixels").get<std::string>()};
-  if (json.contains("segment")) return SegmentDone{rangeOf(json.at("segment"))};
-  if (json.contains("spans")) return SpansDone{spansOf(json.at("spans"))};
-  if (json.contains("finished"))
-    return WorkerFinished{statisticsOf(json.at("finished")), textOf(json.at("renderer")),
-                          textOf(json.at("driver"))};
-  return WorkerFailed{static_cast<core::ErrorKind>(json.at("kind").get<int>()), textOf(json.at("failed")),
-                      textOf(json.at("file")), json.at("errno").get<int>()};
-}
+WorkerReport reportFromLine(std::string_view line) { return readingLine(line, reportOf); }
 
 }  // namespace poinsot::app

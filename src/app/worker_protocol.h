@@ -66,7 +66,8 @@ struct WorkerFailed {
 };
 using WorkerReport = std::variant<FrameDone, SegmentDone, SpansDone, WorkerFinished, WorkerFailed>;
 
-/// Lines, without their newline. Reading one that the other side did not write is a broken contract.
+/// Lines, without their newline. Reading throws core::Error(kGraphics) for a line that was lost in part, or that
+/// is another than the one expected.
 std::string toLine(const WorkerJob& job);
 std::string toLine(const FrameRange& segment);
 std::string toLine(const WorkerReport& report);

@@ -192,6 +192,24 @@ TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
   EXPECT_EQ(read.form.bits, 8);
 }
 
+TEST(WorkerProtocol, SaysThatALineIsLostOrDamaged) {
+  const std::string job = toLine(WorkerJob{}), segment = toLine(FrameRange{0, 29});
+  const auto expectSaid = [](const auto& reading) {
+    try {
+      reading();
+      ADD_FAILURE();
+    } catch (const core::Error& error) {
+      EXPECT_STREQ(error.what(),
+                   "a message between the render and a worker process was lost or damaged; run it again");
+    }
+  };
+  expectSaid([&] { jobFromLine(segment); });  // the job's own line did not come
+  expectSaid([&] { segmentFromLine(job); });
+  expectSaid([&] { jobFromLine(job.substr(0, job.size() / 2)); });
+  expectSaid([&] { reportFromLine(segment.substr(1)); });
+  expectSaid([&] { reportFromLine("{}"); });
+}
+
 TEST(WorkerProtocol, CarriesReports) {
   const auto failed =
       std::get<WorkerFailed>(reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "disk\nfull"})));

@@ -53,6 +53,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"rename", "parent", errnoText(EXDEV)}, Fault{"mkdir", "parent", errnoText(EROFS)}),
     callOf);
 
+// A message that does not reach the other process ends the render, and is no hang.
+TEST(LostMessage, IsAnErrorInWords) {
+  for (const std::string role : {"parent", "worker"})
+    for (int n = 1;; ++n) {
+      const ScratchFolder folder;
+      folder.put("tiny.toml", kTinyScene);
+      const Fault fault{"tell", role, errnoText(ENOSPC)};
+      const RunResult result =
+          run(folder, renderArguments(kShortFilm), Stdout::kFile, environmentOf(fault, n, folder));
+      if (!struck(folder)) {
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_GT(n, 2) << "the job, and segments";
+        break;
+      }
+      EXPECT_EQ(result.exitCode, 3) << role << n << result.err;
+      EXPECT_THAT(result.err, role == "parent"
+                                  ? HasSubstr("a message to a worker process could not be sent: No space")
+                                  : HasSubstr("worker"))
+          << n;
+      EXPECT_FALSE(std::filesystem::exists(folder / "t.mp4"));
+    }
+}
+
 // What is no fault: a signal between two bytes, a write that takes less than all.
 class DiskTrouble : public testing::TestWithParam<Fault> {};
 

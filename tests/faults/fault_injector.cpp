@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A library to be preloaded: makes one system call of the program on files of one folder fail, cut short, or be
 // the last thing that its processes do. Told by the environment:
-//   FAULT_CALL    open, write, fsync, close, link, rename, remove or mkdir
-//   FAULT_KIND    an errno, "short" (a write takes one byte), "swap" (after a rename another program puts the file
+//   FAULT_CALL    tell (a write to another process of the program), open, write, fsync, close, link, rename,
+//   remove or mkdir FAULT_KIND    an errno, "short" (a write takes one byte), "swap" (after a rename another
+//   program puts the file
 //                 .harness-other.png of FAULT_FOLDER there), "kill" (the process group, before the call) or
 //                 "interrupt" (SIGINT to the parent, a while before the call)
 //   FAULT_AT      which call of that name, from 1, in each process; with a + after it, that and all later ones
@@ -70,6 +71,13 @@ bool concernsDescriptor(int fd, bool alsoReaders) {
 std::atomic<long> count{0};
 bool isWorker = false;  // workers are forks of the program
 
+/// Whether it is a pipe between the program and a worker, whose reports go to its standard output.
+bool leadsToAnother(int fd) {
+  struct stat facts {};
+  return (isWorker ? fd == STDOUT_FILENO : fd > STDERR_FILENO) && fstat(fd, &facts) == 0 &&
+         S_ISFIFO(facts.st_mode);
+}
+
 __attribute__((constructor)) void begin() {
   plan();  // now, since the program clears its environment
   pthread_atfork(nullptr, nullptr, [] {
@@ -119,6 +127,7 @@ ssize_t write(int fd, const void* data, size_t size) {
     if (what == Strike::kFail) return -1;
     if (what == Strike::kShort && size > 1) size = 1;
   }
+  if (plan().call == "tell" && leadsToAnother(fd) && strike("tell") == Strike::kFail) return -1;
   return next(fd, data, size);
 }
 
