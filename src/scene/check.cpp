@@ -26,6 +26,15 @@ std::optional<std::size_t> asymmetric(const std::vector<double>& rows) {
   return std::nullopt;
 }
 
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = core::firstCodePoint(text).length;
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 /// One key and one value: what is said of them starts with the key's path.
 class Checker {
  public:
@@ -198,6 +207,8 @@ class Checker {
     if (static_cast<double>(characterCount(*value)) > key_.range.most)
       return refuse(
           node, fmt::format("may have at most {} characters, got {}", key_.range.most, characterCount(*value)));
+    if (!isUtf8(*value))
+      return refuse(node, fmt::format("not UTF-8, got {}; save the file with that encoding", describe(node)));
     // printable() changes exactly what a terminal or a line of type cannot show; at most 200 characters it cuts
     // nothing.
     if (core::printable(*value) != *value)

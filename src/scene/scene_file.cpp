@@ -120,9 +120,10 @@ Draft defaultDraft() {
   return draft;
 }
 
-void checkTexts(const Leaves& leaves, const TextCheck& check, Problems& problems) {
+/// Checks the mathematics in texts that passed as values: one cause is one problem.
+void checkTexts(const Leaves& leaves, const TextCheck& check, const Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
-    if (!check || !findKey(path)->isTex) continue;
+    if (!check || !findKey(path)->isTex || refused.contains(path)) continue;
     for (const Node& line : linesOf(node)) {
       const auto* text = line.as<std::string>();
       if (const std::string wrong = text ? check(*text) : ""; !wrong.empty())
@@ -179,7 +180,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   Draft draft = checkedDraft(leaves, defaults, refused, problems);
   Findings findings(leaves, refused, {&file, 0, 0, 1}, problems);
   Scene scene = assemble(std::move(draft), findings, folder);
-  checkTexts(leaves, textCheck, problems);
+  checkTexts(leaves, textCheck, refused, problems);
   checkCharacters(leaves, findings);
   problems.throwIfAny();
   closeIfAsked(scene, findings, limits);  // of a scene without other problems

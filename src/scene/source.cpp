@@ -101,11 +101,16 @@ void Problems::throwIfAny() {
   };
   std::stable_sort(found_.begin(), found_.end(),
                    [&](const Found& a, const Found& b) { return order(a) < order(b); });
-  const std::size_t count = std::min(found_.size(), kMostReported);
   std::vector<Problem> problems;
-  for (Found& found : std::span(found_).first(count))
-    problems.push_back(toProblem(found.place, found.make ? found.make() : std::move(found.message)));
-  throw SceneErrors(std::move(problems), static_cast<int>(found_.size() - count));
+  std::size_t read = 0;
+  for (; read < found_.size() && problems.size() < kMostReported; ++read) {
+    Found& found = found_[read];
+    Problem problem = toProblem(found.place, found.make ? found.make() : std::move(found.message));
+    // Without lines, the parts of a value have no places that tell their problems apart.
+    const auto isSame = [&](const Problem& earlier) { return toString(earlier) == toString(problem); };
+    if (std::ranges::none_of(problems, isSame)) problems.push_back(std::move(problem));
+  }
+  throw SceneErrors(std::move(problems), static_cast<int>(found_.size() - read));
 }
 
 }  // namespace poinsot::scene

@@ -96,6 +96,19 @@ TEST_F(Refused, TimesOfTrajectories) {
   });
 }
 
+// TOML reads \f in double quotes as a form feed, which no font has either; a value given by -D has no columns.
+TEST_F(Refused, WithOneErrorForOneCause) {
+  put("s.toml", kGoodScene);
+  const auto errorOf = [&](const std::string& value) {
+    return run(folder_, {"check", "s.toml", "-D", value}).err;
+  };
+  for (const char* value : {"show.title=\"$\\frac{$\"", "show.title=\xff", "output.size=[100000,100000]"}) {
+    const std::string error = errorOf(value);
+    EXPECT_THAT(error, HasSubstr(": error: ")) << value;
+    EXPECT_EQ(error.find(": error: "), error.rfind(": error: ")) << error;
+  }
+}
+
 TEST_F(Refused, WhatIsNotComparedOrJoined) {
   put("s.toml", kGoodScene);
   put("a.png", "");
@@ -141,7 +154,7 @@ TEST_F(Refused, Quantities) {
       {key("show.body.shape=mesh"), "\"mesh\" takes"},
       {key("style.file=https://example.org/a.toml"), "it is an address; a scene names files by their paths"},
       {key("style.file=../a.toml"), "in the scene's folder or below it, without \"..\""},
-      {key("show.title=\xff"), "column 1 of \"\\xff\": not UTF-8; save the file with that encoding"},
+      {key("show.title=\xff"), "show.title: not UTF-8, got \"\\xff\"; save the file with that encoding"},
       {key("timeline=[{caption=\"a\"}]"), "at is required: the film time at which it happens"},
   });
 }

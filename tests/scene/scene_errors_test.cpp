@@ -222,6 +222,13 @@ TEST(Report, OfARangeWhereOneValueIsWanted) {
               "time.speed: one value is wanted here; ranges are for sweep, preview and submit\n");
 }
 
+// An override has no columns that would tell the two numbers apart, and one cause is one problem.
+TEST(Report, SaysOnceWhatIsWrongWithAnOverride) {
+  EXPECT_EQ(messagesOf(kMinimal, {"output.size=[100000, 100000]"}),
+            "output.size: each side must be from 16 to 8192 pixels, got 100000; --limit side=N raises that\n");
+  EXPECT_EQ(problemsOf(kMinimal, {"output.size=[100000, 100001]"}).size(), 2U);
+}
+
 TEST(Report, NamesTheOverride) {
   const auto problems = problemsOf(kMinimal, {"body.mass=abc", "time.fps", "camera.zom=2", "output.size=[1, 2"});
   std::string text;
