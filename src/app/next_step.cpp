@@ -29,7 +29,7 @@ std::string nothingUnderWayText(const OutputTarget& output, const fs::path& work
                        core::printable(workFolder.native()), render);
   if (isReadyFilm(output)) return "the film itself is whole";
   if (output.kind != OutputKind::kFilm || !fs::exists(output.path, ignored))
-    return "nothing of it is here; make it: " + render;
+    return "there is nothing of that name; make it: " + render;
   if (output::isOwnFilm(output.path))
     return fmt::format("the film itself is not as it was written; {} --resume makes it again", render);
   return fmt::format(

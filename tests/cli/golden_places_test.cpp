@@ -141,7 +141,7 @@ TEST_F(GoldenPlaces, KeepMapsOffImages) {
   EXPECT_TRUE(fs::exists(folder_ / "new/a.flip.png"));
 }
 
-// Whatever a run writes among the images of a pattern would be a test of the next run.
+// A file that a run writes among the images of a pattern would be a test of the next run.
 TEST_F(GoldenPlaces, KeepWhatARunWritesOffPatterns) {
   folder_.put("s.toml", kGoodScene);
   save("img/b.png", flat(90));

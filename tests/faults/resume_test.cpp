@@ -232,9 +232,10 @@ TEST(Status, OfWhatWasNeverBegunIsAnError) {
   const ScratchFolder folder;
   const RunResult told = run(folder, {"status", "t.mp4"});
   EXPECT_EQ(told.exitCode, 4);
-  EXPECT_EQ(told.err,
-            "poinsot: error: t.mp4: no render of it is under way here; nothing of it is here; make it: poinsot "
-            "render SCENE -o t.mp4\n");
+  EXPECT_EQ(
+      told.err,
+      "poinsot: error: t.mp4: no render of it is under way here; there is nothing of that name; make it: poinsot "
+      "render SCENE -o t.mp4\n");
   EXPECT_EQ(run(folder, {"status", "t_{frame}.png"}).exitCode, 4);
 }
 
