@@ -71,7 +71,8 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
   }
   const auto opened = launcherList("packages_run");  // at run time, so that no linker says so
   EXPECT_FALSE(opened.empty());
-  for (const std::string& package : opened) EXPECT_THAT(depends, HasSubstr(package));
+  for (const std::string& package : opened)  // NAME? is wanted where the system has it
+    EXPECT_THAT(depends, HasSubstr(package.substr(0, package.find('?'))));
   EXPECT_THAT(depends, HasSubstr("libosmesa6 | libegl1"));
 
   EXPECT_EQ(run("find root -path '*/include/*' -o -name '*.a' -o -perm /022 -type f"), "")
