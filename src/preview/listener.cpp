@@ -15,7 +15,7 @@ namespace {
 
 constexpr time_t kTimeout_s = 5;
 
-/// What the library's queue tells of a job: nothing at first, from 0.12 on whether it took it.
+/// The answer of the library's queue to a job: nothing in early versions, later whether the queue took it.
 using Taken = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
 
 /// Runs each job on the thread that adds it: a job only hands a connection over.
