@@ -47,15 +47,18 @@ bool isHidden(std::string_view name) {
 
 bool isNamedAsOurs(const std::string& name) { return isHidden(name) || isHidden('.' + name); }
 
-bool isFreeName(const fs::path& path) {
-  struct stat ignored {};
-  return ::lstat(path.c_str(), &ignored) != 0 && errno == ENOENT;
+/// Renames a folder unless the name is taken. Some network file systems cannot do both at once.
+bool renameToFree(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  struct stat taken {};
+  return errno == EINVAL && ::lstat(to.c_str(), &taken) != 0 && errno == ENOENT &&
+         std::rename(from.c_str(), to.c_str()) == 0;
 }
 
-/// Gives a folder another name beside it, which must be free. Returns the name that it has then.
+/// Gives a folder another name beside it, if that is free. Returns the name that it has then.
 fs::path renamed(const fs::path& folder, const std::string& name) {
   fs::path other = folder.parent_path() / name;
-  return isFreeName(other) && std::rename(folder.c_str(), other.c_str()) == 0 ? other : folder;
+  return renameToFree(folder, other) ? other : folder;
 }
 
 fs::path hidden(const fs::path& folder) {
