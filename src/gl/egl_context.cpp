@@ -95,7 +95,7 @@ EGLDisplay SurfacelessDisplay::find() {
   return display;
 }
 
-class EglContext final : public OffscreenContext {
+class EglContext final : public NestedContext {
  public:
   EglContext() {
     constexpr EGLint kAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -107,40 +107,52 @@ class EglContext final : public OffscreenContext {
                                       EGL_NONE};
     egl().bindApi(EGL_OPENGL_API);
     context_ = egl().createContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
-    if (context_ != EGL_NO_CONTEXT && egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
-      return;
-    if (context_ != EGL_NO_CONTEXT) egl().destroyContext(display_, context_);
-    throw Error(ErrorKind::kGraphics, "EGL gives no surfaceless OpenGL 3.3 core context");
+    if (context_ == EGL_NO_CONTEXT)
+      throw Error(ErrorKind::kGraphics, "EGL gives no surfaceless OpenGL 3.3 core context");
   }
   ~EglContext() override {
-    egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    leave();
     egl().destroyContext(display_, context_);
   }
   const char* backendName() const override { return "egl"; }
 
  private:
-  CallersContext callers_;
+  bool bind() override {
+    unbind();  // EGL takes its context for current while OSMesa has replaced it, and would do nothing
+    egl().bindApi(EGL_OPENGL_API);
+    const bool bound = egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+    osMesasWord_ = osMesasWord();
+    return bound;
+  }
+  void unbind() override { egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+  bool isBound() const override {
+    // A context of OSMesa's may be current over this one. If OSMesa was opened later, its word cannot be compared.
+    return egl().getCurrentContext() == context_ && (!osMesasWord_ || osMesasWord_ == osMesasWord());
+  }
+  FunctionLoader loader() const override { return reinterpret_cast<FunctionLoader>(egl().getProcAddress); }
+
   SurfacelessDisplay display_;
   EGLContext context_ = EGL_NO_CONTEXT;
+  const void* osMesasWord_ = nullptr;  // while this one is current
 };
 
 }  // namespace
 
-std::function<void()> callersEglContext() {
+std::function<void()> releasedEglContext() {
   const EGLContext context = core::SharedLibrary::isOpen(kLibrary) ? egl().getCurrentContext() : EGL_NO_CONTEXT;
   if (context == EGL_NO_CONTEXT) return nullptr;
-  return [api = egl().queryApi(), display = egl().getCurrentDisplay(), draw = egl().getCurrentSurface(EGL_DRAW),
-          read = egl().getCurrentSurface(EGL_READ), context] {
+  auto restore = [api = egl().queryApi(), display = egl().getCurrentDisplay(),
+                  draw = egl().getCurrentSurface(EGL_DRAW), read = egl().getCurrentSurface(EGL_READ), context] {
     egl().bindApi(api);
-    // EGL takes its context for current while OSMesa has replaced it, and would do nothing.
-    egl().makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl().makeCurrent(display, draw, read, context);
   };
+  egl().makeCurrent(egl().getCurrentDisplay(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  return restore;
 }
 
 std::unique_ptr<OffscreenContext> openEglContext() {
   auto context = std::make_unique<EglContext>();
-  makeReady(reinterpret_cast<FunctionLoader>(egl().getProcAddress));
+  makeReady(*context);
   return context;
 }
 

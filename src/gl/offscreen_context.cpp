@@ -27,20 +27,74 @@ BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)(
   }
 }
 
-thread_local int ours = 0;  // contexts of this thread
+/// What brings back the caller's own context, of either library.
+std::function<void()> releasedCallersContext() {
+  const auto egl = releasedEglContext(), osMesa = callersOsMesaContext();
+  if (!egl && !osMesa) return nullptr;
+  return [=] {
+    if (egl) egl();
+    if (osMesa) osMesa();
+  };
+}
 
 }  // namespace
 
-CallersContext::CallersContext() {
-  if (ours++ > 0) return;  // one of ours may end before another
-  egl_ = callersEglContext();
-  osMesa_ = callersOsMesaContext();
+/// A context, and what was current on its thread before it: a context of ours, else the caller's.
+struct NestedContext::Place {
+  NestedContext* context = nullptr;  // null: it has ended
+  std::shared_ptr<Place> earlier;
+  std::function<void()> callers;
+};
+
+thread_local std::shared_ptr<NestedContext::Place> NestedContext::latest_;
+
+/// Leaves out earlier contexts that have ended.
+NestedContext::Place& NestedContext::settled(Place& place) {
+  while (place.earlier && !place.earlier->context) {
+    const std::shared_ptr<Place> ended = place.earlier;
+    place.earlier = ended->earlier;
+    place.callers = ended->callers;
+  }
+  return place;
 }
 
-CallersContext::~CallersContext() {
-  --ours;
-  if (egl_) egl_();
-  if (osMesa_) osMesa_();
+NestedContext::NestedContext() : place_(std::make_shared<Place>()) {
+  place_->context = this;
+  if (latest_ && latest_->context && latest_->context->isCurrent()) {
+    place_->earlier = latest_;
+    latest_->context->unbind();
+  } else {
+    place_->callers = releasedCallersContext();
+  }
+  for (Place* place = place_.get(); place; place = place->earlier.get()) settled(*place);
+}
+
+NestedContext::~NestedContext() {
+  place_->context = nullptr;
+  if (!restores_) return;
+  const Place& before = settled(*place_);
+  try {
+    if (before.earlier) before.earlier->context->makeCurrent();
+    if (before.callers) before.callers();
+  } catch (const Error&) {  // nothing is current then, which the next picture reports
+  }
+}
+
+bool NestedContext::isCurrent() const { return latest_ == place_ && isBound(); }
+
+void NestedContext::makeCurrent() {
+  if (latest_ && latest_ != place_ && latest_->context && latest_->context->isCurrent())
+    latest_->context->unbind();
+  if (!bind()) throw Error(ErrorKind::kGraphics, std::string(backendName()) + " cannot make its context current");
+  latest_ = place_;
+  begun_ = true;
+  poinsot_gladLoadGL(loader());
+}
+
+void NestedContext::leave() {
+  const bool current = isCurrent();
+  if (current) unbind();
+  restores_ = current || !begun_;
 }
 
 std::string OffscreenContext::renderer() const { return glString(GL_RENDERER); }
@@ -52,10 +106,9 @@ std::string OffscreenContext::driver() const {
   return profile == std::string::npos ? text.substr(text.find(' ') + 1) : text.substr(profile + 2);
 }
 
-void makeReady(FunctionLoader loader) {
-  const int version = poinsot_gladLoadGL(loader);
-  if (version < POINSOT_GLAD_MAKE_VERSION(3, 3))
-    throw Error(ErrorKind::kGraphics, "the back end's OpenGL is older than 3.3");
+void makeReady(NestedContext& context) {
+  context.makeCurrent();
+  if (!POINSOT_GLAD_GL_VERSION_3_3) throw Error(ErrorKind::kGraphics, "the back end's OpenGL is older than 3.3");
   expectDraws();
 }
 

@@ -13,13 +13,20 @@ enum class Backend { kAuto, kOsMesa, kEgl };
 
 /// A current OpenGL 3.3 core context without a window. Drawing goes to framebuffer objects of the caller's.
 ///
-/// While it lives, it replaces the context that was current on the thread before. At its end the earlier context
-/// is current again if it is EGL's or OSMesa's; it must still exist. A context of GLX must be released and made
-/// current by its owner; to keep it current, draw on another thread, for which context is current is a matter of
-/// each thread.
+/// It belongs to the thread that opened it, and replaces the context that was current there. If it is still
+/// current at its end, the earlier context becomes current again; otherwise nothing changes. An earlier poinsot
+/// context may have ended before: then it is the one before that. Another earlier context must still exist, and be
+/// EGL's or OSMesa's. A context of GLX must be released and made current by its owner; to keep it current, draw on
+/// another thread, as each thread has a current context of its own.
+///
+/// Contexts of both back ends may live at once, on one thread or on several.
 class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;
+  /// Whether OpenGL draws with this context on the calling thread.
+  virtual bool isCurrent() const = 0;
+  /// Makes it current in place of another one. @throws core::Error(kGraphics) if the back end refuses.
+  virtual void makeCurrent() = 0;
   virtual const char* backendName() const = 0;  ///< "osmesa" or "egl"
   std::string renderer() const;                 ///< GL_RENDERER
   std::string version() const;                  ///< GL_VERSION

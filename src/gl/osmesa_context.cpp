@@ -41,7 +41,7 @@ const OsMesaFunctions& osMesa() {
   return functions;
 }
 
-class OsMesaContext final : public OffscreenContext {
+class OsMesaContext final : public NestedContext {
  public:
   OsMesaContext() {
     constexpr int kAttributes[] = {OSMESA_FORMAT,
@@ -59,20 +59,20 @@ class OsMesaContext final : public OffscreenContext {
                                    0};
     context_ = osMesa().createContextAttribs(kAttributes, nullptr);
     if (!context_) throw Error(ErrorKind::kGraphics, "OSMesa gives no OpenGL 3.3 core context");
-    // OSMesa wants a window of its own; drawing goes to framebuffer objects, so one pixel is enough.
-    if (!osMesa().makeCurrent(context_, windowPixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
-      osMesa().destroyContext(context_);
-      throw Error(ErrorKind::kGraphics, "OSMesa cannot make its context current");
-    }
   }
   ~OsMesaContext() override {
-    osMesa().makeCurrent(nullptr, nullptr, 0, 0, 0);
+    leave();
     osMesa().destroyContext(context_);
   }
   const char* backendName() const override { return "osmesa"; }
 
  private:
-  CallersContext callers_;
+  // OSMesa wants a window of its own; drawing goes to framebuffer objects, so one pixel is enough.
+  bool bind() override { return osMesa().makeCurrent(context_, windowPixel_.data(), GL_UNSIGNED_BYTE, 1, 1); }
+  void unbind() override { osMesa().makeCurrent(nullptr, nullptr, 0, 0, 0); }
+  bool isBound() const override { return osMesa().getCurrentContext() == context_; }
+  FunctionLoader loader() const override { return reinterpret_cast<FunctionLoader>(osMesa().getProcAddress); }
+
   OSMesaContext context_ = nullptr;
   std::array<unsigned char, 4> windowPixel_{};
 };
@@ -80,6 +80,10 @@ class OsMesaContext final : public OffscreenContext {
 }  // namespace
 
 void openOsMesaLibrary() { osMesa(); }
+
+const void* osMesasWord() {
+  return core::SharedLibrary::isOpen(kLibrary) ? osMesa().getCurrentContext() : nullptr;
+}
 
 std::function<void()> callersOsMesaContext() {
   const OSMesaContext context = core::SharedLibrary::isOpen(kLibrary) ? osMesa().getCurrentContext() : nullptr;
@@ -92,7 +96,7 @@ std::function<void()> callersOsMesaContext() {
 
 std::unique_ptr<OffscreenContext> openOsMesaContext() {
   auto context = std::make_unique<OsMesaContext>();
-  makeReady(reinterpret_cast<FunctionLoader>(osMesa().getProcAddress));
+  makeReady(*context);
   return context;
 }
 

@@ -8,7 +8,23 @@
 
 namespace poinsot::gl {
 
-/// Owner of one OpenGL name; 0 is empty. Move-only; the context must be current when it is destroyed.
+/// While it lives, names of this thread are left to their context, which frees them at its end: for owners that
+/// end while another context is current, whose names would be deleted instead.
+class AbandonedNames {
+ public:
+  explicit AbandonedNames(bool abandoned) { abandoned_ = abandoned; }
+  ~AbandonedNames() { abandoned_ = false; }
+  AbandonedNames(const AbandonedNames&) = delete;
+  AbandonedNames& operator=(const AbandonedNames&) = delete;
+
+  static bool now() { return abandoned_; }
+
+ private:
+  static inline thread_local bool abandoned_ = false;
+};
+
+/// Owner of one OpenGL name; 0 is empty. Move-only. When it is destroyed, the name's context must be current, or
+/// names be abandoned.
 template <typename Traits>
 class UniqueName {
  public:
@@ -19,7 +35,7 @@ class UniqueName {
     return name;
   }
   ~UniqueName() {
-    if (id_) Traits::destroy(id_);
+    if (id_ && !AbandonedNames::now()) Traits::destroy(id_);
   }
   UniqueName(UniqueName&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
   UniqueName& operator=(UniqueName&& other) noexcept {

@@ -9,6 +9,7 @@
 #include "core/expect.h"
 #include "core/step_times.h"
 #include "gl/framebuffer.h"
+#include "gl/unique_name.h"
 #include "render/compositor.h"
 #include "render/flat_painter.h"
 #include "render/kept_panel.h"
@@ -217,26 +218,38 @@ struct Renderer::Passes {
   }
 };
 
-Renderer::Renderer(gl::OffscreenContext&, core::StepLedger* steps) : passes_(std::make_unique<Passes>(steps)) {}
-Renderer::~Renderer() = default;
+Renderer::Renderer(gl::OffscreenContext& context, core::StepLedger* steps) : context_(context) {
+  POINSOT_EXPECT(context_.isCurrent());
+  passes_ = std::make_unique<Passes>(steps);
+}
+
+Renderer::~Renderer() {
+  const gl::AbandonedNames names(!context_.isCurrent());
+  passes_.reset();
+}
+
+Renderer::Passes& Renderer::passes() {
+  POINSOT_EXPECT(context_.isCurrent());
+  return *passes_;
+}
 
 image::Image Renderer::render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options) {
   POINSOT_EXPECT(list.camera.size_px == glm::vec2(size.width, size.height));
-  return std::get<image::Image>(passes_->drawList(list, options));
+  return std::get<image::Image>(passes().drawList(list, options));
 }
 
 image::Image Renderer::render(const draw::Picture& picture, const RenderOptions& options) {
-  return std::get<image::Image>(passes_->drawPicture<std::uint8_t>(picture, options).picture);
+  return std::get<image::Image>(passes().drawPicture<std::uint8_t>(picture, options).picture);
 }
 
 image::DeepImage Renderer::renderDeep(const draw::Picture& picture, const RenderOptions& options) {
-  return std::get<image::DeepImage>(passes_->drawPicture<std::uint16_t>(picture, options).picture);
+  return std::get<image::DeepImage>(passes().drawPicture<std::uint16_t>(picture, options).picture);
 }
 
 image::Frame Renderer::frame(const draw::Picture& picture, int bits, const RenderOptions& options) {
   POINSOT_EXPECT(bits == 8 || bits == 16);
-  return bits == 16 ? passes_->drawPicture<std::uint16_t>(picture, options)
-                    : passes_->drawPicture<std::uint8_t>(picture, options);
+  return bits == 16 ? passes().drawPicture<std::uint16_t>(picture, options)
+                    : passes().drawPicture<std::uint8_t>(picture, options);
 }
 
 }  // namespace poinsot::render

@@ -16,11 +16,12 @@ struct RenderOptions {
 };
 
 /// Draws pictures. What stands still from one to the next is not drawn again, which shows in the time only: a
-/// picture's bytes do not depend on those before. Owns every GL object; the context it is given must outlive it
-/// and stay current.
+/// picture's bytes do not depend on those before. Owns every GL object; the context it is given must outlive it,
+/// and be current whenever it draws.
 class Renderer {
  public:
   /// @param steps  where the time is entered; must outlive it.
+  /// @pre the context is current on this thread, here and for every picture.
   /// @throws core::Error(kGraphics) when a shader does not compile.
   explicit Renderer(gl::OffscreenContext& context, core::StepLedger* steps = nullptr);
   ~Renderer();
@@ -44,6 +45,10 @@ class Renderer {
 
  private:
   struct Passes;
+
+  Passes& passes();
+
+  gl::OffscreenContext& context_;
   std::unique_ptr<Passes> passes_;
 };
 

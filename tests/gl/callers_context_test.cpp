@@ -146,6 +146,38 @@ TEST_P(CallersContextTest, OfOsMesaIsCurrentAgainWithItsBuffer) {
   EXPECT_EQ(program.cleared(), kRed);
 }
 
+TEST_P(CallersContextTest, OfOsMesaOverOneOfEglIsCurrentAgain) {
+  EglProgram below;
+  OsMesaProgram program;
+  {
+    const auto context = openContext(GetParam());
+    EXPECT_FALSE(program.isCurrent());
+  }
+  EXPECT_TRUE(program.isCurrent());
+}
+
+TEST_P(CallersContextTest, OverOneOfOursIsCurrentAgainAndOursIsNot) {
+  const auto outer = openContext(GetParam());
+  OsMesaProgram program;
+  EXPECT_FALSE(outer->isCurrent());
+  openContext(GetParam());
+  EXPECT_TRUE(program.isCurrent());
+  outer->makeCurrent();
+  EXPECT_TRUE(outer->isCurrent());
+}
+
+// OSMesa takes EGL's context for one of its own, and complains of it when asked to make it current.
+TEST_P(CallersContextTest, OfEglIsNotOfferedToOsMesa) {
+  preload(Backend::kOsMesa);
+  testing::internal::CaptureStderr();
+  {
+    EglProgram program;
+    openContext(GetParam());
+    EXPECT_TRUE(program.isCurrent());
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_P(CallersContextTest, OfAnotherThreadIsLeftAlone) {
   EglProgram program;
   std::thread([] { openContext(GetParam()); }).join();

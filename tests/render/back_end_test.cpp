@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
 #include "mesh_shapes.h"
 #include "picture_test.h"
 
@@ -58,6 +60,41 @@ TEST(BackEnds, TheSameListGivesTheSameBytesAgain) {
   empty.camera = busyList(size).camera;
   renderer.render(empty, size);  // another picture in between
   EXPECT_EQ(renderer.render(busyList(size), size), first);
+}
+
+/// A context with a renderer, and the picture that it draws.
+struct Drawing {
+  explicit Drawing(gl::Backend backend) : context(gl::openContext(backend)), renderer(new Renderer(*context)) {}
+  image::Image picture() const { return renderer->render(busyList(kSize), kSize); }
+
+  static constexpr image::PixelSize kSize{320, 240};
+  std::unique_ptr<gl::OffscreenContext> context;
+  std::unique_ptr<Renderer> renderer;
+};
+
+TEST(Renderer, RefusesToDrawUnlessItsContextIsCurrent) {
+  for (const gl::Backend backend : {gl::Backend::kOsMesa, gl::Backend::kEgl}) {
+    const Drawing outer(backend);
+    const image::Image first = outer.picture();
+    {
+      const Drawing inner(gl::Backend::kOsMesa);
+      EXPECT_THROW(outer.picture(), std::logic_error);
+      EXPECT_THROW(Renderer(*outer.context), std::logic_error);
+    }
+    EXPECT_EQ(outer.picture(), first);
+  }
+}
+
+// Two renderers give the same names to their things.
+TEST(Renderer, LeavesTheNamesOfAnotherContextAlone) {
+  Drawing outer(gl::Backend::kOsMesa);
+  outer.picture();
+  const Drawing inner(gl::Backend::kOsMesa);
+  const image::Image first = inner.picture();
+  outer.renderer.reset();
+  EXPECT_EQ(inner.picture(), first);
+  outer.context.reset();
+  EXPECT_EQ(inner.picture(), first);
 }
 
 TEST(Renderer, RefusesAListComposedForAnotherSize) {
