@@ -6,6 +6,10 @@
 #include <cstddef>
 #include <version>
 
+#if __cplusplus < 202002L
+#error "poinsot: C++20 is needed; compile with -std=c++20 or later"
+#endif
+
 #if defined(_GLIBCXX_DEBUG) && !defined(POINSOT_BUILT_WITH_GLIBCXX_DEBUG)
 #error "poinsot: _GLIBCXX_DEBUG changes std::vector and others; build poinsot with it too, or omit it"
 #elif !defined(_GLIBCXX_DEBUG) && defined(POINSOT_BUILT_WITH_GLIBCXX_DEBUG)

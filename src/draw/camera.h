@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-
-#include "core/abi.h"
+#include "draw/glm_layout.h"
 
 namespace poinsot::draw {
 

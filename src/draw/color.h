@@ -3,10 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <type_traits>
 
-#include "core/abi.h"
+#include "draw/glm_layout.h"
 
 namespace poinsot::draw {
 

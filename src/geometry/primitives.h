@@ -4,15 +4,14 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "core/vector2.h"
 #include "geometry/mesh.h"
 
 // Closed meshes, outside outward. Lengths in m; solids of revolution are about z. Curved surfaces are inscribed:
 // their vertices lie on the true surface, and their volume grows to the true one as 1/segments².
 namespace poinsot::geometry {
 
-/// A point of a plane, m, of one layout under all flags; Eigen::Vector2d converts to it and from it.
-using Vector2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
-static_assert(core::laidOut<Vector2, 16>());
+using core::Vector2;  // a point of a plane, m; a std::vector<Eigen::Vector2d> is no span of it
 
 /// The solid swept by a polygon in the half plane (r, z), r >= 0, turning about z in `segments` steps. The polygon
 /// is closed by its last corner to its first, counter-clockwise; corners on the axis (r = 0) become one vertex,

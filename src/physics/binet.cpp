@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/binet.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -61,6 +63,11 @@ std::optional<Separatrix> separatrix(const PrincipalMoments& moments) {
 
 std::vector<Eigen::Vector3d> Separatrix::momentumCircle(double L, int count, bool mirrored) const {
   POINSOT_EXPECT(count >= 3);
+  if (!(L >= 0 && std::isfinite(L)))
+    throw core::Error(core::ErrorKind::kPhysics,
+                      fmt::format("the magnitude of the angular momentum must be finite and not negative, got {} "
+                                  "kg·m²/s",
+                                  L));
   const SineCosine psi = sineCosine(momentumAngle_rad);
   std::vector<Eigen::Vector3d> circle;
   for (int j = 0; j < count; ++j) {
@@ -85,7 +92,7 @@ std::vector<MomentumPolhode> momentumPolhodes(const PrincipalMoments& moments, d
 }
 
 std::vector<double> evenEnergies(const PrincipalMoments& moments, double L, int perSide) {
-  POINSOT_EXPECT(L > 0 && perSide >= 1);
+  POINSOT_EXPECT(L > 0 && std::isfinite(L) && perSide >= 1);
   const auto axis = moments.ascendingAxes();
   const double I1 = moments[axis[0]], I2 = moments[axis[1]], I3 = moments[axis[2]];
   if (I1 == I3) return {};
@@ -102,7 +109,7 @@ std::vector<double> evenEnergies(const PrincipalMoments& moments, double L, int 
 
 std::vector<Eigen::Vector3d> onEnergyEllipsoid(const MomentumPolhode& curve, const PrincipalMoments& moments,
                                                double T) {
-  POINSOT_EXPECT(T > 0 && curve.kineticEnergy > 0);
+  POINSOT_EXPECT(T > 0 && std::isfinite(T) && curve.kineticEnergy > 0);
   const double factor = std::sqrt(T / curve.kineticEnergy);
   std::vector<Eigen::Vector3d> omega_P;
   for (const Eigen::Vector3d& m_P : curve.m_P) omega_P.push_back(factor * m_P.cwiseQuotient(moments.values()));

@@ -45,6 +45,7 @@ struct Separatrix {
 
   /// `count` points of one of the two great circles |m| = L, even in angle, from the middle axis; the last joins
   /// the first. m_P in kg·m²/s. The other circle (`mirrored`) has m_3 negated. @pre count >= 3.
+  /// @throws core::Error(kPhysics) for an L that is negative or not finite.
   std::vector<Eigen::Vector3d> momentumCircle(double L, int count, bool mirrored) const;
 };
 
@@ -65,11 +66,11 @@ std::vector<MomentumPolhode> momentumPolhodes(const PrincipalMoments& moments, d
 
 /// Energies whose polhodes are spread evenly over the momentum sphere |m| = L: from the separatrix (left out)
 /// towards each extreme axis (left out), `perSide` each, even in the angle at which they cross the plane of the
-/// two extreme axes. Ascending, J. A symmetric body's are all on one side. @pre L > 0, perSide >= 1.
+/// two extreme axes. Ascending, J. A symmetric body's are all on one side. @pre L > 0 and finite, perSide >= 1.
 std::vector<double> evenEnergies(const PrincipalMoments& moments, double L, int perSide);
 
 /// The polhode on the energy ellipsoid of energy T: the same curve, for L changed to suit. omega_P in rad/s.
-/// @pre T > 0, curve.kineticEnergy > 0.
+/// @pre T > 0 and finite, curve.kineticEnergy > 0.
 std::vector<Eigen::Vector3d> onEnergyEllipsoid(const MomentumPolhode& curve, const PrincipalMoments& moments,
                                                double T);
 

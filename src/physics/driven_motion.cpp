@@ -163,7 +163,7 @@ DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& ome
   validate(forcing);
   requireSpan(span, tolerance_rad);
   const FreeMotion checked(axes, omega0_B, q0_WB);  // refuses an impossible start
-  const TimeSpan whole = {std::min(span.from_s, 0.0), std::max(span.to_s, 0.0)};
+  const TimeSpan whole = {std::min({span.from_s, span.to_s, 0.0}), std::max({span.from_s, span.to_s, 0.0})};
   auto solution = std::make_unique<Solution>(axes, forcing);
   solution->report.tolerance_rad = tolerance_rad;
   if (hasClosedForm(forcing))
@@ -177,10 +177,15 @@ DrivenMotion::~DrivenMotion() = default;
 DrivenMotion::DrivenMotion(DrivenMotion&&) noexcept = default;
 DrivenMotion& DrivenMotion::operator=(DrivenMotion&&) noexcept = default;
 
-RigidBodyState DrivenMotion::at(double t_s) const { return solution_->at(t_s); }
-const PrincipalAxes& DrivenMotion::axes() const { return solution_->axes; }
-const Forcing& DrivenMotion::forcing() const { return solution_->forcing; }
-const DrivenMotionReport& DrivenMotion::report() const { return solution_->report; }
-double DrivenMotion::totalEnergy(const RigidBodyState& state) const { return solution_->totalEnergy(state); }
+const DrivenMotion::Solution& DrivenMotion::solution() const {
+  POINSOT_EXPECT(solution_ != nullptr);  // not moved from
+  return *solution_;
+}
+
+RigidBodyState DrivenMotion::at(double t_s) const { return solution().at(t_s); }
+const PrincipalAxes& DrivenMotion::axes() const { return solution().axes; }
+const Forcing& DrivenMotion::forcing() const { return solution().forcing; }
+const DrivenMotionReport& DrivenMotion::report() const { return solution().report; }
+double DrivenMotion::totalEnergy(const RigidBodyState& state) const { return solution().totalEnergy(state); }
 
 }  // namespace poinsot::physics

@@ -30,7 +30,7 @@ struct DrivenMotionReport {
   std::optional<double> energyDrift;
 };
 
-/// The span of time a driven motion is wanted for; 0 is always in it.
+/// The span of time a driven motion is wanted for, its ends in either order; 0 is always in it.
 struct TimeSpan {
   double from_s = 0;
   double to_s = 0;
@@ -60,6 +60,7 @@ class DrivenMotion final : public Motion {
   DrivenMotion& operator=(DrivenMotion&&) noexcept;
 
   /// @throws core::Error(kLimit) for a time outside the span, unless the motion is in closed form.
+  /// @pre the motion was not moved from.
   RigidBodyState at(double t_s) const override;
   using Motion::at;  // of many times
 
@@ -72,7 +73,9 @@ class DrivenMotion final : public Motion {
 
  private:
   struct Solution;
-  std::unique_ptr<const Solution> solution_;
+  const Solution& solution() const;
+
+  std::unique_ptr<const Solution> solution_;  // null: moved from
 };
 
 }  // namespace poinsot::physics

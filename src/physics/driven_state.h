@@ -41,6 +41,8 @@ struct DrivenState {
     for (std::size_t i = 0; i < 3; ++i) L_W[i] += twoProduct(factor, change_W[i]);
   }
 
+  void stop() { L_W = {}; }
+
   /// Brings |q| back to 1 from a few roundings off.
   void normalize() {
     auto& q = q_WP;

@@ -78,12 +78,14 @@ DrivenState DrivenTrajectory::integrated(const Run& run, DrivenState state) {
 
 /// Step `index` of the run, from index h to (index + 1) h after its begin.
 void DrivenTrajectory::step(DrivenState& state, const Run& run, std::size_t index) const {
+  if (run.stretch.atRest) return state.stop();
   const double since = run.stretch.begin_s - run.stretch.piece.begin_s + static_cast<double>(index) * run.h_s;
   splitting_.step(state, *composition_, run.stretch.piece, since, run.h_s);
 }
 
 /// From where step `index` begins to t_s, the distance worked out without rounding.
 void DrivenTrajectory::sideStep(DrivenState& state, const Run& run, std::size_t index, double t_s) const {
+  if (run.stretch.atRest) return state.stop();
   const DoubleDouble gone = twoProduct(static_cast<double>(index), run.h_s);
   const double rest = toDouble(twoSum(t_s, -run.stretch.begin_s) - gone);
   const double since = run.stretch.begin_s - run.stretch.piece.begin_s + gone.hi;

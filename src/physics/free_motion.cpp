@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/expect.h"
 #include "physics/elliptic.h"
 #include "physics/free_motion_constants.h"
 #include "physics/rotor.h"
@@ -234,13 +235,18 @@ FreeMotion::~FreeMotion() = default;
 FreeMotion::FreeMotion(FreeMotion&&) noexcept = default;
 FreeMotion& FreeMotion::operator=(FreeMotion&&) noexcept = default;
 
-RigidBodyState FreeMotion::at(double t_s) const { return solution_->at(t_s); }
-bool FreeMotion::reaches(double t_s) const {
-  return solution_->reaches(std::ldexp(t_s, solution_->k.start.rateExponent));
+const FreeMotion::Solution& FreeMotion::solution() const {
+  POINSOT_EXPECT(solution_ != nullptr);  // not moved from
+  return *solution_;
 }
 
-const PrincipalAxes& FreeMotion::axes() const { return solution_->axes; }
-const Eigen::Vector3d& FreeMotion::L_W() const { return solution_->L_W; }
-double FreeMotion::kineticEnergy() const { return solution_->kineticEnergy; }
+RigidBodyState FreeMotion::at(double t_s) const { return solution().at(t_s); }
+bool FreeMotion::reaches(double t_s) const {
+  return solution().reaches(std::ldexp(t_s, solution().k.start.rateExponent));
+}
+
+const PrincipalAxes& FreeMotion::axes() const { return solution().axes; }
+const Eigen::Vector3d& FreeMotion::L_W() const { return solution().L_W; }
+double FreeMotion::kineticEnergy() const { return solution().kineticEnergy; }
 
 }  // namespace poinsot::physics

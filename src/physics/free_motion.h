@@ -31,9 +31,10 @@ class FreeMotion final : public Motion {
 
   /// State at motion time t_s (seconds, any sign). Of q and -q the one with w >= 0: the quaternion may jump to its
   /// negative from one time to the next, the rotation does not. @throws core::Error(kLimit) unless it reaches t_s.
+  /// @pre the motion was not moved from.
   RigidBodyState at(double t_s) const override;
   using Motion::at;  // of many times
-  /// Whether the phase at t_s is finite and at most kFarthestPhase_rad.
+  /// Whether all phases at t_s are finite and at most kFarthestPhase_rad (motion.h).
   bool reaches(double t_s) const;
 
   const PrincipalAxes& axes() const override;
@@ -45,7 +46,9 @@ class FreeMotion final : public Motion {
 
  private:
   struct Solution;
-  std::unique_ptr<const Solution> solution_;
+  const Solution& solution() const;
+
+  std::unique_ptr<const Solution> solution_;  // null: moved from
 };
 
 }  // namespace poinsot::physics

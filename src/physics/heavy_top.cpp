@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/heavy_top.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/error.h"
+#include "core/expect.h"
 #include "physics/elliptic.h"
 #include "physics/fixed_order.h"
 #include "physics/transcendental.h"
@@ -16,6 +20,15 @@ namespace {
 // What turning r into the principal axes leaves of a component that is 0.
 constexpr double kRounding = 1e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void requireFinite(double value, const char* name) {
+  if (!std::isfinite(value))
+    throw core::Error(core::ErrorKind::kPhysics, fmt::format("{} must be finite, got {}", name, value));
+}
+
+void requireFinite(const Eigen::Vector3d& v, const char* name) {
+  for (const double component : v) requireFinite(component, name);
+}
 
 /// f(u0 + v) = f0 + f1 v + f2 v² + a v³, f0 >= 0: nothing cancels where the swing is small.
 struct Cubic {
@@ -71,6 +84,8 @@ double turning(double mc, double rate, double near, double far) {
 
 std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P,
                                  double uneven) {
+  requireFinite(gravity_P, "the weight times the centre of mass");
+  requireFinite(uneven, "the unevenness allowed");
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const double weight = std::abs(gravity_P[k]);
@@ -86,6 +101,8 @@ std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::V
 double HeavyTop::sleepingSpin() const { return 2 * std::sqrt(across * weight) / along; }
 
 std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, double spin) const {
+  requireFinite(tilt_rad, "the tilt");
+  requireFinite(spin, "the spin");
   constexpr double kLevel = 1e-15;  // cosine of a right angle, as double has it
   const double cosine = sineCosine(tilt_rad).cosine, stiffness = std::abs(cosine) < kLevel ? 0 : across * cosine;
   const double L3 = along * spin;
@@ -96,6 +113,9 @@ std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, doub
 }
 
 Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const {
+  constexpr double kUnit = 1e-12;  // of a length squared, some roundings off
+  POINSOT_EXPECT(std::abs(dotProduct(up_P, up_P) - 1) < kUnit);
+  requireFinite(omega_P, "omega");
   const double u0 = dotProduct(k_P, up_P), spin = dotProduct(omega_P, k_P), c = along * spin / across;
   const Eigen::Vector3d across_P = omega_P - spin * k_P, down_P = up_P - k_P, sum_P = up_P + k_P;
   const double below = dotProduct(down_P, down_P) / 2, above = dotProduct(sum_P, sum_P) / 2;  // 1 - u0, 1 + u0

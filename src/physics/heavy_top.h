@@ -44,18 +44,22 @@ struct HeavyTop {
 
   /// Rates Omega with I1 cos theta Omega² - I3 omega_3 Omega + M g l = 0; empty for a spin too slow for the tilt.
   /// Of a hanging top (theta > pi/2) the rates have opposite signs. spin: omega_3, rad/s, not 0 for a level axis.
+  /// @throws core::Error(kPhysics) for numbers that are not finite.
   std::optional<SteadyPrecession> steadyPrecession(double tilt_rad, double spin) const;
 
-  /// omega_P in rad/s, up_P the upward vertical in the body, of unit length.
+  /// omega_P in rad/s, up_P the upward vertical in the body.
   ///   period = 4 K/sqrt(a (u3 - u1)),  mc = (u3 - u2)/(u3 - u1), and precession by two integrals of the third
   ///   kind.
   /// A start next to steady precession gives the tilts to half the digits only, as it must.
+  /// @pre up_P is of unit length.
+  /// @throws core::Error(kPhysics) if omega_P is not finite.
   Nutation nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const;
 };
 
 /// gravity_P: M g r of the centre of mass from the fixed point, N·m. Empty unless r is along a principal axis, to
 /// `uneven` of its length or 1e-14, and not 0, and the moments about the other two differ by no more than `uneven`
 /// of themselves; then their mean is taken.
+/// @throws core::Error(kPhysics) for numbers that are not finite.
 std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P,
                                  double uneven = 0);
 

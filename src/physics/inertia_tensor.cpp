@@ -26,6 +26,10 @@ Matrix rotationMatrix(const Rotor<DoubleDouble>& q) {
 }
 
 Matrix rotationMatrix(const Quaternion& q) {
+  if (!q.coeffs().allFinite() || q.coeffs().isZero(0))
+    throw core::Error(core::ErrorKind::kPhysics,
+                      fmt::format("a rotation must be a nonzero, finite quaternion, got ({}, {}, {}, {})", q.w(),
+                                  q.x(), q.y(), q.z()));
   return rotationMatrix(normalized(Rotor<DoubleDouble>{q.w(), q.x(), q.y(), q.z()}));
 }
 

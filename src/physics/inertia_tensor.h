@@ -24,9 +24,10 @@ Eigen::Matrix3d symmetricTensor(const Eigen::Matrix3d& inertia);
 
 /// R I Rᵀ for the rotation R of q (eq 16), correctly rounded but for some 1e-30; exactly symmetric. The length of
 /// q does not matter; a quarter turn given as (1, 0, 0, 1)·0.7071... turns exactly.
+/// @throws core::Error(kPhysics) for a zero or non-finite quaternion.
 Eigen::Matrix3d turnedTensor(const Quaternion& q, const Eigen::Matrix3d& inertia);
 
-/// R v likewise.
+/// Returns R v, turned like a tensor. @throws core::Error(kPhysics) for a zero or non-finite quaternion.
 Eigen::Vector3d turnedVector(const Quaternion& q, const Eigen::Vector3d& v);
 
 }  // namespace poinsot::physics

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/level_attitude.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/error.h"
 #include "physics/double_double.h"
 #include "physics/rotor.h"
 
@@ -53,15 +56,23 @@ Quaternion turnOnto(const Vector& d, Vertical vertical) {
   return {q.w, q.x, q.y, q.z};
 }
 
+void requireFinite(const Eigen::Vector3d& v, const char* name) {
+  if (!v.allFinite())
+    throw core::Error(core::ErrorKind::kPhysics,
+                      fmt::format("{} must be finite, got ({}, {}, {})", name, v[0], v[1], v[2]));
+}
+
 Rotor<DD> unitRotor(const Quaternion& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }
 
 }  // namespace
 
 Quaternion turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical) {
+  requireFinite(direction, "the direction");
   return turnOnto({DD(direction[0]), DD(direction[1]), DD(direction[2])}, vertical);
 }
 
 Quaternion levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical) {
+  requireFinite(omega_B, "omega");
   // Powers of two are taken out of both, so that no product overflows, whatever the units.
   const Eigen::Vector3d omega_P = axes.toP(omega_B);
   const int rateExponent = exponentOf(omega_P.cwiseAbs().maxCoeff());

@@ -19,11 +19,13 @@ enum class Vertical { kUp, kDown };  ///< +z or -z of the axes turned into
 /// The second is the first divided by |d × v|; |d| + c would cancel there. Exactly opposite, every horizontal axis
 /// is as short: the turn is the one of a direction that leans towards +y.
 /// @param direction of any length; its unit does not matter. The zero vector gives the identity.
+/// @throws core::Error(kPhysics) if the direction is not finite.
 Quaternion turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical);
 
 /// Returns the attitude q_WB reached by the shortest turn from B = W that brings the angular momentum onto the
 /// vertical of W.
 /// @param omega_B rad/s. A body at rest gives the identity.
+/// @throws core::Error(kPhysics) if omega_B is not finite.
 /// Measured in tests/physics/level_attitude_test.cpp: L_W is off the vertical by 1.6e-16 |L| at most.
 Quaternion levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical);
 

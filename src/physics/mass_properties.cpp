@@ -106,7 +106,11 @@ MassProperties MassProperties::ofPoint(double mass_kg, const Eigen::Vector3d& po
 Eigen::Matrix3d MassProperties::inertiaAbout(const Eigen::Vector3d& point_B) const {
   DisplacedSum sum;
   sum.add(*this, point_B);
-  return sum.tensor();
+  const Eigen::Matrix3d inertia = sum.tensor();
+  if (!inertia.allFinite())
+    refuse(fmt::format("the inertia about ({}, {}, {}) m is beyond the range of numbers", point_B[0], point_B[1],
+                       point_B[2]));
+  return inertia;
 }
 
 MassProperties MassProperties::moved(const Quaternion& q, const Eigen::Vector3d& offset_B) const {

@@ -33,9 +33,11 @@ class MassProperties {
   /// About the centre of mass (eq 7).
   const Eigen::Matrix3d& inertia_B() const { return inertia_B_; }
   /// About another point: I_cm + M(a² - a a) for a from the centre of mass (eq 14).
+  /// @throws core::Error(kPhysics) if the point is not finite, or so far away that the tensor is not.
   Eigen::Matrix3d inertiaAbout(const Eigen::Vector3d& point_B) const;
 
-  /// The same matter turned by q about the origin, then moved by `offset_B` (eq 16).
+  /// Returns this matter turned by q about the origin, then moved by `offset_B` (eq 16).
+  /// @throws core::Error(kPhysics) for a zero or non-finite quaternion, or an offset that is not finite.
   MassProperties moved(const Quaternion& q, const Eigen::Vector3d& offset_B) const;
 
  private:
@@ -56,7 +58,7 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b);
 MassProperties combined(const std::vector<MassProperties>& pieces);
 
 /// A solid of `mass_kg`, in its own axes S. @throws core::Error(kPhysics) for a mass or a length that is not
-/// positive and finite, or lengths that do not fit together.
+/// positive and finite, lengths that do not fit together, or a kind of polyhedron that does not exist.
 MassProperties massProperties(const Solid& solid, double mass_kg);
 
 /// Volume, m³; 0 of shells, plates, hoops and rods, which have no density per volume. @throws as massProperties.
@@ -70,7 +72,7 @@ struct SolidPart {
   Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< where S has its origin, m
 };
 
-/// In the body's axes. @throws as massProperties of the solid.
+/// In the body's axes. @throws as massProperties() of the solid and MassProperties::moved().
 MassProperties massProperties(const SolidPart& part);
 
 /// The simple solids that a composite solid (L plate, T-handle, racket, wing nut) is made of, masses adding up to

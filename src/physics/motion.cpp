@@ -17,7 +17,7 @@ void refuseTime(double t_s) {
       core::ErrorKind::kLimit,
       fmt::format("t = {} s: so far from the start that the motion is beyond the range of numbers, or "
                   "|omega t| beyond {:g}; choose a time nearer to 0",
-                  t_s, kFarthestPhase_rad));
+                  t_s, kFarthestPhase_rad / 2));
 }
 
 std::vector<RigidBodyState> Motion::at(std::span<const double> times_s) const {

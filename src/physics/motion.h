@@ -9,8 +9,9 @@
 
 namespace poinsot::physics {
 
-/// The farthest phase |omega t| at which a motion has a state, rad: the products that reduce it stay doubles
-/// (double_double.h).
+/// The farthest phase at which a motion has a state, rad: the products that reduce it stay doubles
+/// (double_double.h). Three phases grow with t: of omega, of L over the middle moment, and of the polhode. None
+/// exceeds 2 |omega t|, so every motion has a state while |omega t| is at most half of this.
 inline constexpr double kFarthestPhase_rad = 1e290;
 
 /// The phase |omega t| up to which free motion is exact to rounding, rad (free_motion.h).
@@ -28,6 +29,7 @@ class Motion {
   /// State at motion time t_s (seconds), all numbers finite. Of q and -q the one with w >= 0.
   /// @throws core::Error(kLimit) for a time that is not finite, one beyond kFarthestPhase_rad or beyond the range
   /// of numbers, and one outside the span of a driven motion.
+  /// @pre the motion was not moved from.
   virtual RigidBodyState at(double t_s) const = 0;
   /// Returns the states at many times, in any order, one for each.
   /// @throws core::Error(kLimit) as at(double) does, naming the index of the first such time.

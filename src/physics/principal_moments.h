@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/abi.h"
+#include "core/expect.h"
 
 namespace poinsot::physics {
 
@@ -14,14 +15,19 @@ class PrincipalMoments {
  public:
   /// PrincipalMoments(1, 2, 2.5). @throws core::Error(kPhysics) naming the violated condition and the values.
   PrincipalMoments(double I1, double I2, double I3);
-  /// The same from a vector of three. A template, so that braces mean the three numbers.
+  /// Takes the three moments from a vector. A template, so that braces mean the three numbers.
+  /// @throws core::Error(kPhysics) as PrincipalMoments(double, double, double) does.
   template <typename Derived>
   explicit PrincipalMoments(const Eigen::EigenBase<Derived>& moments) : moments_(moments.derived()) {
     check();
   }
 
   const Eigen::Vector3d& values() const { return moments_; }
-  double operator[](int axis) const { return moments_[axis]; }
+  /// @pre axis is 0, 1 or 2.
+  double operator[](int axis) const {
+    POINSOT_EXPECT(axis >= 0 && axis < 3);
+    return moments_[axis];
+  }
 
   /// The axes from the smallest moment to the largest; equal ones keep their order.
   std::array<int, 3> ascendingAxes() const;

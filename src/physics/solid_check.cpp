@@ -78,7 +78,11 @@ struct Check {
   void operator()(const Capsule& s) const {
     requireUpright(s.radius_m, s.height_m, "radius of the capsule", "height of the capsule's cylinder");
   }
-  void operator()(const Polyhedron& s) const { requirePositive(s.edge_m, "edge of the polyhedron"); }
+  void operator()(const Polyhedron& s) const {
+    if (s.kind < PolyhedronKind::kTetrahedron || s.kind > PolyhedronKind::kIcosahedron)
+      refuse(fmt::format("kind of the polyhedron must be 0 to 4, got {}", static_cast<int>(s.kind)));
+    requirePositive(s.edge_m, "edge of the polyhedron");
+  }
   void operator()(const LPlate& s) const {
     requireEach(s.edges_m, "edge of the L plate");
     requirePositive(s.arm_m, "arm width of the L plate");

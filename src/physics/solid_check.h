@@ -5,8 +5,8 @@
 
 namespace poinsot::physics {
 
-/// @throws core::Error(kPhysics) naming a length that is not positive and finite, or lengths that do not fit
-/// together.
+/// @throws core::Error(kPhysics) naming a length that is not positive and finite, lengths that do not fit
+/// together, or a kind of polyhedron that does not exist.
 void requirePossible(const Solid& solid);
 
 /// @throws core::Error(kPhysics) "NAME must be positive and finite, got VALUE".

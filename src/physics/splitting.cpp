@@ -52,6 +52,16 @@ double Splitting::fastestRate(const DrivenState& state) const {
   return std::max({angularSpeed(state), loss, dragRate_[0], dragRate_[1], dragRate_[2]});
 }
 
+// |L| decays at least like e^(-d t), d the slowest drag, so the turn that is left is at most |L|/(I_min d).
+double Splitting::untilRest_s(const DrivenState& state, const ForcingPiece& piece) const {
+  constexpr double kNoTurn_rad = 1e-290;
+  const double slowest = std::min({dragRate_[0], dragRate_[1], dragRate_[2]});
+  if (slowest == 0 || heavy_ || !piece.torque_P.zero() || !piece.torque_W.zero() || piece.end_s < piece.begin_s)
+    return HUGE_VAL;
+  const double left_rad = norm(state.momentum_P()) / std::min({I_[0], I_[1], I_[2]}) / slowest;
+  return left_rad <= kNoTurn_rad ? 0 : (logarithm(left_rad) - logarithm(kNoTurn_rad)) / slowest;
+}
+
 void Splitting::step(DrivenState& state, const Composition& composition, const ForcingPiece& piece, double since,
                      double h) const {
   POINSOT_EXPECT(composition.ofSymmetricSteps || !dependsOnMomentum());

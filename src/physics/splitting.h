@@ -35,6 +35,10 @@ class Splitting {
   /// would blow up in steps much longer than their time.
   double fastestRate(const DrivenState& state) const;
 
+  /// The time after which the body is at rest, s: drag is all that acts, and no turn above 1e-290 rad is left. Not
+  /// positive: it is at rest now. Infinite where something else acts, or time runs backwards.
+  double untilRest_s(const DrivenState& state, const ForcingPiece& piece) const;
+
   /// Whether the kicks are joined by flows that depend on the angular momentum, so that only compositions of
   /// symmetric steps keep their order.
   bool dependsOnMomentum() const { return anisotropic_ || alpha_ > 0; }

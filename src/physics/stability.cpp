@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/stability.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
+#include "core/error.h"
 #include "core/expect.h"
 #include "physics/free_motion_constants.h"
 #include "physics/transcendental.h"
 
 namespace poinsot::physics {
+namespace {
+
+void requireFinite(double spin) {
+  if (!std::isfinite(spin))
+    throw core::Error(core::ErrorKind::kPhysics, fmt::format("the spin must be finite, got {} rad/s", spin));
+}
+
+/// Whether I·omega is parallel to omega, to 1e-12.
+bool isAlongPrincipalAxis(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  constexpr double kParallel = 1e-12;
+  const double largest = omega_P.cwiseAbs().maxCoeff();
+  if (largest == 0) return true;
+  const Eigen::Vector3d direction = omega_P / largest;
+  const Eigen::Vector3d m = moments.values().cwiseProduct(direction) / moments.values().maxCoeff();
+  return m.cross(direction).cwiseAbs().maxCoeff() <= kParallel * m.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
 
 SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin) {
   POINSOT_EXPECT(axis >= 0 && axis < 3);
+  requireFinite(spin);
   const double Ik = moments[axis], Ii = moments[(axis + 1) % 3], Ij = moments[(axis + 2) % 3];
   const double stiffness = ((Ik - Ii) / Ii) * ((Ik - Ij) / Ij);
   const double rate = std::abs(spin) * std::sqrt(std::abs(stiffness));
@@ -20,6 +42,8 @@ SpinStability spinStability(const PrincipalMoments& moments, int axis, double sp
 }
 
 SpinStability spinStability(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  for (const double component : omega_P) requireFinite(component);
+  POINSOT_EXPECT(isAlongPrincipalAxis(moments, omega_P));
   int axis = 0;
   omega_P.cwiseAbs().maxCoeff(&axis);
   return spinStability(moments, axis, omega_P[axis]);
@@ -52,12 +76,12 @@ FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omeg
 }
 
 double flipInterval(const PrincipalMoments& moments, const Eigen::Vector3d& m_P) {
+  POINSOT_EXPECT(moments[0] != moments[1] || moments[1] != moments[2]);
   POINSOT_EXPECT(!m_P.isZero(0));
   const Eigen::Vector3d omega_P = m_P.cwiseQuotient(moments.values());
   const double interval_s = flipTimes(moments, omega_P).interval_s;
   if (interval_s > 0) return interval_s;
   const SpinStability spin = spinStability(moments, omega_P);
-  POINSOT_EXPECT(spin.kind != Stability::kNeutral);
   return spin.kind == Stability::kStable ? std::numbers::pi / spin.rate : std::numeric_limits<double>::infinity();
 }
 

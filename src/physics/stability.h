@@ -25,9 +25,13 @@ struct SpinStability {
 /// components x of omega across k, to first order.
 /// Source: lecture, eq (24) to (26), linearised; Landau & Lifshitz, Mechanics, section 37. Checked against the
 /// motion in tests/physics/stability_test.cpp. spin in rad/s, either sign. @pre axis is 0, 1 or 2.
+/// @throws core::Error(kPhysics) if the spin is not finite.
 SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin);
 
-/// The same for a steady spin omega_P, rad/s, about the principal axis that it is along.
+/// Returns the stability of a steady spin omega_P, rad/s, about the principal axis that it is along.
+/// @pre omega_P is along a principal axis, to 1e-12 of its length; across the axis of a symmetric body each is
+/// one.
+/// @throws core::Error(kPhysics) if omega_P is not finite.
 SpinStability spinStability(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
 
 /// Flips of a body that spins about its middle axis (tennis racket, T-handle): omega_2 changes sign once in each
@@ -55,8 +59,10 @@ struct FlipTimes {
 FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P);
 
 /// Time between flips for any direction of L in the body, s: FlipTimes::interval_s, and at a steady spin what it
-/// tends to: pi over the rate of SpinStability about an extreme axis, infinity about the middle one. m_P = L in
-/// principal axes, kg·m²/s. @pre the moments differ, m_P is not 0.
+/// tends to: pi over the rate of SpinStability about an extreme axis, infinity about the middle one and across the
+/// axis of a symmetric body. m_P = L in principal axes, kg·m²/s.
+/// @pre the three moments are not all equal, m_P is not 0.
+/// @throws core::Error(kPhysics) if m_P is not finite.
 double flipInterval(const PrincipalMoments& moments, const Eigen::Vector3d& m_P);
 
 }  // namespace poinsot::physics

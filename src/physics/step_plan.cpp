@@ -23,9 +23,13 @@ constexpr std::size_t kStepsPerPart = 32, kMostParts = 16;
 // a body at rest down to the smallest doubles, whose digits are few.
 constexpr double kAtRest = 1e-12;
 
+// A run has at least so many steps for each of the pilot's (DrivenTrajectory, `finer`).
+constexpr double kFiner = 4.0 / 3;
+
 struct PilotStep {
   double since_s = 0;   // from the piece's begin, at the start of the step
   double length_s = 0;  // that would have been good, were the piece long enough
+  bool atRest = false;  // to the end of the piece
 };
 
 /// |a - b| in radians plus the part of the angular momentum by which they differ.
@@ -87,9 +91,9 @@ double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenSta
 
 void Pilot::refuseIfHopeless(const ForcingPiece& piece, double since) const {
   const double t = piece.begin_s + since;
-  const double rest = std::abs(piece.end_s - t);
+  const double rest = std::min(std::abs(piece.end_s - t), splitting_.untilRest_s(state_, piece));
   const bool endless = !(h_ > 0x1p-50 * std::abs(t) && h_ > 0);
-  if (!endless && taken_ + rest / h_ < 4 * most_ && taken_ < most_) return;
+  if (!endless && taken_ + rest / h_ < 4 * most_ && kFiner * taken_ <= most_) return;
   throw core::Error(endless ? core::ErrorKind::kPhysics : core::ErrorKind::kLimit,
                     fmt::format("the driven motion needs steps of {:.3g} s at t = {:.6g} s, with {:.6g} s to go: "
                                 "more than the {:.0f} steps allowed in a run; shorten the run, or weaken what "
@@ -104,6 +108,10 @@ std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
   DrivenState after;
   for (double since = 0; since < length;) {
     core::checkInterruption();
+    if (splitting_.untilRest_s(state_, piece) <= 0) {
+      steps.push_back({sense * since, HUGE_VAL, true});
+      break;
+    }
     h_ = std::min(h_, longest());
     const double h = std::min(h_, length - since);
     const double error = tried(piece, sense * since, sense * h, after);
@@ -128,7 +136,8 @@ std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
 Stretch stretchOf(const ForcingPiece& piece, const std::vector<PilotStep>& steps, std::size_t first,
                   std::size_t last) {
   Stretch stretch{piece, piece.begin_s + steps[first].since_s,
-                  last < steps.size() ? piece.begin_s + steps[last].since_s : piece.end_s, HUGE_VAL};
+                  last < steps.size() ? piece.begin_s + steps[last].since_s : piece.end_s, HUGE_VAL,
+                  steps[first].atRest};
   for (std::size_t i = first; i < last; ++i) stretch.step_s = std::min(stretch.step_s, steps[i].length_s);
   return stretch;
 }
@@ -141,10 +150,12 @@ StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, c
   StepPlan plan;
   for (const ForcingPiece& piece : pieces) {
     const std::vector<PilotStep> steps = pilot.over(piece);
-    const std::size_t n = steps.size();
+    const bool rests = !steps.empty() && steps.back().atRest;
+    const std::size_t n = steps.size() - (rests ? 1 : 0);
     const std::size_t parts = conservative ? 1 : std::clamp<std::size_t>(n / kStepsPerPart, 1, kMostParts);
-    for (std::size_t i = 0; i < parts; ++i)
+    for (std::size_t i = 0; i < parts && n > 0; ++i)
       plan.stretches.push_back(stretchOf(piece, steps, i * n / parts, (i + 1) * n / parts));
+    if (rests) plan.stretches.push_back(stretchOf(piece, steps, n, n + 1));
   }
   plan.turned_rad = pilot.turned_rad();
   return plan;

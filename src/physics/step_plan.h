@@ -22,7 +22,8 @@ struct Stretch {
   ForcingPiece piece;  ///< holds the stretch
   double begin_s = 0;  ///< the end nearer to 0
   double end_s = 0;
-  double step_s = 0;  ///< > 0; the longest that the pilot found good, perhaps longer than the stretch
+  double step_s = 0;    ///< > 0; the longest that the pilot found good, perhaps longer than the stretch
+  bool atRest = false;  ///< nothing changes any more
 };
 
 /// From 0 to one end of the run.

@@ -75,10 +75,10 @@ std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double fro
   const Motion& motion = scene.motion;
   const physics::Quaternion q0_WB = startOrientation(scene);
   if (motion.forcing.none()) return std::make_unique<physics::FreeMotion>(scene.body.axes, motion.omega_B, q0_WB);
-  const physics::TimeSpan span{std::min(from_s, to_s), std::max(from_s, to_s)};
   try {
-    return std::make_unique<physics::DrivenMotion>(scene.body.axes, motion.omega_B, q0_WB, motion.forcing, span,
-                                                   motion.tolerance_rad, motion.mostSteps);
+    return std::make_unique<physics::DrivenMotion>(scene.body.axes, motion.omega_B, q0_WB, motion.forcing,
+                                                   physics::TimeSpan{from_s, to_s}, motion.tolerance_rad,
+                                                   motion.mostSteps);
   } catch (const core::Error& error) {
     if (error.kind() != core::ErrorKind::kLimit) throw;
     throw core::Error(error.kind(), fmt::format("{}; {}", error.message(), howToRaise(Limit::kSteps)));

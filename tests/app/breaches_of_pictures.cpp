@@ -139,6 +139,13 @@ void render(Make make) {
 std::vector<Breach> ofRender() {
   using render::Renderer;
   return {
+      {"render/renderer.h", "the context is current on this thread",
+       [] {
+         render([](Renderer& r, draw::Picture& p) {
+           const auto inner = gl::openContext(gl::Backend::kAuto);
+           r.render(p);
+         });
+       }},
       {"render/renderer.h", "the list was composed for this size",
        [] { render([](Renderer& r, draw::Picture& p) {
               r.render(p.panels[0].list, {65, 48});

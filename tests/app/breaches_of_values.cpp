@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/breaches.h"
 #include "geometry/mesh_integrals.h"
@@ -10,6 +11,9 @@
 #include "image/changes.h"
 #include "image/difference.h"
 #include "physics/binet.h"
+#include "physics/driven_motion.h"
+#include "physics/free_motion.h"
+#include "physics/heavy_top.h"
 #include "physics/herpolhode.h"
 #include "physics/mass_properties.h"
 #include "physics/particle_system.h"
@@ -33,6 +37,15 @@ using physics::PrincipalMoments;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const PrincipalMoments kMoments(1, 2, 2.5);
 
+/// Asks a motion that was moved from.
+template <typename Motion>
+void askMovedFrom(Motion motion) {
+  const Motion taken = std::move(motion);
+  motion.at(0.0);  // NOLINT(bugprone-use-after-move): the breach
+}
+
+physics::FreeMotion freeMotion() { return {kMoments, {0.05, 2, 0.1}, Quaterniond::Identity()}; }
+
 std::vector<Breach> ofPhysics() {
   const physics::ParticleSystem particles({{1, {0, 0, 0}, {0, 0, 0}}});
   const physics::Separatrix separatrix = *physics::separatrix(kMoments);
@@ -46,11 +59,31 @@ std::vector<Breach> ofPhysics() {
          physics::onEnergyEllipsoid({1, physics::PolhodeRegime::kSteady, {}}, kMoments, 0);
        }},
       {"physics/binet.h", "curve.kineticEnergy > 0", [] { physics::onEnergyEllipsoid({}, kMoments, 1); }},
+      {"physics/driven_motion.h", "the motion was not moved from",
+       [] {
+         askMovedFrom(physics::DrivenMotion(kMoments, {0, 0, 1}, Quaterniond::Identity(), {}, {0, 1}));
+       }},
+      {"physics/free_motion.h", "the motion was not moved from", [] { askMovedFrom(freeMotion()); }},
+      {"physics/heavy_top.h", "up_P is of unit length",
+       [] {
+         physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->nutation({0, 0, 9}, {0, 0, 0});
+       }},
+      {"physics/heavy_top.h", "up_P is of unit length",
+       [] {
+         physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->nutation({0, 0, 9}, {0, kNaN, 1});
+       }},
       {"physics/herpolhode.h", "radius > 0",
        [] {
          physics::Herpolhode(kMoments, {0.05, 2, 0.1}).rate(0);
        }},
       {"physics/mass_properties.h", "at least one piece", [] { physics::combined({}); }},
+      {"physics/motion.h", "the motion was not moved from",
+       [] {
+         physics::FreeMotion motion = freeMotion();
+         const physics::FreeMotion taken = std::move(motion);
+         const physics::Motion& asked = motion;  // NOLINT(bugprone-use-after-move): the breach
+         asked.at(0.0);
+       }},
       {"physics/particle_system.h", "one force for each",
        [=] {
          particles.torqueAbout({0, 0, 0}, {});
@@ -59,10 +92,16 @@ std::vector<Breach> ofPhysics() {
        [] {
          physics::Polhode(kMoments, {0.05, 2, 0.1}).samples(3);
        }},
+      {"physics/principal_moments.h", "axis is 0, 1 or 2", [] { static_cast<void>(kMoments[3]); }},
+      {"physics/principal_moments.h", "axis is 0, 1 or 2", [] { static_cast<void>(kMoments[-1]); }},
       {"physics/principal_axes.h", "of unit length",
        [] { physics::PrincipalAxes(kMoments, Quaterniond(1, 1, 0, 0)); }},
       {"physics/stability.h", "axis is 0, 1 or 2", [] { physics::spinStability(kMoments, 3, 1); }},
-      {"physics/stability.h", "the moments differ",
+      {"physics/stability.h", "omega_P is along a principal axis",
+       [] {
+         physics::spinStability(kMoments, {0, 1, 1e-9});
+       }},
+      {"physics/stability.h", "the three moments are not all equal",
        [] {
          physics::flipInterval(PrincipalMoments(1, 1, 1), {0, 0, 1});
        }},

@@ -41,7 +41,7 @@ constexpr Door kDoors[] = {
     {R"(nlohmann/json_fwd\.hpp)", R"(\w+/\w+\.cpp|app/json_file\.h)"},
     {R"(nlohmann/json\.hpp)", R"(\w+/\w+\.cpp)"},
     // Doubles up to the draw list, floats from there on.
-    {R"(Eigen/.*|unsupported/Eigen/.*)", R"((physics|geometry|scene|stage|app|preview|cli)/.*)"},
+    {R"(Eigen/.*|unsupported/Eigen/.*)", R"((physics|geometry|scene|stage|app|preview|cli)/.*|core/vector2\.h)"},
     {R"(glm/.*)", R"((gl|draw|output|stage|render|app|cli)/.*)"},
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.h"
@@ -173,6 +174,13 @@ TEST(MomentumPolhodes, OnAnEnergyEllipsoid) {
         EXPECT_NEAR(moments.angularMomentum(omega).norm(), L, 1e-13);
       }
     }
+}
+
+TEST(Separatrix, RefusesAMomentumThatIsNone) {
+  const Separatrix parting = *separatrix(PrincipalMoments({1, 2, 2.5}));
+  for (const double bad : std::array<double, 3>{NAN, INFINITY, -1})
+    EXPECT_THROW(parting.momentumCircle(bad, 9, false), core::Error);
+  EXPECT_EQ(parting.momentumCircle(0, 9, false)[3], Vector3d(0, 0, 0));
 }
 
 }  // namespace

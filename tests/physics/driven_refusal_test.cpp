@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <ctime>
 #include <limits>
 
@@ -130,6 +131,38 @@ TEST(DrivenRefusal, NeedlesAreRefusedInSeconds) {
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 400000 steps allowed in a run"));
   const double used_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // of the processor
   EXPECT_LE(used_s, 10);  // measured 0.4; 12 and no end before long drifts were left
+}
+
+// Strong drag of unequal rates: at rest after 7 ms, whatever the span. The attitude at rest is that of any later
+// time, and a torque that comes later finds the body there.
+TEST(DrivenRest, IsNotIntegrated) {
+  DrivenCase c;
+  c.forcing.dragRate_P = {1e5, 2e5, 1e5};
+  c.span = {0, 1e9};
+  const std::clock_t begin = std::clock();
+  const DrivenMotion motion = c.motion();
+  EXPECT_LE(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);  // measured 0.15; 60 for 1 s before
+  const RigidBodyState rest = motion.at(1e-2);
+  for (const double t : {1.0, 1e9}) {
+    EXPECT_EQ(motion.at(t).q_WB.coeffs(), rest.q_WB.coeffs());
+    EXPECT_EQ(motion.at(t).omega_B.norm(), 0);
+  }
+  // To first order in omega/rate each component turns by omega/rate.
+  EXPECT_NEAR(2 * rest.q_WB.x(), 0.5 / 1e5, 1e-9);
+  EXPECT_NEAR(2 * rest.q_WB.y(), 1 / 2e5, 1e-9);
+  EXPECT_NEAR(2 * rest.q_WB.z(), 2 / 1e5, 1e-9);
+}
+
+TEST(DrivenRest, EndsWithTheNextTorque) {
+  DrivenCase c;
+  c.forcing.dragRate_P = {1e3, 2e3, 1e3};
+  c.forcing.torqueHistory_B = {{0, 2, 2.01}, {{0, 0, 0}, {0, 0, 400}, {0, 0, 0}}, false};
+  c.span = {0, 3};
+  const DrivenMotion motion = c.motion();
+  EXPECT_EQ(motion.at(1.5).omega_B.norm(), 0);
+  // The torque against the drag: omega tends to torque/(rate I3), I3 = 2.
+  EXPECT_NEAR(motion.at(2.01).omega_B[2], 0.2 * (1 - std::exp(-10)), 1e-9);
+  EXPECT_EQ(motion.at(3).omega_B.norm(), 0);
 }
 
 TEST(DrivenRefusal, DecayTracedBackTooFar) {

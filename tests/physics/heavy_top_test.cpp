@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/error.h"
 #include "physics/driven_motion.h"
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
@@ -166,6 +167,19 @@ TEST(HeavyTop, NeedsGravityAlongTheSymmetryAxis) {
   EXPECT_FALSE(heavyTop(rounded, kGravity));
   EXPECT_NEAR(heavyTop(rounded, kGravity + Vector3d(1e-7, 0, 0), 1e-6)->across, 2 + 0.5e-6, 1e-15);
   EXPECT_FALSE(heavyTop(rounded, kGravity, 1e-7));
+}
+
+TEST(HeavyTop, RefusesNumbersThatAreNotFinite) {
+  const Vector3d up = Vector3d::UnitZ();
+  const HeavyTop top = *heavyTop(kMoments, kGravity);
+  for (const double bad : {NAN, INFINITY, -INFINITY}) {
+    EXPECT_THROW(heavyTop(kMoments, {0, 0, bad}), core::Error);
+    EXPECT_THROW(heavyTop(kMoments, {bad, 0, 1}), core::Error);
+    EXPECT_THROW(heavyTop(kMoments, kGravity, bad), core::Error);
+    EXPECT_THROW(top.steadyPrecession(bad, 1), core::Error);
+    EXPECT_THROW(top.steadyPrecession(1, bad), core::Error);
+    EXPECT_THROW(top.nutation({0, bad, 1}, up), core::Error);
+  }
 }
 
 }  // namespace

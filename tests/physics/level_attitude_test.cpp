@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/error.h"
 #include "physics/free_motion.h"
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
@@ -116,6 +117,14 @@ TEST(LevelAttitude, MakesLOfEveryWobbleVertical) {
     }
   });
   expectResidual("L off the vertical, over |L|", worst, 4e-16);
+}
+
+TEST(LevelAttitude, RefusesDirectionsThatAreNotFinite) {
+  for (const double bad : {NAN, INFINITY, -INFINITY}) {
+    EXPECT_THROW(turnOntoVertical({bad, 0, 0}, Vertical::kUp), core::Error);
+    EXPECT_THROW(turnOntoVertical({1, 0, bad}, Vertical::kDown), core::Error);
+    EXPECT_THROW(levelAttitude(PrincipalMoments(1, 2, 2.5), {0, bad, 1}, Vertical::kUp), core::Error);
+  }
 }
 
 }  // namespace

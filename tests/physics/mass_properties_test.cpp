@@ -7,6 +7,7 @@
 #include <string>
 
 #include "physics/five_masses.h"
+#include "physics/inertia_tensor.h"
 #include "physics/mass_testing.h"
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
@@ -213,6 +214,28 @@ TEST(MassProperties, AcceptsWhatRoundingLeavesOfALimit) {
     EXPECT_NO_THROW(massProperties(Rod{draw.decade(-3, 3)}, draw.decade(-3, 3)).moved(q, origin));
     EXPECT_NO_THROW(massProperties(Disc{draw.decade(-3, 3)}, draw.decade(-3, 3)).moved(q, origin));
   }
+}
+
+TEST(MassProperties, RefusesPointsThatAreTooFarAway) {
+  const MassProperties ball = massProperties(Sphere{.radius_m = 1}, 1);
+  const std::string beyond = "the inertia about (1e+200, 0, 0) m is beyond the range of numbers";
+  EXPECT_EQ(refusal([&] { ball.inertiaAbout({1e200, 0, 0}); }), beyond);
+  for (const double bad : {NAN, INFINITY}) EXPECT_NE(refusal([&] { ball.inertiaAbout({0, bad, 0}); }), "accepted");
+  // M a² across the line to the point, whose digits hide the ball's own 0.4.
+  EXPECT_EQ(ball.inertiaAbout({1e150, 0, 0})(1, 1), 1e150 * 1e150);
+}
+
+TEST(MassProperties, NamesAQuaternionThatIsNoRotation) {
+  const Vector3d origin = Vector3d::Zero();
+  const Quaternion none(0, 0, 0, 0), notANumber(1, NAN, 0, 0);
+  const std::string zero = "a rotation must be a nonzero, finite quaternion, got (0, 0, 0, 0)";
+  const MassProperties box = massProperties(Box{{1, 2, 3}}, 1);
+  EXPECT_EQ(refusal([&] { box.moved(none, origin); }), zero);
+  EXPECT_EQ(refusal([&] { box.moved(notANumber, origin); }),
+            "a rotation must be a nonzero, finite quaternion, got (1, nan, 0, 0)");
+  EXPECT_EQ(refusal([&] { massProperties(SolidPart{Box{{1, 2, 3}}, 1, none}); }), zero);
+  EXPECT_EQ(refusal([&] { turnedVector(none, {1, 2, 3}); }), zero);
+  EXPECT_EQ(refusal([&] { turnedTensor(none, box.inertia_B()); }), zero);
 }
 
 }  // namespace

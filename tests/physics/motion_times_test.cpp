@@ -150,9 +150,21 @@ TEST(MotionTimes, GiveAStateOrARefusal) {
       if (message.empty()) expectState(*kind.motion, state, t);
       if (!kind.free) continue;
       const double phase = rate * std::abs(t);
-      if (phase > 1e280 && phase < 1e291) continue;  // about the bound: the closed form has rates of its own
-      EXPECT_EQ(message.empty(), std::isfinite(t) && phase < 1e290) << message;
+      // The closed form has three rates, none above 2 |omega|; on the axis of largest moment one is |omega|.
+      if (phase > kFarthestPhase_rad / 2 && phase < 2 * kFarthestPhase_rad) continue;
+      EXPECT_EQ(message.empty(), std::isfinite(t) && phase <= kFarthestPhase_rad / 2) << message;
     }
+  }
+}
+
+TEST(MotionTimes, ReachHalfTheFarthestPhaseWithAnyBody) {
+  Draw draw(290);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3d omega_P = draw.decade(-14, 30) * draw.direction();
+    const FreeMotion motion(draw.moments(), omega_P, Quaterniond::Identity());
+    const double t_s = kFarthestPhase_rad / 2 / omega_P.norm() * (1 - 1e-15);
+    expectState(motion, motion.at(t_s), t_s);
+    EXPECT_FALSE(motion.reaches(4 * t_s));
   }
 }
 
@@ -227,6 +239,18 @@ TEST(MotionTimes, ConditionsOfRunsAreFiniteOrRefused) {
       });
       EXPECT_EQ(message.empty(), std::isfinite(t) && omega.norm() * std::abs(t) <= kFarthestPhase_rad);
     }
+}
+
+TEST(MotionTimes, ASpanMayBeGivenInEitherOrder) {
+  DrivenCase c = heavyTop(0);
+  c.span = {-1, 2};
+  const DrivenMotion motion = c.motion();
+  c.span = {2, -1};
+  const DrivenMotion reversed = c.motion();
+  for (const double t : {-1.0, 0.5, 2.0}) {
+    EXPECT_EQ(reversed.at(t).q_WB.coeffs(), motion.at(t).q_WB.coeffs());
+    EXPECT_EQ(reversed.at(t).omega_B, motion.at(t).omega_B);
+  }
 }
 
 }  // namespace

@@ -195,5 +195,11 @@ TEST(Solid, RefusesLengthsThatDoNotFitTogether) {
             "wings of the wing nut must not enter its hub of radius 0.5, got an inner edge at 0.4");
 }
 
+TEST(Solid, RefusesAKindOfPolyhedronThatIsNone) {
+  const Polyhedron none{PolyhedronKind(9), 1};
+  EXPECT_EQ(refusal([&] { massProperties(none, 1); }), "kind of the polyhedron must be 0 to 4, got 9");
+  EXPECT_EQ(refusal([&] { volume(none); }), "kind of the polyhedron must be 0 to 4, got 9");
+}
+
 }  // namespace
 }  // namespace poinsot::physics

@@ -160,5 +160,33 @@ TEST(FlipInterval, GoesOnToTheSteadySpins) {
   EXPECT_EQ(flipInterval(kTHandle, {0, -5, 0}), std::numeric_limits<double>::infinity());
 }
 
+// A symmetric body's flips are the slower the nearer L is to the plane across its axis, and so never come there.
+TEST(FlipInterval, OfASymmetricBodyGrowsTowardsItsEquator) {
+  const PrincipalMoments disc({1, 1, 2});
+  EXPECT_GT(flipInterval(disc, {1, 0, 1e-9}), 1e8 * flipInterval(disc, {1, 0, 1}));
+  EXPECT_EQ(flipInterval(disc, {1, 2, 0}), std::numeric_limits<double>::infinity());
+}
+
+TEST(Stability, RefusesNumbersThatAreNotFinite) {
+  for (const double bad : {NAN, INFINITY, -INFINITY}) {
+    EXPECT_THROW(spinStability(kTHandle, 1, bad), core::Error);
+    EXPECT_THROW(spinStability(kTHandle, {0, bad, 0}), core::Error);
+    EXPECT_THROW(spinStability(kTHandle, {bad, 1, 0}), core::Error);
+    EXPECT_THROW(flipInterval(kTHandle, {bad, 1, 0}), core::Error);
+  }
+}
+
+TEST(Stability, OfAVectorIsThatOfTheAxisItIsAlong) {
+  for (const double w : {1e-300, -3.0, 1e300})
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d omega_P = w * Vector3d::Unit(axis);
+      EXPECT_EQ(spinStability(kTHandle, omega_P).kind, spinStability(kTHandle, axis, w).kind);
+      const Vector3d rounded = omega_P + 1e-14 * w * Vector3d(1, 1, 1);
+      EXPECT_EQ(spinStability(kTHandle, rounded).kind, spinStability(kTHandle, axis, w).kind);
+    }
+  EXPECT_EQ(spinStability(PrincipalMoments({1, 1, 2}), {3, 4, 0}).kind, Stability::kNeutral);
+  EXPECT_EQ(spinStability(kTHandle, {0, 0, 0}).kind, Stability::kNeutral);
+}
+
 }  // namespace
 }  // namespace poinsot::physics
