@@ -10,6 +10,7 @@ namespace {
 constexpr double kRoom = 0.03;     // of the range, beyond its ends
 constexpr double kFromZero = 0.3;  // of the high end: a low end nearer to zero is taken down to it
 constexpr int kMostTicks = 7;
+constexpr double kTold = 0x1p-40;  // of a time: a length that doubles there and ticks resolve
 
 struct Span {
   double low, high;
@@ -56,7 +57,9 @@ PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const s
 
 PlotAxis timeAxis(double from_s, double to_s, const std::string& tex) {
   auto [low_s, high_s] = std::minmax({from_s, to_s});
-  if (low_s == high_s) high_s = low_s + 1;  // a motion that stands still
+  // A motion that stands still, or so far from 0 that its times are hardly told apart.
+  const double told_s = std::abs(low_s) * kTold;
+  if (high_s - low_s <= told_s) high_s = low_s + std::max(1.0, told_s);
   PlotAxis axis;
   axis.unit = writtenUnit(scene::QuantityUnit::kSecond, high_s - low_s);
   axis.low = axis.unit.written(low_s);

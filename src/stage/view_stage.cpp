@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/view_stage.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 
+#include "core/error.h"
 #include "stage/actors.h"
 #include "stage/body_figure.h"
 #include "stage/camera_path.h"
@@ -53,6 +56,20 @@ Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& m
   return whole;
 }
 
+// A camera's vectors are floats, whose squares have to be numbers.
+void refuseTooFar(const Extent& extent) {
+  constexpr double kFarthest = 1e18;
+  double farthest = 0;
+  for (const auto* points : {&extent.points_V, &extent.passing_V})
+    for (const Vector3d& point_V : *points) farthest = std::max(farthest, point_V.cwiseAbs().maxCoeff());
+  if (farthest <= kFarthest) return;
+  throw core::Error(
+      core::ErrorKind::kLimit,
+      fmt::format("the flight is too long for a picture: it reaches {:.3g} times the size of the body; "
+                  "choose motion times nearer to 0 by time.start, time.speed or time.duration",
+                  farthest));
+}
+
 // Puts the extent about the origin; returns where its middle was.
 Vector3d centre(Extent& extent) {
   Eigen::AlignedBox3d box;
@@ -95,6 +112,7 @@ struct ViewStage::Plan {
     extent = wholeExtent(actors, motion, scales, heldFlight);
     if (motion.flight()) middle_V = centre(extent);
     if (motion.flight() && scene.camera.follow) extent.passing_V = passing_V(motion, scales.flight);
+    refuseTooFar(extent);
   }
 
   draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame, const PictureState& state) const;

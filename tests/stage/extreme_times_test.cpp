@@ -68,6 +68,7 @@ struct Numbers {
 struct Kind {
   const char* name;
   std::string scene;
+  bool everywhere = false;  ///< has pictures at far motion times, too
 };
 
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
@@ -80,12 +81,12 @@ const std::string kTop = "[1.40625, 1.40625, 0.65625]", kSpin = "[0, 0, 9.15625]
                   kTilted = "orientation = [0.9659258262890683, 0.25881904510252074, 0, 0]\n";
 
 const Kind kKinds[] = {
-    {"sphere", body("[2, 2, 2]", "[1, 2, 3]")},
-    {"symmetric", body("[1, 1, 2]", "[0.1, 0.2, 3]", "[show]\ncones = true\n")},
-    {"asymmetric", body("[1, 2, 2.5]", "[0.05, 2, 0.1]", "[show]\ntrace = true\nghosts = true\n")},
-    {"steady", body("[1, 2, 3]", "[0, 0, 2]")},
-    {"separatrix", body("[1, 2, 3]", "[1.7320508075688772, 1, 1]")},
-    {"fast", body("[1, 2, 3]", "[1e5, 1, 0]")},
+    {"sphere", body("[2, 2, 2]", "[1, 2, 3]"), true},
+    {"symmetric", body("[1, 1, 2]", "[0.1, 0.2, 3]", "[show]\ncones = true\n"), true},
+    {"asymmetric", body("[1, 2, 2.5]", "[0.05, 2, 0.1]", "[show]\ntrace = true\nghosts = true\n"), true},
+    {"steady", body("[1, 2, 3]", "[0, 0, 2]"), true},
+    {"separatrix", body("[1, 2, 3]", "[1.7320508075688772, 1, 1]"), true},
+    {"fast", body("[1, 2, 3]", "[1e5, 1, 0]"), true},
     {"dissipation", body("[1, 2, 3]", "[0.1, 0.2, 3]", "[motion.dissipation]\nalpha = 0.01\n")},
     {"torque of the body", body("[1, 2, 3]", "[0.1, 0.2, 3]", "[motion.torque]\nbody = [0, 0.1, 0.2]\n")},
     {"torque in space", body("[1, 2, 3]", "[0.1, 0.2, 3]", "[motion.torque]\nspace = [0, 0.1, 0.2]\n")},
@@ -95,15 +96,23 @@ const Kind kKinds[] = {
     {"flight", "[body]\nmass = 1\n" +
                    body("[1, 2, 3]", "[0.1, 0.2, 3]", "[motion.flight]\nvelocity = [0, 1, 2]\n").substr(7)},
     {"plot and read-out",
-     body("[1, 2, 3]", "[1, 2, 3]", "[[plot]]\nquantities = [\"omega_1\"]\n[[readout]]\nquantity = \"theta\"\n")},
+     body("[1, 2, 3]", "[1, 2, 3]", "[[plot]]\nquantities = [\"omega_1\"]\n[[readout]]\nquantity = \"theta\"\n"),
+     true},
     {"timeline",
      body("[1, 2, 3]", "[1, 2, 3]",
-          "[[timeline]]\nat = 1\nspeed = 4\n[[timeline]]\nat = 3\nhold = 1\nspeed = 2\ncamera.zoom = 2\n")},
+          "[[timeline]]\nat = 1\nspeed = 4\n[[timeline]]\nat = 3\nhold = 1\nspeed = 2\ncamera.zoom = 2\n"),
+     true},
     {"backwards", body("[1, 2, 3]", "[1, 2, 3]", "[time]\nspeed = -3\nstart = 5\n")},
 };
 
-/// Draws at every time. Says what is wrong and ends the process with 1, or with 0.
-[[noreturn]] void drawAtAllTimes(const std::string& text) {
+/// Says what is wrong, and ends the process with 1.
+[[noreturn]] void fail(const std::string& where, const char* wrong) {
+  std::fprintf(stderr, "%s: %s\n", where.c_str(), wrong);
+  std::_Exit(1);
+}
+
+/// Draws at every film time.
+void drawAtAllTimes(const std::string& text) {
   const scene::Scene scene = scene::parseScene(text, "sample.toml");
   const Stage stage(scene);
   for (const bool still : {false, true})
@@ -119,17 +128,47 @@ const Kind kKinds[] = {
         if (std::string(error.what()).find("filmTime_s") == std::string::npos || (t_s >= 0 && std::isfinite(t_s)))
           wrong = error.what();
       }
-      if (wrong == nullptr) continue;
-      std::fprintf(stderr, "at %g: %s\n", t_s, wrong);
-      std::_Exit(1);
+      if (wrong) fail("at " + std::to_string(t_s), wrong);
     }
-  std::_Exit(0);
+}
+
+/// Draws the film's ends at far motion times: it starts there, or gets there.
+void drawFarMotions(const Kind& kind) {
+  std::vector<const char*> far = {"1e20"};
+  if (kind.everywhere) far.insert(far.end(), {"1e6", "-1e14", "9007199254740992.0", "1e18"});
+  for (const char* key : {"start", "speed"})
+    for (const char* value : far) {
+      const std::string time = std::string("[time]\n") + key + " = " + value + "\n";
+      try {
+        const scene::Scene scene = scene::parseScene(kind.scene + time, "sample.toml");
+        const Stage stage(scene);
+        for (const double t_s : {0.0, scene.time.duration_s})
+          if (!Numbers::finite(stage.compose({t_s, true}, kSize))) fail(time, "a number that is not finite");
+      } catch (const core::Error& error) {
+        if (kind.everywhere || error.kind() != core::ErrorKind::kLimit) fail(time, error.what());
+      }
+    }
 }
 
 class ExtremeTimes : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(ExtremeTimes, GivePicturesOrTheDocumentedError) {
-  EXPECT_EXIT(drawAtAllTimes(GetParam().scene), ::testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(
+      {
+        drawAtAllTimes(GetParam().scene);
+        std::_Exit(0);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+TEST_P(ExtremeTimes, OfTheMotionGivePicturesOrTheDocumentedError) {
+  if (GetParam().scene.find("[time]") != std::string::npos) GTEST_SKIP() << "has times of its own";
+  EXPECT_EXIT(
+      {
+        drawFarMotions(GetParam());
+        std::_Exit(0);
+      },
+      ::testing::ExitedWithCode(0), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ExtremeTimes, ::testing::ValuesIn(kKinds), [](const auto& kind) {
