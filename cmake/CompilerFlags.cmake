@@ -14,7 +14,7 @@ option(POINSOT_WERROR "Warnings are errors" ${held_to})
 
 add_library(poinsot_flags INTERFACE)
 if(NOT PROJECT_IS_TOP_LEVEL)
-  target_compile_options(poinsot_flags INTERFACE -fno-fast-math)  # whatever the project around has
+  target_compile_options(poinsot_flags INTERFACE -fno-fast-math)  # the project around may have -ffast-math
 endif()
 target_compile_options(poinsot_flags INTERFACE
   -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=  # an assertion names its file, not the place of the build
@@ -40,7 +40,7 @@ check_cxx_compiler_flag(-fcf-protection POINSOT_HAS_CF_PROTECTION)  # x86
 if(POINSOT_HAS_CF_PROTECTION)
   target_compile_options(poinsot_flags INTERFACE -fcf-protection)
 endif()
-# Of no use without optimisation, which glibc warns of, nor to the sanitizers, which look at these calls themselves.
+# Fortified calls need optimisation; glibc warns without it. Sanitizers check these calls themselves.
 if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   target_compile_options(poinsot_flags INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-U_FORTIFY_SOURCE>
     $<$<CONFIG:Release,RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)

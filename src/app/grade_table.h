@@ -57,7 +57,7 @@ inline constexpr std::size_t kLongestTableLine = std::size_t{64} << 10;
 /// @throws core::Error(kIo) with file, line and column; core::Error(kLimit) beyond the limits above.
 TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName);
 
-/// The same for a regular file. @throws core::Error(kIo) also if it cannot be read.
+/// Reads a regular file as parseTrajectoryTable() does. @throws core::Error(kIo) also if it cannot be read.
 TrajectoryTable readTrajectoryTable(const std::string& fileName);
 
 /// A column in memory.
@@ -66,7 +66,7 @@ struct NamedColumn {
   std::span<const double> values;
 };
 
-/// The same of columns in memory, in any order; foreign names are ignored.
+/// Makes a table of columns in memory, in any order; foreign names are ignored.
 /// @throws core::Error(kUsage) for columns that cannot be graded, of other lengths, or a time that is not finite;
 /// core::Error(kLimit) for more than kMostTableRows.
 TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& columns);

@@ -22,7 +22,7 @@ class IgnoreMask {
   PixelSize size() const { return size_; }
   /// @pre inside the picture.
   bool ignores(int x, int y) const;
-  /// The same of a pixel by its number, row by row. @pre inside the picture.
+  /// Whether a pixel is ignored, by its number, row by row. @pre inside the picture.
   bool ignoresPixel(std::size_t index) const { return ignored_.at(index) != 0; }
   std::int64_t ignoredPixels() const { return count_; }
   std::int64_t comparedPixels() const { return static_cast<std::int64_t>(ignored_.size()) - count_; }

@@ -70,7 +70,7 @@ class FileBatch::Changes {
     std::string lost;
     for (; !changes_.empty(); changes_.pop_back())
       if (const Change& change = changes_.back(); !takeBack(change))
-        lost += fmt::format("; {}, as it was, is now {}: rename it", core::printable(change.name.native()),
+        lost += fmt::format("; the earlier {} is now called {}: rename it", core::printable(change.name.native()),
                             core::printable(change.aside.native()));
     return lost;
   }

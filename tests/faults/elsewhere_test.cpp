@@ -89,7 +89,7 @@ std::string filmOfNobody() {
   ::chmod(folder.path().c_str(), 0777);
   std::string command = "exec setpriv --reuid=65534 --regid=65534 --clear-groups " POINSOT_PROGRAM;
   for (const std::string& word : words()) command += ' ' + word;
-  const ShellResult made = runShell(folder.path(), command, {"HOME=/nonexistent"});
+  const ShellResult made = runShell(folder.path(), command, {"HOME=/dev/null/home"});
   EXPECT_EQ(made.exitCode, 0) << made.out;
   return bytesOf(folder / "t.mp4");
 }
