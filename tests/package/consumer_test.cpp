@@ -206,6 +206,25 @@ TEST(Consumer, AllLayersAreFoundWithWhatTheyLink) {
       "exit 1; }");
 }
 
+// A layer that was not asked for is a target all the same; a later find_package() makes it whole.
+TEST(Consumer, IsToldWhichComponentALinkNeeds) {
+  const InstalledTree tree;
+  tree.folder().put("main.cpp", "int main() {}\n");
+  const auto configure = [&](const std::string& more) {
+    tree.folder().put("CMakeLists.txt",
+                      "cmake_minimum_required(VERSION 3.25)\nproject(p LANGUAGES CXX)\n"
+                      "find_package(poinsot REQUIRED COMPONENTS physics)\nadd_executable(p main.cpp)\n"
+                      "target_link_libraries(p PRIVATE poinsot::output)\n" +
+                          more);
+    return tree.run(
+        "cmake -G Ninja -S . -B p -DCMAKE_PREFIX_PATH=$PREFIX -DCMAKE_CXX_COMPILER=$CXX 2>&1 | tr -s ' \\n' ' ' "
+        "|| true");
+  };
+  EXPECT_THAT(configure(""), HasSubstr("poinsot::add_output_to_the_COMPONENTS_of_find_package"));
+  const std::string whole = configure("find_package(poinsot REQUIRED COMPONENTS output)\n");
+  EXPECT_THAT(whole, AllOf(HasSubstr("Generating done"), Not(HasSubstr("CMake Error"))));
+}
+
 TEST(Consumer, IsToldWhatIsWrong) {
   const InstalledTree tree;
   const auto configure = [&](const std::string& find) {
