@@ -11,7 +11,8 @@
 // their vertices lie on the true surface, and their volume grows to the true one as 1/segments².
 namespace poinsot::geometry {
 
-using core::Vector2;  // a point of a plane, m; a std::vector<Eigen::Vector2d> is no span of it
+/// A point of a plane, m. A std::vector<Eigen::Vector2d> is no span of it.
+using core::Vector2;
 
 /// The solid swept by a polygon in the half plane (r, z), r >= 0, turning about z in `segments` steps. The polygon
 /// is closed by its last corner to its first, counter-clockwise; corners on the axis (r = 0) become one vertex,
