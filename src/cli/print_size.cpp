@@ -60,8 +60,9 @@ double parseWidth_mm(const std::string& word) {
     const auto value = app::parseNumber(number);
     if (!value || !(*value > 0) || !std::isfinite(*value)) break;
     if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
-    refuse(fmt::format("--width '{}': must be at least {} mm, because type does not shrink below its size in points",
-                       core::printable(word), kLeastWidth_mm));
+    refuse(
+        fmt::format("--width '{}': must be at least {} mm, because type does not shrink below its size in points",
+                    core::printable(word), kLeastWidth_mm));
   }
   refuse(fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
                      core::printable(word)));

@@ -175,7 +175,8 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
        "400 mm at 600 dpi are 9449x5315 pixels: sides are from 16 to 8192 pixels; --dpi 520 "
        "would do"},
       {{"--width", "15mm", "--dpi", "20"}, "15 mm at 20 dpi are 12x7 pixels"},
-      {{"--width", "5mm"}, "--width '5mm': must be at least 15 mm, because type does not shrink below its size in points"},
+      {{"--width", "5mm"},
+       "--width '5mm': must be at least 15 mm, because type does not shrink below its size in points"},
       {{"--width", "1e300mm"}, "sides are from 16 to 8192 pixels"},
       {{"--dpi", "300"}, "--dpi needs --width"},
       {{"--width", "86mm", "-q", "4k"}, "-q: how many pixels a picture on paper has, --width and --dpi say"},
