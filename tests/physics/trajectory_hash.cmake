@@ -34,7 +34,7 @@ add_test(NAME Physics.TrajectoryIsTheSameOnEveryCpu
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   find_program(POINSOT_OTHER_COMPILER NAMES g++)
 else()
-  find_program(POINSOT_OTHER_COMPILER NAMES clang++ clang++-14)
+  find_program(POINSOT_OTHER_COMPILER NAMES clang++)
 endif()
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage")
   set(other_compiler "")  # it cannot link the library core, which calls this compiler's own run time
