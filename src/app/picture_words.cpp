@@ -37,11 +37,9 @@ std::string mapWords(const scene::Scene& scene) {
   const auto& axes = map.scale().separatrix();
   return fmt::format(
       "A map of how long the body takes from flip to flip, for every direction of L in it: a sphere of "
-      "directions, "
-      "from {} in dark colours at the axes {} and {}, the stable ones, to {} and more in pale ones near {}, the "
-      "unstable one. Two circles through that one, the separatrix, part the two kinds of motion; on them the time "
-      "is "
-      "infinite. The scene's own L is marked; it flips every {}.",
+      "directions, from {} in dark colours at the axes {} and {}, the stable ones, to {} and more in pale "
+      "ones near {}, the unstable one. Two circles through that one, the separatrix, part the two kinds of "
+      "motion; on them the time is infinite. The scene's own L is marked; it flips every {}.",
       timeWords(map.scale().least_s()), axisName(axes.smallest), axisName(axes.largest),
       timeWords(map.scale().most_s()), axisName(axes.middle), timeWords(map.sceneTime_s()));
 }

@@ -372,9 +372,8 @@ void addDiff(CLI::App& program, Action& chosen) {
   addLimitOptions(*command, *options);
   command->footer(
       "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
-      "Pictures of another size are different: nothing is resized. How pixels are stored (grey, palette, 16 "
-      "bits,\n"
-      "opaque alpha) is no difference, except with --exact.\n"
+      "Pictures of another size are different: nothing is resized. How pixels are stored (grey, palette,\n"
+      "16 bits, opaque alpha) is no difference, except with --exact.\n"
       "Examples:\n"
       "  poinsot diff approved.png new.png --map flip.png\n"
       "  poinsot diff approved/ new/ --report out/diff.html\n"

@@ -415,9 +415,8 @@ void addGolden(CLI::App& program, Action& chosen) {
   CLI::App* command = program.add_subcommand("golden", "make the pictures of a golden.toml and compare them");
   addGoldenOptions(*command, *options);
   command->footer(
-      "Exit code 0 if all are identical or near; 1 if a picture is different, missing, new, cannot be made or "
-      "read, or\n"
-      "is approved and made by no test.\n"
+      "Exit code 0 if all are identical or near; 1 if a picture is different, missing, new, cannot be made\n"
+      "or read, or is approved and made by no test.\n"
       "Examples:\n"
       "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
       "  poinsot golden tests/golden.toml --update --only racket");

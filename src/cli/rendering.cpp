@@ -131,9 +131,8 @@ std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Sc
   if (subtitles.empty() || !app::replacesOthers(subtitles, target.path)) return notes;
   for (const auto& other : others)
     notes += fmt::format(
-        "poinsot: note: {} and {} get the captions of {}, which differ from those that they have; if these belong "
-        "to "
-        "{}, give one of the two films another name\n",
+        "poinsot: note: {} and {} get the captions of {}, which differ from those that they have; if these "
+        "belong to {}, give one of the two films another name\n",
         name(files[0]), name(files[1]), name(target.path), name(other));
   return notes;
 }

@@ -30,8 +30,7 @@ bool isShardOfFinishedFilm(const app::RenderRequest& request) {
 std::string shaderCacheNote(const app::RenderRequest& request) {
   if (!request.shard || gl::isShaderCacheOff() || !gl::shaderCacheFolder(request.reproducible).empty()) return "";
   return "poinsot: note: each shard compiles its shaders anew, which takes up to 3 s, because there is no folder "
-         "to "
-         "keep them in; set HOME or POINSOT_CACHE to a folder of yours\n";
+         "to keep them in; set HOME or POINSOT_CACHE to a folder of yours\n";
 }
 
 }  // namespace poinsot::cli

@@ -21,16 +21,14 @@ SolidPart whole(const Solid& solid, double mass_kg, const Vector3d& offset_B = V
 CatalogueBody tHandle() {
   const THandle solid{.090, .006, .045, .006};
   const double mass_kg = volume(solid) * kAluminium;
-  return {
-      "t_handle",
-      "T-handle",
-      mass_kg,
-      partsOf(solid, mass_kg),
-      {},
-      "Assumed: bars of 12 mm, 90 mm and 45 mm long, of aluminium (2700 kg/m³), in the likeness of the handle "
-      "that "
-      "turned over in films from space stations, whose dimensions are not published. Computed: mass 0.0412 kg, "
-      "moments."};
+  return {"t_handle",
+          "T-handle",
+          mass_kg,
+          partsOf(solid, mass_kg),
+          {},
+          "Assumed: bars of 12 mm, 90 mm and 45 mm long, of aluminium (2700 kg/m³), in the likeness of the "
+          "handle that turned over in films from space stations, whose dimensions are not published. Computed: "
+          "mass 0.0412 kg, moments."};
 }
 
 CatalogueBody racket() {
@@ -39,11 +37,9 @@ CatalogueBody racket() {
           0.33,
           partsOf(Racket{.68, .26}, 0.33),
           {},
-          "Assumed: a hoop of 0.26 m with 0.17 kg and a thin handle of 0.42 m with 0.16 kg, 0.68 m over all; "
-          "within the "
-          "limits of the ITF Rules of Tennis, appendix II (0.737 m by 0.317 m). Computed: moments. Strings are "
-          "left out, "
-          "and the balance is further from the butt than on most rackets."};
+          "Assumed: a hoop of 0.26 m with 0.17 kg and a thin handle of 0.42 m with 0.16 kg, 0.68 m over "
+          "all; within the limits of the ITF Rules of Tennis, appendix II (0.737 m by 0.317 m). Computed: "
+          "moments. Strings are left out, and the balance is further from the butt than on most rackets."};
 }
 
 CatalogueBody book() {
@@ -79,26 +75,22 @@ CatalogueBody football() {
           mass_kg,
           {whole(Ellipsoid{semiAxes}, mass_kg)},  // a shell would be drawn open
           PrincipalMoments(Vector3d(hull_B.diagonal())),
-          "Published: NFL Playing Rules, rule 2, the middle of each range: long axis 11 to 11 1/4 in, short "
-          "circumference "
-          "21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar ellipsoids; a real ball has "
-          "pointed ends "
-          "and a bladder. Computed: moments. Its long axis is z."};
+          "Published: NFL Playing Rules, rule 2, the middle of each range: long axis 11 to 11 1/4 in, "
+          "short circumference 21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar "
+          "ellipsoids; a real ball has pointed ends and a bladder. Computed: moments. Its long axis is z."};
 }
 
 CatalogueBody frisbee() {
   const double radius = .137, depth = .025;
-  return {
-      "frisbee",
-      "Flying disc",
-      0.175,
-      {whole(Disc{radius}, .1, {0, 0, depth / 2}), whole(CylinderShell{radius, depth}, .075)},
-      PrincipalMoments({.001219, .001219, .002352}),
-      "Published: 175 g, the weight of discs approved for Ultimate; moments measured by S. A. Hummel, Frisbee "
-      "Flight "
-      "Simulation and Throw Biomechanics, thesis, University of California, Davis, 2003, as quoted by the program "
-      "FrisPy (the thesis itself was not at hand). Assumed, for drawing only: a plate of 274 mm with a rim of 25 "
-      "mm."};
+  return {"frisbee",
+          "Flying disc",
+          0.175,
+          {whole(Disc{radius}, .1, {0, 0, depth / 2}), whole(CylinderShell{radius, depth}, .075)},
+          PrincipalMoments({.001219, .001219, .002352}),
+          "Published: 175 g, the weight of discs approved for Ultimate; moments measured by S. A. Hummel, "
+          "Frisbee Flight Simulation and Throw Biomechanics, thesis, University of California, Davis, 2003, as "
+          "quoted by the program FrisPy (the thesis itself was not at hand). Assumed, for drawing only: a "
+          "plate of 274 mm with a rim of 25 mm."};
 }
 
 CatalogueBody wingNut() {
@@ -121,9 +113,8 @@ CatalogueBody explorer1() {
           13.97,
           {whole(Cylinder{.076, 2.03}, 13.97)},
           {},
-          "Published by NASA: 13.97 kg, 203 cm long, 15.2 cm across. Assumed: a uniform cylinder without its four "
-          "whip "
-          "antennas. Computed: moments. Its long axis is z."};
+          "Published by NASA: 13.97 kg, 203 cm long, 15.2 cm across. Assumed: a uniform cylinder without "
+          "its four whip antennas. Computed: moments. Its long axis is z."};
 }
 
 CatalogueBody earth() {
@@ -154,12 +145,10 @@ CatalogueBody toutatis() {
           {whole(figure, mass_kg)},
           PrincipalMoments(Vector3d(3.0836, 3.235, 1) * longAxis),
           "Published: ratios of the moments 3.0836 : 3.235 : 1 (Y. Takahashi, M. W. Busch, D. J. Scheeres, "
-          "Astron. J. 146 "
-          "(2013) 95); size 1.92 km by 2.40 km by 4.60 km (R. S. Hudson, S. J. Ostro, Science 270 (1995) 84). "
-          "Assumed: "
-          "mass 1.9e13 kg and the moment about the long axis, z, of an ellipsoid of that size; free motion "
-          "depends on the "
-          "ratios only. Drawn as that ellipsoid; the real body has two lobes."};
+          "Astron. J. 146 (2013) 95); size 1.92 km by 2.40 km by 4.60 km (R. S. Hudson, S. J. Ostro, "
+          "Science 270 (1995) 84). Assumed: mass 1.9e13 kg and the moment about the long axis, z, of an "
+          "ellipsoid of that size; free motion depends on the ratios only. Drawn as that ellipsoid; the "
+          "real body has two lobes."};
 }
 
 }  // namespace

@@ -126,12 +126,10 @@ std::vector<Key> attitudeKeys() {
        .type = kQuaternion,
        .range = kQuaternionNorm,
        .example = "[1, 0, 0, 0]",
-       .help =
-           "Quaternion w, x, y, z taking body axes to world axes at motion time 0, normalised on reading. "
-           "Without it, L is turned onto the vertical, so that the invariable plane is level; but body and world "
-           "axes agree where the start is given in world axes, and under gravity, torque or drag. A top that "
-           "leans by "
-           "an angle a from z towards -y has [cos(a/2), sin(a/2), 0, 0].",
+       .help = "Quaternion w, x, y, z taking body axes to world axes at motion time 0, normalised on reading. "
+               "Without it, L is turned onto the vertical, so that the invariable plane is level; but body and "
+               "world axes agree where the start is given in world axes, and under gravity, torque or drag. A "
+               "top that leans by an angle a from z towards -y has [cos(a/2), sin(a/2), 0, 0].",
        .put = into([](Draft& d) { return &d.scene.motion.orientation_WB; })},
       {.path = "motion.L_points",
        .type = kWord,
