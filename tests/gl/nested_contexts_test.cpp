@@ -10,11 +10,10 @@
 #include "core/error.h"
 #include "gl/drawing_check.h"
 #include "gl/offscreen_context.h"
+#include "support/back_ends.h"
 
 namespace poinsot::gl {
 namespace {
-
-constexpr Backend kBoth[] = {Backend::kOsMesa, Backend::kEgl};
 
 /// Expects that this one is current, and draws.
 void expectCurrent(const OffscreenContext& context) {
@@ -76,15 +75,15 @@ TEST_P(NestedContextsTest, AreNotCurrentOnAnotherThread) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, NestedContextsTest,
-                         testing::Combine(testing::ValuesIn(kBoth), testing::ValuesIn(kBoth)),
+                         testing::Combine(testing::ValuesIn(backEnds()), testing::ValuesIn(backEnds())),
                          [](const auto& backends) {
-                           const auto name = [](Backend b) { return b == Backend::kEgl ? "Egl" : "OsMesa"; };
-                           return std::string(name(std::get<1>(backends.param))) + "Within" +
-                                  name(std::get<0>(backends.param));
+                           return testName(std::get<1>(backends.param)) + "Within" +
+                                  testName(std::get<0>(backends.param));
                          });
 
 // EGL's functions and OSMesa's differ: the table of one thread must not reach the other.
 TEST(TwoThreads, DrawWithABackEndEach) {
+  POINSOT_NEEDS_OSMESA();
   pinEnvironment(true);
   const auto drawWith = [](Backend backend) {
     for (int round = 0; round < 5; ++round) {

@@ -8,11 +8,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <tuple>
+#include <utility>
 
 #include "core/error.h"
 #include "gl/framebuffer.h"
 #include "gl/shader_program.h"
 #include "gl/storage.h"
+#include "support/back_ends.h"
 
 namespace poinsot::gl {
 namespace {
@@ -78,16 +80,16 @@ TEST_P(OffscreenContextTest, TooLargeAPictureIsAnErrorNotACrash) {
   EXPECT_THAT(messageOf([] { Framebuffer({20000, 20000}, {GL_RGBA8}, 0); }), HasSubstr("20000 x 20000"));
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, OffscreenContextTest, testing::Values(Backend::kOsMesa, Backend::kEgl),
-                         [](const auto& backend) { return backend.param == Backend::kEgl ? "Egl" : "OsMesa"; });
+INSTANTIATE_TEST_SUITE_P(BackEnds, OffscreenContextTest, testing::ValuesIn(backEnds()),
+                         [](const auto& backend) { return testName(backend.param); });
 
 /// A variable that makes Mesa succeed in everything and draw nothing, or outlines; set after it was cleared.
-class UndrawnPicture : public testing::TestWithParam<std::tuple<Backend, const char*, const char*>> {
+class UndrawnPicture : public testing::TestWithParam<std::tuple<Backend, std::pair<const char*, const char*>>> {
  protected:
   [[noreturn]] static void openAndExit() {
-    const auto& [backend, name, value] = GetParam();
+    const auto& [backend, variable] = GetParam();
     pinEnvironment(true);
-    setenv(name, value, 1);
+    setenv(variable.first, variable.second, 1);
     std::fputs(messageOf([backend = backend] { openContext(backend); }).c_str(), stderr);
     std::exit(0);
   }
@@ -98,21 +100,21 @@ TEST_P(UndrawnPicture, IsAnErrorOfTheContext) {
   EXPECT_EXIT(openAndExit(), testing::ExitedWithCode(0), "the back end reports success but does not draw");
 }
 
-INSTANTIATE_TEST_SUITE_P(OsMesa, UndrawnPicture,
-                         testing::Values(std::tuple(Backend::kOsMesa, "LP_NO_RAST", "1"),
-                                         std::tuple(Backend::kOsMesa, "GALLIUM_NOOP", "1"),
-                                         std::tuple(Backend::kOsMesa, "ST_DEBUG", "wf")));
-INSTANTIATE_TEST_SUITE_P(Egl, UndrawnPicture,
-                         testing::Values(std::tuple(Backend::kEgl, "LP_NO_RAST", "1"),
-                                         std::tuple(Backend::kEgl, "GALLIUM_NOOP", "1"),
-                                         std::tuple(Backend::kEgl, "ST_DEBUG", "wf")));
+using Variable = std::pair<const char*, const char*>;
+INSTANTIATE_TEST_SUITE_P(
+    Of, UndrawnPicture,
+    testing::Combine(testing::ValuesIn(backEnds()),
+                     testing::Values(Variable("LP_NO_RAST", "1"), Variable("GALLIUM_NOOP", "1"),
+                                     Variable("ST_DEBUG", "wf"))),
+    [](const auto& undrawn) { return testName(std::get<0>(undrawn.param)) + std::get<1>(undrawn.param).first; });
 
 TEST(ProbeBackends, ReportsBoth) {
   const auto reports = probeBackends();
   ASSERT_EQ(reports.size(), 2u);
   EXPECT_EQ(reports[0].name, "osmesa");
   EXPECT_EQ(reports[1].name, "egl");
-  for (const auto& report : reports) EXPECT_TRUE(report.works) << report.detail;
+  EXPECT_EQ(reports[0].works, hasOsMesa()) << reports[0].detail;
+  EXPECT_TRUE(reports[1].works) << reports[1].detail;
 }
 
 TEST(PinEnvironment, ClearsWhatMesaReadsAndNothingElse) {

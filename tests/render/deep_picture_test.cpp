@@ -3,6 +3,7 @@
 #include <set>
 
 #include "picture_test.h"
+#include "support/back_ends.h"
 
 namespace poinsot::render {
 namespace {
@@ -200,6 +201,7 @@ TEST_F(DeepPictureTest, EveryPanelIsDeep) {
 }
 
 TEST_F(DeepPictureTest, OsMesaAndEglGiveTheSame) {
+  POINSOT_NEEDS_OSMESA();
   const image::DeepImage here = renderer_.renderDeep(everything());
   const auto egl = gl::openContext(gl::Backend::kEgl);
   EXPECT_EQ(Renderer(*egl).renderDeep(everything()), here);

@@ -20,7 +20,7 @@ GalleryEdges::GalleryEdges(std::string scene, glm::ivec2 size)
     : name_(std::move(scene)),
       size_(size),
       stage_(galleryScene(name_)),
-      context_(gl::openContext(gl::Backend::kOsMesa)),
+      context_(gl::openContext(gl::Backend::kAuto)),
       renderer_(*context_) {}
 
 double GalleryEdges::worstMean(double filmTime_s) {

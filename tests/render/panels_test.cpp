@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of several panels, and flat things over them.
 #include "picture_test.h"
+#include "support/back_ends.h"
 
 namespace poinsot::render {
 namespace {
@@ -165,6 +166,7 @@ TEST_F(PanelsTest, UnchangedFlatThingsGiveTheSameBytesAgain) {
 }
 
 TEST(PanelsOfBackEnds, OsMesaAndEglGiveTheSameBytes) {
+  POINSOT_NEEDS_OSMESA();
   gl::pinEnvironment(true);
   const auto pictureOf = [](gl::Backend backend) {
     Picture picture;

@@ -11,7 +11,7 @@
 
 namespace poinsot::render {
 
-/// A renderer on OSMesa and a few measures of its pictures.
+/// A renderer and a few measures of its pictures.
 class PictureTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { gl::pinEnvironment(true); }
@@ -63,7 +63,7 @@ class PictureTest : public testing::Test {
   /// A material that no light brightens.
   static draw::Material black() { return {draw::Color(0), 0.0f}; }
 
-  std::unique_ptr<gl::OffscreenContext> context_ = gl::openContext(gl::Backend::kOsMesa);
+  std::unique_ptr<gl::OffscreenContext> context_ = gl::openContext(gl::Backend::kAuto);
   Renderer renderer_{*context_};
 };
 

@@ -34,7 +34,7 @@ class SolidLayersTest : public testing::Test {
   }
 
  private:
-  std::unique_ptr<gl::OffscreenContext> context_ = gl::openContext(gl::Backend::kOsMesa);
+  std::unique_ptr<gl::OffscreenContext> context_ = gl::openContext(gl::Backend::kAuto);
 };
 
 TEST_F(SolidLayersTest, AreLargeEnoughAndHaveNoSideThatIsAPowerOfTwo) {
