@@ -17,6 +17,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/render_options.h"
+#include "cli/renderer_note.h"
 #include "cli/scenes_place.h"
 #include "cli/untrusted.h"
 #include "cli/worker_count.h"
@@ -192,8 +193,12 @@ class Gallery {
       if (!failure) say(options_, target + " is ready");
     };
     made_ = app::makeStills(requests, workers(), listener);
-    for (const app::MadeStill& still : made_)
+    std::set<std::string> renderers;
+    for (const app::MadeStill& still : made_) {
       if (still.failure) fail(still.failure->kind());
+      renderers.insert(still.summary.renderer);
+    }
+    if (!options_.quiet) writeErr(rendererNotes(renderers));
   }
 
   /// As many as have memory while each makes the largest picture.

@@ -29,6 +29,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/golden_options.h"
+#include "cli/renderer_note.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "core/error.h"
@@ -114,8 +115,9 @@ class Golden {
     checkPlaces();
     app::watchInterrupts();
     outcomes_ = options_.unused ? app::unusedReferences(manifest_) : app::runGoldens(manifest_, request_);
-    if (options_.quiet)  // leaves out results, not errors
-      writeErr(linesOf(outcomes_, [](const Outcome& o) { return o.status == OutcomeStatus::kError; }));
+    const auto isError = [](const Outcome& o) { return o.status == OutcomeStatus::kError; };
+    writeErr(options_.quiet ? linesOf(outcomes_, isError)
+                            : rendererNotes(renderers()));  // quiet of all but errors
     if (options_.update) return update();
     writeReports();
     tell();
@@ -127,6 +129,14 @@ class Golden {
     app::GoldenRequest all = request_;
     all.only.clear();
     return app::casesOf(manifest_, all);
+  }
+
+  /// Those that drew the scenes. Pictures of other programs have none that is known.
+  std::set<std::string> renderers() const {
+    std::set<std::string> all;
+    for (const Outcome& outcome : outcomes_)
+      if (!outcome.origin.scene.empty()) all.insert(outcome.origin.renderer);
+    return all;
   }
 
   int list() const {

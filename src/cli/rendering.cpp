@@ -21,11 +21,11 @@
 #include "cli/console.h"
 #include "cli/dry_run.h"
 #include "cli/exit_code.h"
+#include "cli/renderer_note.h"
 #include "cli/shard_run.h"
 #include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "gl/offscreen_context.h"
 #include "output/figure.h"
 #include "output/png_sequence.h"
 #include "output/run_files.h"
@@ -143,11 +143,6 @@ std::string damageNote(const app::OutputTarget& target, const app::RenderSummary
                      core::printable(target.path.string()));
 }
 
-std::string rendererNote(const app::RenderSummary& summary) {
-  const std::string doubt = summary.renderer.empty() ? "" : gl::rendererDoubt(summary.renderer);
-  return doubt.empty() ? "" : "poinsot: note: " + core::printable(doubt) + "\n";
-}
-
 bool isMadeInParts(const app::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
@@ -219,7 +214,7 @@ int make(const RenderOptions& options, app::RenderRequest render, const PartsOpt
   app::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
   if (!options.quiet && options.progress != "json")
-    writeErr(damageNote(target, summary) + rendererNote(summary) +
+    writeErr(damageNote(target, summary) + rendererNotes({summary.renderer}) +
              "poinsot: " + readyText(parts, target, frames, summary) + "\n");
   if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
   return kDone;

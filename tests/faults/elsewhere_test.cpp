@@ -141,6 +141,7 @@ TEST(Elsewhere, AMesaWithoutLlvmpipeIsNotedWithWhatToInstall) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const ScratchFolder folder;
   const std::string softpipe = "GALLIUM_DRIVER=softpipe";
+  folder.put("golden.toml", "size = [64, 36]\n[[test]]\nscene = 'tiny.toml'\n");
   const std::string note =
       "this Mesa has no llvmpipe, and softpipe draws more slowly and some pixels differently; "
       "install a Mesa that has it (Debian: libgl1-mesa-dri)";
@@ -152,6 +153,9 @@ TEST(Elsewhere, AMesaWithoutLlvmpipeIsNotedWithWhatToInstall) {
   const RunResult still = withMesa(folder, softpipe, {"still", "tiny.toml", "-o", "t.png"});
   EXPECT_EQ(still.exitCode, 0) << still.err;
   EXPECT_THAT(still.err, testing::HasSubstr("poinsot: note: " + note + "\n"));
+  for (const auto& words : std::vector<std::vector<std::string>>{{"gallery", "tiny.toml", "-o", "g", "--no-sheet"},
+                                                                 {"golden", "golden.toml", "-o", "new"}})
+    EXPECT_THAT(withMesa(folder, softpipe, words).err, testing::HasSubstr("poinsot: note: " + note + "\n"));
   const RunResult usual = withMesa(folder, "GALLIUM_DRIVER=llvmpipe", {"still", "tiny.toml", "-o", "u.png"});
   EXPECT_EQ(usual.exitCode, 0) << usual.err;
   EXPECT_THAT(usual.err, testing::Not(testing::HasSubstr("note:")));
