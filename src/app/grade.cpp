@@ -69,6 +69,7 @@ class Comparison {
   void compare(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs);
+  /// @param scale  what errors are divided by; 0 leaves them in `unit`
   GradedQuantity summary(std::string_view key, std::string_view label, std::string_view unit,
                          const std::string& from, std::vector<double>& errors, double scale) const;
   GradedQuantity signedSummary(std::string_view key, const std::string& from, std::vector<double>& differences,
@@ -162,8 +163,10 @@ double rootMeanSquare(const std::vector<double>& errors, double largest) {
 GradedQuantity Comparison::summary(std::string_view key, std::string_view label, std::string_view unit,
                                    const std::string& from, std::vector<double>& errors, double scale) const {
   if (errors.empty()) return {key, label, unit, from, std::nullopt};
-  if (scale > 0)
+  if (scale > 0) {
+    unit = "1";
     for (double& error : errors) error /= scale;
+  }
   const auto largest = std::ranges::max_element(errors);
   const double at_s = t_s_[static_cast<std::size_t>(largest - errors.begin())];
   return {key, label, unit, from,
@@ -187,7 +190,8 @@ GradedQuantity Comparison::signedSummary(std::string_view key, const std::string
                                          std::vector<double>& differences, double scale) const {
   std::vector<double> errors;
   for (const double difference : differences) errors.push_back(std::abs(difference));
-  GradedQuantity quantity = summary(key, key == "T" ? "T" : "|L|", "1", from, errors, scale);
+  GradedQuantity quantity = key == "T" ? summary(key, "T", "J", from, errors, scale)
+                                       : summary(key, "|L|", "kg m^2/s", from, errors, scale);
   if (!quantity.errors) return quantity;
   quantity.errors->signedFinal = scale > 0 ? differences.back() / scale : differences.back();
   const DriftKind kind = quantity.errors->drift.kind;
@@ -199,16 +203,16 @@ GradedQuantity Comparison::signedSummary(std::string_view key, const std::string
 std::vector<GradedQuantity> Comparison::quantities() {
   const Origins from = originsOf(stateOf(0));
   std::vector<GradedQuantity> all = {
-      summary("attitude", "attitude", "rad", from.attitude, attitude_, 1),
-      summary("omega_B", "omega in the body", "1", from.omega_B, omega_B_, largestOmega_),
-      summary("omega_W", "omega in space", "1", from.omega_W, omega_W_, largestOmega_),
-      summary("direction_of_L", "direction of L", "rad", from.directionOfL, directionOfL_, 1),
+      summary("attitude", "attitude", "rad", from.attitude, attitude_, 0),
+      summary("omega_B", "omega in the body", "rad/s", from.omega_B, omega_B_, largestOmega_),
+      summary("omega_W", "omega in space", "rad/s", from.omega_W, omega_W_, largestOmega_),
+      summary("direction_of_L", "direction of L", "rad", from.directionOfL, directionOfL_, 0),
       signedSummary("length_of_L", from.lengthOfL, lengthOfL_, largestL_),
       signedSummary("T", from.kineticEnergy, kineticEnergy_, largestT_),
   };
   if (motion_.motion().dissipation() == 0 && from.rate_B.empty() && from.rate_W.empty()) return all;
-  all.push_back(summary("rate_B", "rate in the body", "1", from.rate_B, rate_B_, largestOmega_));
-  all.push_back(summary("rate_W", "rate in space", "1", from.rate_W, rate_W_, largestOmega_));
+  all.push_back(summary("rate_B", "rate in the body", "rad/s", from.rate_B, rate_B_, largestOmega_));
+  all.push_back(summary("rate_W", "rate in space", "rad/s", from.rate_W, rate_W_, largestOmega_));
   return all;
 }
 
@@ -230,7 +234,7 @@ std::string largestErrors(const std::vector<GradedQuantity>& quantities) {
   for (const GradedQuantity& quantity : quantities)
     if (isOfState(quantity))
       text += fmt::format("{}{} {:.1e}{}", text.empty() ? "" : ", ", quantity.label, quantity.errors->largest,
-                          quantity.unit == "rad" ? " rad" : "");
+                          unitAfter(quantity));
   return text;
 }
 
@@ -241,6 +245,10 @@ bool isClose(const Fit& fit) {
 }
 
 }  // namespace
+
+std::string unitAfter(const GradedQuantity& quantity) {
+  return quantity.unit == "1" ? "" : fmt::format(" {}", quantity.unit);
+}
 
 std::string fitNote(const Fit& fit) {
   return fmt::format("{} if {}: {}", isClose(fit) ? "fits" : "fits better", causesText(fit.causes),

@@ -33,10 +33,14 @@ struct ErrorSummary {
 struct GradedQuantity {
   std::string_view key;    ///< in JSON
   std::string_view label;  ///< in the table
-  std::string_view unit;   ///< "rad", or "1" for an error relative to the largest true value of the run
+  std::string_view unit;   ///< "1" for an error relative to the largest true value of the run; "rad" for an
+                           ///< angle; that of the quantity if its true values are all 0
   std::string from;        ///< their columns that it was worked out from
   std::optional<ErrorSummary> errors;  ///< none: the columns it takes are absent
 };
+
+/// Returns " rad", or "" for a relative error.
+std::string unitAfter(const GradedQuantity& quantity);
 
 /// One thing that a log means otherwise than its columns' names say.
 struct FitCause {

@@ -88,10 +88,13 @@ class ShiftSearch {
 /// Windows for the first row: around its time as read, and around 0.
 void ShiftSearch::prepare(const LogSample& sample) {
   prepared_ = true;
-  scale_ = largestOmega(sample);
-  if (!(scale_ > 0) || !maker_) return;
-  step_s_ = kStep_rad / scale_;
+  if (!maker_) return;
   const double length_s = span_.to_s - span_.from_s;
+  scale_ = largestOmega(sample);
+  if (motion_.extend(maker_, {0, length_s}))  // where losses have not yet brought it to rest
+    scale_ = std::max(scale_, motion_.at(0).omega_B.norm());
+  if (!(scale_ > 0)) return;
+  step_s_ = kStep_rad / scale_;
   const double reach_s = std::clamp(length_s, kLeastReach_rad / scale_, kReach_rad / scale_);
   const double first_s = sample.theirs.front().t_s;
   if (std::abs(first_s) <= 2 * reach_s) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNearlyWhole = 0.25;  // of an order of growth that has a name
 
-constexpr std::string_view kRow = "{:<18} {:>9} {:<3} {:>11} {:>10} {:>10}   {}\n";
+constexpr std::string_view kRow = "{:<18} {:>9} {:<{}} {:>11} {:>10} {:>10}   {}\n";
 
 std::string growthText(const Drift& drift) {
   if (drift.growth == Growth::kExponential) return fmt::format(", times e every {:.3g} s", 1 / drift.rate);
@@ -50,13 +51,18 @@ std::string finalText(const ErrorSummary& errors) {
   return hasSign ? fmt::format("{:+.2e}", *errors.signedFinal) : fmt::format("{:.2e}", errors.final);
 }
 
-std::string row(const GradedQuantity& quantity) {
+std::string_view unitWord(const GradedQuantity& quantity) {
+  if (!quantity.errors) return "";
+  return quantity.unit == "1" ? "rel" : quantity.unit;
+}
+
+std::string row(const GradedQuantity& quantity, std::size_t unitWidth) {
   if (!quantity.errors) return fmt::format("{:<18}{:>10}\n", quantity.label, "absent");
   const ErrorSummary& e = *quantity.errors;
   const std::string trend = e.trend == Trend::kNone ? "" : fmt::format(" ({})", trendWord(e.trend));
-  return fmt::format(kRow, quantity.label, fmt::format("{:.2e}", e.largest),
-                     quantity.unit == "1" ? "rel" : quantity.unit, fmt::format("{:.6g}", e.largestAt_s),
-                     finalText(e), fmt::format("{:.2e}", e.rms), driftText(e.drift) + trend);
+  return fmt::format(kRow, quantity.label, fmt::format("{:.2e}", e.largest), unitWord(quantity), unitWidth,
+                     fmt::format("{:.6g}", e.largestAt_s), finalText(e), fmt::format("{:.2e}", e.rms),
+                     driftText(e.drift) + trend);
 }
 
 /// Returns the signed final errors that drift: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
@@ -64,8 +70,8 @@ std::string trendText(const Grade& grade) {
   std::string text;
   for (const GradedQuantity& quantity : grade.quantities) {
     if (!quantity.errors || quantity.errors->trend == Trend::kNone) continue;
-    text += fmt::format("{}{} {:+.1e} ({})", text.empty() ? "" : ", ", quantity.label,
-                        *quantity.errors->signedFinal, trendWord(quantity.errors->trend));
+    text += fmt::format("{}{} {:+.1e}{} ({})", text.empty() ? "" : ", ", quantity.label,
+                        *quantity.errors->signedFinal, unitAfter(quantity), trendWord(quantity.errors->trend));
   }
   return text.empty() ? "" : "At the last row, against the motion: " + text + ".\n";
 }
@@ -131,8 +137,11 @@ Json fitJson(const std::optional<Fit>& fit) {
 std::string gradeTable(const Grade& grade) {
   std::string text = fmt::format("{} row{}, t = {} to {} s\n\n", grade.rows, grade.rows == 1 ? "" : "s",
                                  grade.first_s, grade.last_s);
-  text += fmt::format(kRow, "error of", "largest", "", "at t (s)", "final", "rms", "drift");
-  for (const GradedQuantity& quantity : grade.quantities) text += row(quantity);
+  std::size_t unitWidth = 0;
+  for (const GradedQuantity& quantity : grade.quantities)
+    unitWidth = std::max(unitWidth, unitWord(quantity).size());
+  text += fmt::format(kRow, "error of", "largest", "", unitWidth, "at t (s)", "final", "rms", "drift");
+  for (const GradedQuantity& quantity : grade.quantities) text += row(quantity, unitWidth);
   text += "\nrel: relative to the largest true value of the run.\n" + derivedText(grade) + trendText(grade);
   for (const std::string& note : grade.notes) text += sentence(note);
   return text;

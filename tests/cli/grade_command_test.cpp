@@ -104,39 +104,51 @@ TEST_F(GradeCommand, NamesAClockWithAnotherZero) {
   EXPECT_EQ(epoch.out.find("their times"), std::string::npos);  // the cause is named once
 }
 
-/// Adds a log of the scene under drag, which is integrated.
-class GradeCommandUnderDrag : public GradeCommand {
+// Its motion is at rest at a clock's time, to the last bit: nothing is relative to it.
+TEST_F(GradeCommand, NamesAClockWithAnotherZeroOfABodyThatComesToRest) {
+  const std::string drag = "motion.drag.rate=[0.01,0.02,0.03]";
+  EXPECT_EQ(grade({}, "trajectory", {"--rate", "20", "-D", "time.speed=1", "-o", "drag.csv", "-D", drag}).exitCode,
+            0);
+  folder_.put("epoch.csv", withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9));
+  const auto epoch = grade({"epoch.csv"}, "grade", {"-D", drag});
+  EXPECT_THAT(epoch.out, HasSubstr("\nNote: fits if t is 1700000000 s earlier (a clock's time: "));
+  EXPECT_THAT(epoch.out, testing::ContainsRegex("\n\\|L\\| +2.00e[+]01 kg m.2/s "));
+  EXPECT_THAT(epoch.out, testing::ContainsRegex("\nT +1.00e[+]02 J "));
+}
+
+/// Adds a log of the scene under a torque, which is integrated.
+class GradeCommandUnderTorque : public GradeCommand {
  protected:
-  GradeCommandUnderDrag() {
+  GradeCommandUnderTorque() {
     EXPECT_EQ(
         grade({}, "trajectory",
-              {"--rate", "20", "-D", "time.speed=1", "-o", "drag.csv", "-D", "motion.drag.rate=[0.01,0.02,0.03]"})
+              {"--rate", "20", "-D", "time.speed=1", "-o", "torque.csv", "-D", "motion.torque.body=[0.01,0,0]"})
             .exitCode,
         0);
   }
 
-  RunResult refused(const std::string& csv, const std::string& rate = "[0.01,0.02,0.03]") const {
+  RunResult refused(const std::string& csv, const std::string& torque = "[0.01,0,0]") const {
     folder_.put("epoch.csv", csv);
-    const auto result = grade({"epoch.csv"}, "grade", {"-D", "motion.drag.rate=" + rate});
+    const auto result = grade({"epoch.csv"}, "grade", {"-D", "motion.torque.body=" + torque});
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_EQ(result.out, "");
     return result;
   }
 };
 
-TEST_F(GradeCommandUnderDrag, GradesAClockTooLateForTheMotionFromItsFirstRow) {
-  EXPECT_THAT(refused(withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9)).err,
+TEST_F(GradeCommandUnderTorque, GradesAClockTooLateForTheMotionFromItsFirstRow) {
+  EXPECT_THAT(refused(withTimes(bytesOf(folder_ / "torque.csv"), 1.7e9)).err,
               HasSubstr("; their t starts at 1700000000 s: fits if t is 1700000000 s earlier ("));
 }
 
-TEST_F(GradeCommandUnderDrag, ClaimsNoFitOfALateLogThatIsWrongAsWell) {
-  const auto result = refused(withTimes(bytesOf(folder_ / "drag.csv"), 1.7e9), "[0.3,0.2,0.1]");
+TEST_F(GradeCommandUnderTorque, ClaimsNoFitOfALateLogThatIsWrongAsWell) {
+  const auto result = refused(withTimes(bytesOf(folder_ / "torque.csv"), 1.7e9), "[1,0,0]");
   EXPECT_THAT(result.err, HasSubstr("; their t starts at 1700000000 s: graded from its first row: attitude "));
   EXPECT_EQ(result.err.find("fits"), std::string::npos);
 }
 
-TEST_F(GradeCommandUnderDrag, ReportsTheTimesAsWrittenIfTheLogIsTooLongFromItsFirstRow) {
-  EXPECT_THAT(refused(withTimes(bytesOf(folder_ / "drag.csv"), 1.7e18, 1e9)).err, HasSubstr("1.7e+18"));
+TEST_F(GradeCommandUnderTorque, ReportsTheTimesAsWrittenIfTheLogIsTooLongFromItsFirstRow) {
+  EXPECT_THAT(refused(withTimes(bytesOf(folder_ / "torque.csv"), 1.7e18, 1e9)).err, HasSubstr("1.7e+18"));
 }
 
 TEST_F(GradeCommand, Json) {
