@@ -118,7 +118,7 @@ def test_a_handler_may_ask_for_the_motion_that_it_interrupts():
 import signal
 s, heard = poinsot.loads(BODY, DRIVEN), []
 signal.signal(signal.SIGALRM, lambda *_: heard.append(s.trajectory(100, span=(0, 120)).T))
-signal.setitimer(signal.ITIMER_REAL, 0.1)
+signal.setitimer(signal.ITIMER_REAL, 0.02)
 own = s.trajectory(100, span=(0, 120)).T
 print(heard == [own])
 """)
