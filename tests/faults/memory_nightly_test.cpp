@@ -25,19 +25,22 @@ std::vector<std::string> arguments(const char* target, image::PixelSize size, in
           "-D",           "time.duration=" + std::to_string(frames / 10.0)};
 }
 
-// Segments of 10 frames: encoders come and go three times as often as by default.
+// Segments of 10 frames: encoders come and go three times as often as by default. A picture of 12 MiB that each of
+// them left behind raised the medians by 48 MiB and the peak to 1108. How many pictures an encoder has in hand
+// depends on the machine's load: medians differed by up to 24 MiB, peaks by 76. Memory.DoesNotGrowWithTheFrames
+// finds leaks of a size that does not grow with the picture.
 void expectFlatBelowAGibibyte(int frames) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const MemoryWatch watch(folder, arguments("t.mp4", {3840, 2160}, frames, "10"));
   ASSERT_EQ(watch.frames(), frames);
   const int begun = frames / 6, middle = (begun + frames) / 2;
-  const double early_MiB = watch.workerPeak_MiB(begun, middle), late_MiB = watch.workerPeak_MiB(middle, frames);
-  std::printf("frames %d to %d: %.1f MiB, %d to %d: %.1f MiB, parent %.1f MiB\n", begun, middle, early_MiB, middle,
-              frames, late_MiB, watch.parentPeak_MiB());
-  EXPECT_LE(late_MiB - early_MiB, 4);
-  const double later_MiB = std::max(late_MiB - early_MiB, 0.0) * 10000 / (frames - middle);
-  EXPECT_LE(late_MiB + later_MiB, 1024);
+  const double early_MiB = watch.workerMedian_MiB(begun, middle),
+               late_MiB = watch.workerMedian_MiB(middle, frames), peak_MiB = watch.workerPeak_MiB(begun, frames);
+  std::printf("frames %d to %d: %.1f MiB, %d to %d: %.1f MiB, peak %.1f MiB, parent %.1f MiB\n", begun, middle,
+              early_MiB, middle, frames, late_MiB, peak_MiB, watch.parentPeak_MiB());
+  EXPECT_LE(late_MiB - early_MiB, 36);
+  EXPECT_LE(peak_MiB, 1024);
 }
 
 TEST(MemoryNightly, OfA4kFilmIsFlatBelowAGibibyte) { expectFlatBelowAGibibyte(240); }

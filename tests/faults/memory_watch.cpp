@@ -52,11 +52,24 @@ MemoryWatch::MemoryWatch(const ScratchFolder& folder, const std::vector<std::str
   EXPECT_EQ(made.exitCode, 0) << made.err.substr(made.err.size() - std::min<std::size_t>(made.err.size(), 500));
 }
 
-double MemoryWatch::workerPeak_MiB(std::int64_t from, std::int64_t to) const {
-  double peak = 0;
+std::vector<double> MemoryWatch::worker_MiB(std::int64_t from, std::int64_t to) const {
+  std::vector<double> all;
   for (const Sample& sample : samples_)
-    if (sample.done >= from && sample.done < to) peak = std::max(peak, sample.worker_MiB);
-  return peak;
+    if (sample.done >= from && sample.done < to) all.push_back(sample.worker_MiB);
+  return all;
+}
+
+double MemoryWatch::workerPeak_MiB(std::int64_t from, std::int64_t to) const {
+  const std::vector<double> all = worker_MiB(from, to);
+  return all.empty() ? 0 : std::ranges::max(all);
+}
+
+double MemoryWatch::workerMedian_MiB(std::int64_t from, std::int64_t to) const {
+  std::vector<double> all = worker_MiB(from, to);
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::ranges::nth_element(all, middle);
+  return *middle;
 }
 
 double MemoryWatch::parentPeak_MiB() const {

@@ -18,6 +18,9 @@ class MemoryWatch {
   std::int64_t frames() const { return samples_.back().done; }
   /// Most of the worker while `from` to `to` frames were done.
   double workerPeak_MiB(std::int64_t from, std::int64_t to) const;
+  /// Half of the looks at the worker meanwhile found at most this: unlike the peak, it does not depend on how many
+  /// frames an encoder's threads once had in hand.
+  double workerMedian_MiB(std::int64_t from, std::int64_t to) const;
   double parentPeak_MiB() const;
 
  private:
@@ -26,6 +29,7 @@ class MemoryWatch {
     double parent_MiB = 0, worker_MiB = 0;
   };
   static Sample sampleOf(const ProgramRun& run);
+  std::vector<double> worker_MiB(std::int64_t from, std::int64_t to) const;
 
   std::vector<Sample> samples_;
 };
