@@ -21,11 +21,7 @@ const std::string kTop =
 Scene sceneWith(const std::string& text) { return parseScene(text, dataPath("test.toml")); }
 std::string problems(const std::string& text) { return messagesOf(text, {}, dataPath("test.toml")); }
 
-const physics::Forcing& forcingOf(const std::string& text) {
-  static Scene scene;
-  scene = sceneWith(text);
-  return scene.motion.forcing;
-}
+physics::Forcing forcingOf(const std::string& text) { return sceneWith(text).motion.forcing; }
 
 TEST(Gravity, IsGivenByItsMomentOrByMassAndPivot) {
   EXPECT_EQ(forcingOf(kBare + "[motion.gravity]\nmgr_body=[0, 0.5, 2.84375]").gravity_B,
@@ -55,15 +51,15 @@ TEST(Forcing, IsNotAnEmptyTable) {
 }
 
 TEST(Torque, IsConstantInEitherAxes) {
-  const auto& forcing = forcingOf(kBare + "[motion.torque]\nbody=[1, 0, '5 mN m']\nspace=[0, -2, 0]");
+  const physics::Forcing forcing = forcingOf(kBare + "[motion.torque]\nbody=[1, 0, '5 mN m']\nspace=[0, -2, 0]");
   EXPECT_EQ(forcing.torque_B, Vector3d(1, 0, 0.005));
   EXPECT_EQ(forcing.torque_W, Vector3d(0, -2, 0));
 }
 
 TEST(Torque, MayComeInSteps) {
-  const auto& forcing = forcingOf(kBare +
-                                  "[[motion.torque.step]]\nfrom=1\nbody=[1, 2, 3]\n"
-                                  "[[motion.torque.step]]\nfrom='2 s'\nspace=[4, 5, 6]\n");
+  const physics::Forcing forcing = forcingOf(kBare +
+                                             "[[motion.torque.step]]\nfrom=1\nbody=[1, 2, 3]\n"
+                                             "[[motion.torque.step]]\nfrom='2 s'\nspace=[4, 5, 6]\n");
   EXPECT_EQ(forcing.torqueHistory_B.t_s, (std::vector<double>{1, 2}));
   EXPECT_EQ(forcing.torqueHistory_B.torque, (std::vector<Vector3d>{{1, 2, 3}, {0, 0, 0}}));
   EXPECT_EQ(forcing.torqueHistory_W.torque, (std::vector<Vector3d>{{0, 0, 0}, {4, 5, 6}}));
