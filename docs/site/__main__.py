@@ -67,7 +67,7 @@ def build(staged, work):
     shutil.rmtree(built, ignore_errors=True)
     told = subprocess.run([sys.executable, '-B', '-m', 'sphinx', '-q', '-W', '--keep-going', '-j', str(os.cpu_count()),
                            '-d', work / 'doctrees', '-b', 'html', staged, built])
-    theme.make_whole(built / '_static')
+    theme.make_whole(built)
     wrong = links.broken(built)
     print(*wrong, sep='\n', end='\n' if wrong else '', file=sys.stderr)
     if told.returncode or wrong:

@@ -5,13 +5,16 @@ import pathlib
 import re
 
 IMPORTED_STYLE = re.compile(r'@import url\((/javascript/[^)]+)\);')
-IMPORTED_SCRIPT = re.compile(r'^import \w+ from "\./([^"]+)";$', re.M)
+IMPORTED_SCRIPT = re.compile(r'^import (?:\* as )?\w+ from "\./([^"]+)";$', re.M)
+MODULE = re.compile(r'(<script src="[^"]*scripts/furo\.js[^"]*") type="module"')  # since 2023
 
 
-def make_whole(static):
+def make_whole(site):
     """Puts what the theme's files import in its place."""
-    styles, script = static / 'styles/furo.css', static / 'scripts/furo.js'
+    styles, script = site / '_static/styles/furo.css', site / '_static/scripts/furo.js'
     if styles.exists():
         styles.write_text(IMPORTED_STYLE.sub(lambda match: pathlib.Path('/usr/share' + match[1]).read_text(), styles.read_text()))
     if script.exists():
         script.write_text(IMPORTED_SCRIPT.sub(lambda match: (script.parent / match[1]).read_text(), script.read_text()))
+    for page in site.rglob('*.html'):
+        page.write_text(MODULE.sub(r'\1', page.read_text()))

@@ -4,6 +4,7 @@
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -121,6 +122,12 @@ class OsMesaProgram final : public ProgramsContext {
 class CallersContextTest : public testing::TestWithParam<Backend> {
  protected:
   void SetUp() override { pinEnvironment(true); }
+
+  /// Whether a context of that back end takes the place of one of OSMesa's. EGL's does where both keep the current
+  /// context in libglapi. Mesa 25 has no such library, and each back end has a current context of its own.
+  static bool replacesOsMesa(Backend backend) {
+    return backend == Backend::kOsMesa || dlopen("libglapi.so.0", RTLD_LAZY | RTLD_NOLOAD) != nullptr;
+  }
 };
 
 TEST_P(CallersContextTest, OfEglIsCurrentAgain) {
@@ -142,7 +149,7 @@ TEST_P(CallersContextTest, OfOsMesaIsCurrentAgainWithItsBuffer) {
   ASSERT_EQ(program.cleared(), kRed);
   {
     const auto context = openContext(GetParam());
-    EXPECT_FALSE(program.isCurrent());
+    EXPECT_NE(program.isCurrent(), replacesOsMesa(GetParam()));
   }
   EXPECT_TRUE(program.isCurrent());
   EXPECT_EQ(program.cleared(), kRed);
@@ -154,7 +161,7 @@ TEST_P(CallersContextTest, OfOsMesaOverOneOfEglIsCurrentAgain) {
   OsMesaProgram program;
   {
     const auto context = openContext(GetParam());
-    EXPECT_FALSE(program.isCurrent());
+    EXPECT_NE(program.isCurrent(), replacesOsMesa(GetParam()));
   }
   EXPECT_TRUE(program.isCurrent());
 }
@@ -163,7 +170,7 @@ TEST_P(CallersContextTest, OverOneOfOursIsCurrentAgainAndOursIsNot) {
   POINSOT_NEEDS_OSMESA();
   const auto outer = openContext(GetParam());
   OsMesaProgram program;
-  EXPECT_FALSE(outer->isCurrent());
+  EXPECT_NE(outer->isCurrent(), replacesOsMesa(GetParam()));
   openContext(GetParam());
   EXPECT_TRUE(program.isCurrent());
   outer->makeCurrent();

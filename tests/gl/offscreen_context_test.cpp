@@ -104,8 +104,7 @@ using Variable = std::pair<const char*, const char*>;
 INSTANTIATE_TEST_SUITE_P(
     Of, UndrawnPicture,
     testing::Combine(testing::ValuesIn(backEnds()),
-                     testing::Values(Variable("LP_NO_RAST", "1"), Variable("GALLIUM_NOOP", "1"),
-                                     Variable("ST_DEBUG", "wf"))),
+                     testing::Values(Variable("LP_NO_RAST", "1"), Variable("ST_DEBUG", "wf"))),
     [](const auto& undrawn) { return testName(std::get<0>(undrawn.param)) + std::get<1>(undrawn.param).first; });
 
 TEST(ProbeBackends, ReportsBoth) {

@@ -46,7 +46,7 @@ struct Format {
   const char* name;
   FilmFormat format;
   std::map<std::string, std::string> facts;  ///< what ffprobe has to say
-  int tolerance;  ///< of a colour in the middle of a square, in levels; measured 1, VP9 with alpha and AV1 2
+  int tolerance;  ///< of a colour in the middle of a square, in levels; measured 1, VP9 with alpha 2, AV1 2 and 3
 };
 
 FilmFormat of(FilmContainer container, FilmCodec codec, Chroma chroma = Chroma::k420, bool transparent = false,
@@ -59,6 +59,13 @@ const std::map<std::string, std::string> kBt709{
 
 std::map<std::string, std::string> with(std::map<std::string, std::string> facts) {
   facts.insert(kBt709.begin(), kBt709.end());
+  return facts;
+}
+
+/// QuickTime has no place for a range: FFmpeg 5 assumes one, FFmpeg 7 none.
+std::map<std::string, std::string> withoutRange(std::map<std::string, std::string> facts) {
+  facts = with(std::move(facts));
+  facts.erase("color_range");
   return facts;
 }
 
@@ -81,12 +88,13 @@ std::vector<Format> formats() {
       {"Vp9Lossless", of(Box::kWebm, Codec::kVp9, Chroma::k444, false, 0), with({{"codec_name", "vp9"}}), 2},
       {"Vp9Transparent", of(Box::kWebm, Codec::kVp9, Chroma::k420, true),
        with({{"codec_name", "vp9"}, {"TAG:ALPHA_MODE", "1"}}), 2},
-      {"Av1", of(Box::kWebm, Codec::kAv1), with({{"codec_name", "av1"}, {"pix_fmt", "yuv420p"}}), 2},
+      {"Av1", of(Box::kWebm, Codec::kAv1), with({{"codec_name", "av1"}, {"pix_fmt", "yuv420p"}}), 3},
       {"ProRes", of(Box::kMov, Codec::kProRes),
-       with({{"codec_name", "prores"}, {"profile", "4444"}, {"codec_tag_string", "ap4h"}, {"nb_frames", "17"}}),
+       withoutRange(
+           {{"codec_name", "prores"}, {"profile", "4444"}, {"codec_tag_string", "ap4h"}, {"nb_frames", "17"}}),
        2},
       {"ProResTransparent", of(Box::kMov, Codec::kProRes, Chroma::k420, true),
-       with({{"codec_name", "prores"}, {"pix_fmt", "yuva444p12le"}}), 2},
+       withoutRange({{"codec_name", "prores"}, {"pix_fmt", "yuva444p12le"}}), 2},
       {"Gif", of(Box::kGif, Codec::kGif), {{"codec_name", "gif"}}, 0},
       {"Apng", of(Box::kApng, Codec::kApng), {{"codec_name", "apng"}, {"pix_fmt", "rgb24"}}, 0},
       {"ApngTransparent",
