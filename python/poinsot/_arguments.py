@@ -34,9 +34,9 @@ def shown(it: object) -> str:
 def _plain(it: object) -> str:
     if isinstance(it, int) and it.bit_length() > 64:
         return ""
-    if it is None or isinstance(it, (bool, int, float, complex, str, bytes, range)):
-        return repr(it)
-    return str(it) if isinstance(it, (np.number, np.bool_)) else ""
+    if isinstance(it, (np.number, np.bool_)):  # of which one kind is a float, too
+        return str(it)
+    return repr(it) if it is None or isinstance(it, (bool, int, float, complex, str, bytes, range)) else ""
 
 
 def _type(it: object) -> str:

@@ -17,7 +17,7 @@ _ROUNDING = 1e-15  # of a cosine whose angle is pi/2 or pi
 def sweep_map(core: _core.Scene, shape: tuple[int, int]) -> dict[str, Any]:
     """Returns the dictionary of Scene.sweep_map()."""
     rows, columns = _checked(shape)
-    theta, phi = np.linspace(0, np.pi, rows), np.linspace(0, 2 * np.pi, columns)
+    theta, phi = np.linspace(0, np.pi, rows, dtype=np.float64), np.linspace(0, 2 * np.pi, columns, dtype=np.float64)
     direction_P = _directions(theta[:, np.newaxis], phi[np.newaxis, :])
     by_row = [_core.stability(core, row) for row in direction_P]  # Ctrl-C ends it between two rows
     numbers = by_row[0]

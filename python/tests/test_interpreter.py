@@ -10,7 +10,7 @@ import time
 import pytest
 
 PRELUDE = """
-import os, sys, threading, time
+import os, sys, threading, time, warnings
 import numpy as np
 import poinsot
 
@@ -18,6 +18,8 @@ random = np.random.default_rng(7)
 BODY = {"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [0.3, 2, 0.1]}}
 DRIVEN = {"motion.torque.body": [0.1, 0.2, 0.3]}
 FILM = {"time.duration": 100, "time.speed": 10}
+
+warnings.filterwarnings("ignore", message=".*use of fork")  # Python 3.12 warns of every fork of threads
 
 def ready():
     print("ready", flush=True)
@@ -75,7 +77,7 @@ def test_an_interrupted_motion_can_be_asked_for_again():
     said = run(f"""{PRELUDE}
 import os, signal
 s = poinsot.loads(BODY, DRIVEN)
-threading.Timer(0.1, os.kill, [os.getpid(), signal.SIGINT]).start()
+threading.Timer(0.05, os.kill, [os.getpid(), signal.SIGINT]).start()
 try:
     s.trajectory(300.0)
 except KeyboardInterrupt:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The motion as arrays, against integrations and closed forms worked out here, and against the program's table."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -125,4 +127,4 @@ def test_each_array_of_a_trajectory_is_documented():
     arrays = [*vars(free().trajectory(0)), "L_B", "q_WB_xyzw"]
     assert len(arrays) == 12
     for name in arrays:
-        assert f" {name}:" in documented or f" {name}, " in documented or f", {name}:" in documented, name
+        assert re.search(rf"(?m)(^|[ ,]) *{name}(:|, )", documented), name

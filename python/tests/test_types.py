@@ -48,7 +48,8 @@ def test_the_package_its_users_and_the_snippets_of_its_pages_are_checked(tmp_pat
         (tmp_path / f"{page.stem}.py").write_text(code)
     said = mypy("user.py", *(f"{page.stem}.py" for page in PAGES), cwd=tmp_path)
     assert re.findall(r"([0-9]+): error", said.stdout) == ["11", "16"], said.stdout  # and none of the pages' snippets
-    within = mypy("-p", "poinsot", cwd=tmp_path)
+    # Which of the comments "type: ignore" are needed depends on the versions of mypy and NumPy.
+    within = mypy("--no-warn-unused-ignores", "-p", "poinsot", cwd=tmp_path)
     assert within.returncode == 0, within.stdout
 
 

@@ -116,7 +116,7 @@ TEST_F(FishCompletion, CommandsOptionsValuesKeysAndFiles) {
   run("fish -n share/fish/vendor_completions.d/poinsot.fish");
   EXPECT_THAT(offered("poinsot re"), ElementsAre("render"));
   EXPECT_THAT(offered("poinsot "), AllOf(IsSupersetOf({"help", "gallery"}), Not(Contains("worker"))));
-  EXPECT_THAT(offered("poinsot render top.toml --fr"), ElementsAre("--frames"));
+  EXPECT_THAT(offered("poinsot render top.toml --fram"), ElementsAre("--frames"));
   EXPECT_THAT(offered("poinsot render top.toml --backend "), ElementsAre("auto", "egl", "osmesa"));
   EXPECT_THAT(offered("poinsot render -D style.theme="),
               ElementsAre("style.theme=", "style.theme=dark", "style.theme=light", "style.theme=print"));
