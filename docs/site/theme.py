@@ -6,7 +6,7 @@ import re
 
 IMPORTED_STYLE = re.compile(r'@import url\((/javascript/[^)]+)\);')
 IMPORTED_SCRIPT = re.compile(r'^import (?:\* as )?\w+ from "\./([^"]+)";$', re.M)
-MODULE = re.compile(r'(<script src="[^"]*scripts/furo\.js[^"]*") type="module"')  # since 2023
+SCRIPT_TAG = re.compile(r'<script [^>]*scripts/furo\.js[^>]*>')
 
 
 def make_whole(site):
@@ -17,4 +17,4 @@ def make_whole(site):
     if script.exists():
         script.write_text(IMPORTED_SCRIPT.sub(lambda match: (script.parent / match[1]).read_text(), script.read_text()))
     for page in site.rglob('*.html'):
-        page.write_text(MODULE.sub(r'\1', page.read_text()))
+        page.write_text(SCRIPT_TAG.sub(lambda match: match[0].replace(' type="module"', ''), page.read_text()))
