@@ -127,7 +127,7 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene,
 
 namespace {
 
-constexpr double kFilmsStart_bytes = 50e6;  // FFmpeg's libraries are opened for films
+constexpr double kFilmsStart_bytes = 56e6;  // the libraries of FFmpeg 7 are opened for films
 constexpr double kLeastReading_bytes = 9;   // for each pixel: two films, each with two pictures of 4:2:0
 constexpr double kGaps = 1.1;               // frames that come and go leave gaps in the heap
 

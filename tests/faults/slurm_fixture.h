@@ -34,7 +34,7 @@ class Slurm : public testing::Test {
   }
 
   void waitForTheEnd() {
-    ASSERT_TRUE(cluster_->waitUntilEmpty(60)) << cluster_->run("squeue; scontrol show job").out;
+    ASSERT_TRUE(cluster_->waitUntilEmpty(180)) << cluster_->run("squeue; scontrol show job").out;
   }
 
   void expectTheBytesOfALocalRun() { film_.expectTheBytesOfALocalRun(said()); }
