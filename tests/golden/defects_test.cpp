@@ -293,7 +293,7 @@ image::NearRule rule(std::string_view name) {
 /// test above holds; of "other_driver" what it gave up must be known.
 TEST(Defects, AreCaughtByNamedRulesAsTheDocsSay) {
   std::vector<Change> all = changes();
-  std::erase_if(all, &Change::isOfThisCpu);
+  std::erase_if(all, [](const Change& change) { return change.isOfThisCpu; });
   const Image a = box().drawn();
   all.insert(all.begin() + 2, {"another driver, simulated", false, a, byAnotherDriver(a)});
   std::string first = "| change |", second = "| --- |", counts = "| **defects caught** |", rows;

@@ -2,6 +2,7 @@
 // The preview over HTTP: what is answered, what is refused, what is survived. Expected pictures are those that the
 // program makes of the same frames.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -19,6 +20,13 @@
 
 namespace poinsot::preview {
 namespace {
+
+/// Every byte as %XX, which RFC 3986 allows.
+std::string percentEncoded(const std::string& text) {
+  std::string encoded;
+  for (const unsigned char byte : text) encoded += fmt::format("%{:02X}", byte);
+  return encoded;
+}
 
 using testing::HasSubstr;
 
@@ -60,9 +68,7 @@ TEST_F(Preview, ShowsOneViewOfSeveral) {
   EXPECT_EQ(film["views"][1]["title"], "Body");
   EXPECT_NEAR(film["views"][1]["camera"]["elevation"].get<double>(), 8, 1e-12);
   EXPECT_EQ(film["ownViews"], true);
-  const auto camera = [](const std::string& line) {
-    return "&D=" + httplib::detail::encode_query_param("view[1].camera." + line);
-  };
+  const auto camera = [](const std::string& line) { return "&D=" + percentEncoded("view[1].camera." + line); };
   const std::string alone = picture(30, "&view=1"),
                     turned = picture(30, "&view=1" + camera("azimuth=\"-20 deg\"") +
                                              camera("elevation=\"30 deg\"") + camera("zoom=1.5"));
@@ -252,7 +258,7 @@ class PreviewProcess {
   /// Renders the film of the page and returns the last state. @param words  for -D
   json film(const std::vector<std::string>& words, const std::string& view = "") {
     std::string asked = view.empty() ? "" : "view=" + view;
-    for (const std::string& word : words) asked += "&D=" + httplib::detail::encode_query_param(word);
+    for (const std::string& word : words) asked += "&D=" + percentEncoded(word);
     json state = json::parse(client_->Post(root_ + "film?" + asked)->body);
     while (state["stage"] == "making") {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
