@@ -5,6 +5,7 @@ import pathlib
 import re
 
 IMPORTED_STYLE = re.compile(r'@import url\((/javascript/[^)]+)\);')
+UNRESOLVED_STYLE = re.compile(r'@import "~[^"]+";')  # a name of the theme's build tool, which Debian's package kept
 IMPORTED_SCRIPT = re.compile(r'^import (?:\* as )?\w+ from "\./([^"]+)";$', re.M)
 SCRIPT_TAG = re.compile(r'<script [^>]*scripts/furo\.js[^>]*>')
 
@@ -13,7 +14,8 @@ def make_whole(site):
     """Puts what the theme's files import in its place."""
     styles, script = site / '_static/styles/furo.css', site / '_static/scripts/furo.js'
     if styles.exists():
-        styles.write_text(IMPORTED_STYLE.sub(lambda match: pathlib.Path('/usr/share' + match[1]).read_text(), styles.read_text()))
+        text = UNRESOLVED_STYLE.sub('', styles.read_text())
+        styles.write_text(IMPORTED_STYLE.sub(lambda match: pathlib.Path('/usr/share' + match[1]).read_text(), text))
     if script.exists():
         script.write_text(IMPORTED_SCRIPT.sub(lambda match: (script.parent / match[1]).read_text(), script.read_text()))
     for page in site.rglob('*.html'):

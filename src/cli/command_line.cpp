@@ -52,9 +52,19 @@ constexpr std::array kCommands{
     Command{"self-describe", addSelfDescribe},
 };
 
+/// Later versions of CLI11 fill paragraphs, and would join the lines of an example.
+template <class Formatter>
+void keepLines(Formatter& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); }) {
+    formatter.enable_description_formatting(false);
+    formatter.enable_footer_formatting(false);
+  }
+}
+
 /// Only the command that is named is declared, as nothing is asked of the others; all of them where it is none,
 /// for the help and for what might have been meant, and for the hidden one, which describes them.
 void declare(CLI::App& program, std::string_view word, Action& chosen) {
+  keepLines(*program.get_formatter());
   program.description("Films and stills of rotating rigid bodies, from scene files.");
   program.set_version_flag("--version", versionText, "versions of the program and its libraries");
   program.footer(std::string(kExamples) + kExitCodesText);
