@@ -61,7 +61,7 @@ Lines commands() {
   bool among = false;
   for (const std::string& line : linesOf(runIn(folder, "poinsot --help").out)) {
     if (!line.starts_with("  "))
-      among = line == "Subcommands:";
+      among = line == "Subcommands:" || line == "SUBCOMMANDS:";  // CLI11 before and since 2.5
     else if (among && line[2] != ' ')
       names.push_back(line.substr(2, line.find(' ', 2) - 2));
   }

@@ -17,6 +17,7 @@
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "stage/stage.h"
+#include "support/back_ends.h"
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"
 #include "support/text_of.h"
@@ -196,7 +197,7 @@ std::vector<Change> changes() {
   const Image a = box().drawn(), t = solid().drawn();
   const auto turned = [](double angle_deg) { return [=](DrawList& list) { turnBody(list, angle_deg); }; };
   return {
-      {"EGL in place of OSMesa", false, byProgram("--reproducible --backend osmesa"),
+      {"EGL in place of OSMesa", false, byProgram("--reproducible --backend " + backEndNames().front()),
        byProgram("--reproducible --backend egl")},
       {"this processor's own instructions", false, byProgram("--reproducible"), byProgram(""), true},
       {"200 values by one level", false, a, wobbled(a)},
