@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -202,11 +203,18 @@ std::string helpOf(const std::string& command) {
   return run(folder, words).out;
 }
 
+/// CLI11 writes "  -o,--output FILE", and since 2.5 "  -o,     --output FILE" and "          --output FILE".
+std::string withoutColumns(const std::string& line) {
+  static const std::regex columns("^  (?:(-.,) +|        )--");
+  return std::regex_replace(line, columns, "  $1--");
+}
+
 /// Lines such as "  -o,--output FILE  what it is" and "  SCENE TEXT REQUIRED  what it is".
 std::vector<Word> wordsOf(const std::string& help) {
   std::vector<Word> words;
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) {
+    line = withoutColumns(line);
     if (!line.starts_with("  ") || line.size() < 3 || line[2] == ' ') continue;
     std::istringstream parts(line.substr(2));
     Word word;
