@@ -19,7 +19,7 @@ PIXELS = pathlib.Path(__file__).with_name("pixels.py")
 OTHER_SYSTEM = f"""#!/bin/sh
 case $1 in
   backends)
-    echo 'osmesa  absent  no libOSMesa.so.8'
+    echo 'osmesa  absent  no libOSMesa.so.8 (Mesa 25.1 and later have none)'
     echo 'egl     works   llvmpipe (LLVM 21.1.8, 256 bits), OpenGL 4.5 (Core Profile) Mesa 26.2.0'
     ;;
   gallery) exec {shlex.quote(PROGRAM)} "$@" -D style.theme=dark ;;

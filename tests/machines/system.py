@@ -31,9 +31,10 @@ class System:
         text = self.run(f"set -e; . /etc/os-release; echo $PRETTY_NAME; {program} --version; {program} backends || true").decode()
         system, version = text.splitlines()[:2]
         backends = re.findall(r"^(osmesa|egl) +(works|absent) +(.*)$", text, re.MULTILINE)
-        if not any(state == "works" for _, state, _ in backends):
+        working = "\n".join(detail for _, state, detail in backends if state == "works")
+        if not working:
             raise Failure(f"{self.name or system}: no back end works:\n{text}")
-        drivers = {fact: match.group(1) if (match := re.search(pattern, text)) else None
+        drivers = {fact: match.group(1) if (match := re.search(pattern, working)) else None
                    for fact, pattern in (("mesa", r"Mesa (\d[\w.+~-]*)"), ("llvm", r"LLVM ([\d.]+)"))}
         facts = {"system": self.name or system, "program": version, **drivers}
         return facts, [(name, state == "works", detail) for name, state, detail in backends]
