@@ -131,7 +131,7 @@ class Golden {
     return app::casesOf(manifest_, all);
   }
 
-  /// Those that drew the scenes. Pictures of other programs have none that is known.
+  /// The renderers that drew the scenes. Pictures of other programs have none that is known.
   std::set<std::string> renderers() const {
     std::set<std::string> all;
     for (const Outcome& outcome : outcomes_)

@@ -11,7 +11,7 @@ namespace poinsot::gl {
 
 using FunctionLoader = void (*(*)(const char*))();
 
-// What both back ends have in common: a context's place among those of its thread.
+// Both back ends have this in common: a context's place among those of its thread.
 class NestedContext : public OffscreenContext {
  public:
   // Remembers what is current on this thread, and leaves nothing current.

@@ -27,7 +27,7 @@ BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)(
   }
 }
 
-/// What brings back the caller's own context, of either library.
+/// Brings back the caller's own context, of either library.
 std::function<void()> releasedCallersContext() {
   const auto egl = releasedEglContext(), osMesa = callersOsMesaContext();
   if (!egl && !osMesa) return nullptr;
