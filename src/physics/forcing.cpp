@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "physics/require_finite.h"
 #include "physics/rotor.h"
 
 namespace poinsot::physics {
@@ -14,10 +15,6 @@ namespace {
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
 
 std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
-
-void requireFinite(const char* what, const Eigen::Vector3d& v) {
-  if (!v.allFinite()) refuse(fmt::format("{} must be finite, got {}", what, triple(v)));
-}
 
 void requireAscending(const char* what, const TorqueHistory& history, std::size_t i) {
   const double t = history.t_s[i];
@@ -32,17 +29,17 @@ void validateHistory(const char* what, const TorqueHistory& history) {
                        history.torque.size()));
   for (std::size_t i = 0; i < history.t_s.size(); ++i) {
     requireAscending(what, history, i);
-    requireFinite(what, history.torque[i]);
+    requireFinite(history.torque[i], what);
   }
 }
 
 }  // namespace
 
 void validate(const Forcing& forcing) {
-  requireFinite("gravity (M g r in body axes, N·m)", forcing.gravity_B);
-  requireFinite("the torque in body axes (N·m)", forcing.torque_B);
-  requireFinite("the torque in space axes (N·m)", forcing.torque_W);
-  requireFinite("the drag rates (1/s)", forcing.dragRate_P);
+  requireFinite(forcing.gravity_B, "gravity (M g r in body axes, N·m)");
+  requireFinite(forcing.torque_B, "the torque in body axes (N·m)");
+  requireFinite(forcing.torque_W, "the torque in space axes (N·m)");
+  requireFinite(forcing.dragRate_P, "the drag rates (1/s)");
   if (forcing.dragRate_P.minCoeff() < 0)
     refuse(fmt::format("drag rates must not be negative, got {} 1/s", triple(forcing.dragRate_P)));
   if (!(forcing.dissipation >= 0 && std::isfinite(forcing.dissipation)))

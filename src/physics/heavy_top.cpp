@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/heavy_top.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
 #include "core/expect.h"
 #include "physics/elliptic.h"
 #include "physics/fixed_order.h"
+#include "physics/require_finite.h"
 #include "physics/transcendental.h"
 
 namespace poinsot::physics {
@@ -20,15 +18,6 @@ namespace {
 // What turning r into the principal axes leaves of a component that is 0.
 constexpr double kRounding = 1e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-void requireFinite(double value, const char* name) {
-  if (!std::isfinite(value))
-    throw core::Error(core::ErrorKind::kPhysics, fmt::format("{} must be finite, got {}", name, value));
-}
-
-void requireFinite(const Eigen::Vector3d& v, const char* name) {
-  for (const double component : v) requireFinite(component, name);
-}
 
 /// f(u0 + v) = f0 + f1 v + f2 v² + a v³, f0 >= 0: nothing cancels where the swing is small.
 struct Cubic {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/level_attitude.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/error.h"
 #include "physics/double_double.h"
+#include "physics/require_finite.h"
 #include "physics/rotor.h"
 
 namespace poinsot::physics {
@@ -54,12 +52,6 @@ Quaternion turnOnto(const Vector& d, Vertical vertical) {
   const DD w = near ? norm + c : across.length / (norm - c), sine = near ? across.length : DD(1);
   const Rotor<double> q = toDouble(normalized(Rotor<DD>{w, x * sine, y * sine, DD(0)}));
   return {q.w, q.x, q.y, q.z};
-}
-
-void requireFinite(const Eigen::Vector3d& v, const char* name) {
-  if (!v.allFinite())
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("{} must be finite, got ({}, {}, {})", name, v[0], v[1], v[2]));
 }
 
 Rotor<DD> unitRotor(const Quaternion& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }

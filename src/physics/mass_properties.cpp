@@ -11,6 +11,7 @@
 #include "core/expect.h"
 #include "physics/double_double.h"
 #include "physics/inertia_tensor.h"
+#include "physics/require_finite.h"
 #include "physics/symmetric_eigen.h"
 
 namespace poinsot::physics {
@@ -21,9 +22,7 @@ namespace {
 void requirePlace(double mass_kg, const Eigen::Vector3d& centre_B) {
   if (!std::isfinite(mass_kg) || mass_kg <= 0)
     refuse(fmt::format("mass must be positive and finite, got {}", mass_kg));
-  if (!centre_B.allFinite())
-    refuse(
-        fmt::format("centre of mass must be finite, got ({}, {}, {}) m", centre_B[0], centre_B[1], centre_B[2]));
+  requireFinite(centre_B, "centre of mass", " m");
 }
 
 /// Matter has moments ∫(y² + z²)dm, never negative and each at most the sum of the other two.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/scaled_start.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "core/error.h"
+#include "physics/require_finite.h"
 
 namespace poinsot::physics {
 namespace {
@@ -35,10 +33,7 @@ Eigen::Vector3d ScaledStart::toP(const std::array<double, 3>& sorted) const {
 }
 
 ScaledStart scaledStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P) {
-  if (!omega0_P.allFinite())
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("angular velocity must be finite, got ({}, {}, {}) rad/s", omega0_P[0],
-                                  omega0_P[1], omega0_P[2]));
+  requireFinite(omega0_P, "angular velocity", " rad/s");
   ScaledStart s;
   s.axis = moments.ascendingAxes();
   s.parity = isOdd(s.axis) ? -1 : 1;

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/stability.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
 #include "core/expect.h"
 #include "physics/free_motion_constants.h"
+#include "physics/require_finite.h"
 #include "physics/transcendental.h"
 
 namespace poinsot::physics {
 namespace {
-
-void requireFinite(double spin) {
-  if (!std::isfinite(spin))
-    throw core::Error(core::ErrorKind::kPhysics, fmt::format("the spin must be finite, got {} rad/s", spin));
-}
 
 /// Whether I·omega is parallel to omega, to 1e-12.
 bool isAlongPrincipalAxis(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
@@ -33,7 +26,7 @@ bool isAlongPrincipalAxis(const PrincipalMoments& moments, const Eigen::Vector3d
 
 SpinStability spinStability(const PrincipalMoments& moments, int axis, double spin) {
   POINSOT_EXPECT(axis >= 0 && axis < 3);
-  requireFinite(spin);
+  requireFinite(spin, "the spin", " rad/s");
   const double Ik = moments[axis], Ii = moments[(axis + 1) % 3], Ij = moments[(axis + 2) % 3];
   const double stiffness = ((Ik - Ii) / Ii) * ((Ik - Ij) / Ij);
   const double rate = std::abs(spin) * std::sqrt(std::abs(stiffness));
@@ -42,7 +35,7 @@ SpinStability spinStability(const PrincipalMoments& moments, int axis, double sp
 }
 
 SpinStability spinStability(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
-  for (const double component : omega_P) requireFinite(component);
+  requireFinite(omega_P, "the spin", " rad/s");
   POINSOT_EXPECT(isAlongPrincipalAxis(moments, omega_P));
   int axis = 0;
   omega_P.cwiseAbs().maxCoeff(&axis);

@@ -13,6 +13,7 @@
 #include "physics/free_motion.h"
 #include "physics/inertia_tensor.h"
 #include "physics/polhode.h"
+#include "physics/require_finite.h"
 #include "physics/transcendental.h"
 
 namespace poinsot::physics {
@@ -21,10 +22,6 @@ namespace {
 using DD = DoubleDouble;
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
-
-void requireFinite(double value, const char* name) {
-  if (!std::isfinite(value)) refuse(fmt::format("{} must be finite, got {}", name, value));
-}
 
 int exponentOf(double x) {
   int exponent = 0;
@@ -119,8 +116,7 @@ Eigen::Vector3d omegaFromSpace(const Quaternion& q_WB, const Eigen::Vector3d& om
   return turnedVector(q_WB.conjugate(), omega_W);
 }
 
-Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Quaternion& q_WB,
-                                  const Eigen::Vector3d& L_W) {
+Eigen::Vector3d omegaFromMomentum(const PrincipalAxes& axes, const Quaternion& q_WB, const Eigen::Vector3d& L_W) {
   POINSOT_EXPECT(!q_WB.coeffs().isZero(0));
   return axes.angularVelocity(turnedVector(q_WB.conjugate(), L_W));
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace poinsot::physics {
+
+/// @throws core::Error(kPhysics) "NAME must be finite, got VALUE", if it is not. @param unit  after the value,
+/// with its blank
+inline void requireFinite(double value, std::string_view name, std::string_view unit = "") {
+  if (!std::isfinite(value))
+    throw core::Error(core::ErrorKind::kPhysics, fmt::format("{} must be finite, got {}{}", name, value, unit));
+}
+
+/// Likewise of a vector, of which it shows all three components.
+inline void requireFinite(const Eigen::Vector3d& v, std::string_view name, std::string_view unit = "") {
+  if (!v.allFinite())
+    throw core::Error(core::ErrorKind::kPhysics,
+                      fmt::format("{} must be finite, got ({}, {}, {}){}", name, v[0], v[1], v[2], unit));
+}
+
+}  // namespace poinsot::physics
