@@ -39,7 +39,7 @@ struct GradedQuantity {
   std::optional<ErrorSummary> errors;  ///< none: the columns it takes are absent
 };
 
-/// Returns " rad", or "" for a relative error.
+/// Returns " rad" or another unit after a blank; "" for a relative error.
 std::string unitAfter(const GradedQuantity& quantity);
 
 /// One thing that a log means otherwise than its columns' names say.

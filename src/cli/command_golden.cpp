@@ -116,8 +116,7 @@ class Golden {
     app::watchInterrupts();
     outcomes_ = options_.unused ? app::unusedReferences(manifest_) : app::runGoldens(manifest_, request_);
     const auto isError = [](const Outcome& o) { return o.status == OutcomeStatus::kError; };
-    writeErr(options_.quiet ? linesOf(outcomes_, isError)
-                            : rendererNotes(renderers()));  // quiet of all but errors
+    writeErr(options_.quiet ? linesOf(outcomes_, isError) : rendererNotes(renderers()));
     if (options_.update) return update();
     writeReports();
     tell();

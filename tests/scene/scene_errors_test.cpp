@@ -222,26 +222,6 @@ TEST(Report, OfARangeWhereOneValueIsWanted) {
               "time.speed: one value is wanted here; ranges are for sweep, preview and submit\n");
 }
 
-// An override has no columns that would tell the two numbers apart, and one cause is one problem.
-TEST(Report, SaysOnceWhatIsWrongWithAnOverride) {
-  EXPECT_EQ(messagesOf(kMinimal, {"output.size=[100000, 100000]"}),
-            "output.size: each side must be from 16 to 8192 pixels, got 100000; --limit side=N raises that\n");
-  EXPECT_EQ(problemsOf(kMinimal, {"output.size=[100000, 100001]"}).size(), 2U);
-}
-
-TEST(Report, NamesTheOverride) {
-  const auto problems = problemsOf(kMinimal, {"body.mass=abc", "time.fps", "camera.zom=2", "output.size=[1, 2"});
-  std::string text;
-  for (const Problem& problem : problems) text += toString(problem) + "\n";
-  EXPECT_THAT(
-      text,
-      HasSubstr("-D body.mass=abc: error: body.mass: expected a mass in one of kg, g, mg, t, lb, oz, slug, u "
-                "(poinsot explain units lists all), got \"abc\"\n"));
-  EXPECT_THAT(text, HasSubstr("-D time.fps: error: expected -D key.path=value\n"));
-  EXPECT_THAT(text, HasSubstr("-D camera.zom=2: error: camera.zom: unknown key; did you mean camera.zoom?\n"));
-  EXPECT_THAT(text, HasSubstr("-D output.size=[1, 2: error: not TOML: "));
-}
-
 std::string atMessage(const std::string& text) {
   const auto problems = problemsOf(text);
   return problems.empty() ? "" : core::toString(problems[0].where) + ": " + problems[0].message;
@@ -379,37 +359,6 @@ TEST(Report, SaysWhatValueWasMeant) {
       "leave it out\n");
 }
 
-TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
-  EXPECT_EQ(messagesOf(kMinimal, {"tim.x=3"}), "tim.x: unknown table [tim]; did you mean [time]?\n");
-  EXPECT_EQ(messagesOf(kMinimal, {"show.plan.grid=true"}),
-            "show.plan.grid: unknown table [show.plan]; did you mean [show.plane]?\n");
-  EXPECT_EQ(messagesOf(kMinimal, {"show.labels.x=3"}),
-            "show.labels.x: unknown key; show.labels is true or false, and has no keys below it\n");
-  EXPECT_THAT(
-      messagesOf(kMinimal, {"show.qqqqqqqqqqqq.q=3"}),
-      HasSubstr("unknown table [show.qqqqqqqqqqqq]; [show] has the tables body, principal_axes, L, omega"));
-  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.fps=3"}),
-            "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
-  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.q=3"}),
-            "qqqqqqqqqqqq.q: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
-            "show, view, label, vector, angle, plot, readout, note, timeline, style, output\n");
-  EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
-            "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "
-            "no keys below it\n");
-}
-
-TEST(Overrides, OfOneElementShowTheWhole) {
-  EXPECT_EQ(
-      messagesOf(kMinimal, {"motion.omega_body[1]=3"}),
-      "motion.omega_body[1]: one element; give all of them, such as motion.omega_body=[0.01, \"3 rpm\", 0]\n");
-}
-
-TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
-  EXPECT_FALSE(parseScene(kMinimal, "test.toml", {"show.plane = false"}).show.plane.visible);
-  EXPECT_EQ(parseScene(kMinimal, "test.toml", {" style.theme = dark "}).style.theme, Theme::kDark);
-  EXPECT_EQ(messagesOf(kMinimal, {" = 3"}), "expected -D key.path=value\n");
-}
-
 TEST(Report, PointsAtTheTableFromWhichSomethingIsMissing) {
   const auto body = problemsOf("[motion]\nomega_body = [1, 0, 0]\n[body]\n");
   ASSERT_EQ(body.size(), 1u);
@@ -474,13 +423,6 @@ TEST(Report, StopsAfterAScreenful) {
     EXPECT_EQ(errors.omitted(), 950);
     EXPECT_THAT(errors.what(), EndsWith("\nand 950 more"));
   }
-}
-
-TEST(Overrides, CannotSmuggleASecondKey) {
-  EXPECT_THAT(messagesOf(kMinimal, {"time.duration=1\nv2 = 3"}), HasSubstr("time.duration"));
-  EXPECT_THAT(messagesOf(kMinimal, {"\"time.duration\"=1"}), HasSubstr("unknown table"));
-  EXPECT_THAT(messagesOf("\"time.duration\" = 3\n" + std::string(kMinimal)),
-              HasSubstr("\"time.duration\": unknown key"));
 }
 
 TEST(Tables, TakeATableOnly) {
