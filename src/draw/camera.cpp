@@ -19,7 +19,7 @@ Camera lookAt(glm::vec3 eye_W, glm::vec3 target_W, glm::vec3 up_W, float fovY_ra
   camera.R_WC[0] = glm::normalize(right);
   camera.R_WC[1] = glm::cross(backward, camera.R_WC[0]);
   camera.R_WC[2] = backward;
-  camera.tanHalfFovY = std::tan(0.5f * fovY_rad);
+  camera.tanHalfFovY = static_cast<float>(std::tan(0.5 * static_cast<double>(fovY_rad)));
   camera.size_px = size_px;
   camera.centre_px = 0.5f * size_px;
   return camera;

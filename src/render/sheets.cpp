@@ -136,7 +136,7 @@ ConeSheet coneSheet(const draw::Camera& camera, const draw::GlassCone& cone) {
   POINSOT_EXPECT(cone.halfAngle_rad < 1.5707f);
   ConeSheet sheet;
   if (!(cone.halfAngle_rad > 0 && cone.height_W > 0)) return sheet;
-  sheet.slope = std::tan(cone.halfAngle_rad);
+  sheet.slope = static_cast<float>(std::tan(static_cast<double>(cone.halfAngle_rad)));
   const glm::vec3 base_W = cone.apex_W + cone.height_W * glm::normalize(cone.axis_W);
   sheet.outline = frustumOutline(camera, {cone.apex_W, base_W, 0, sheet.slope * cone.height_W, {}});
   if (sheet.outline.bounds.empty()) return sheet;
