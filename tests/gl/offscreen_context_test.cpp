@@ -90,7 +90,7 @@ class UndrawnPicture : public testing::TestWithParam<std::tuple<Backend, std::pa
     const auto& [backend, variable] = GetParam();
     pinEnvironment(true);
     setenv(variable.first, variable.second, 1);
-    std::fputs(messageOf([backend = backend] { openContext(backend); }).c_str(), stderr);
+    std::fputs(messageOf([named = backend] { openContext(named); }).c_str(), stderr);
     std::exit(0);
   }
 };

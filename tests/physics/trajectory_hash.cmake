@@ -13,10 +13,11 @@ list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
 add_executable(physics_trajectory_hash trajectory_hash.cpp)
 target_link_libraries(physics_trajectory_hash PRIVATE poinsot::physics poinsot_flags)
 
+# Without warnings: the build of the libraries gives them, and Clang 19 has one of its own -march=native on some processors.
 get_target_property(physics_options poinsot_physics COMPILE_OPTIONS)
 function(hash_variant name)
   add_executable(physics_trajectory_hash_${name} ${hash_sources})
-  target_compile_options(physics_trajectory_hash_${name} PRIVATE ${physics_options} ${ARGN})
+  target_compile_options(physics_trajectory_hash_${name} PRIVATE ${physics_options} -w ${ARGN})
   target_include_directories(physics_trajectory_hash_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(physics_trajectory_hash_${name} PRIVATE poinsot::core Eigen3::Eigen poinsot_flags)
 endfunction()
@@ -46,7 +47,6 @@ if(other_compiler)
   file(GLOB hash_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/physics/*.h)
   get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_custom_command(OUTPUT ${other}
-    # No warnings: the main compiler gives them, and Clang 19 has one of its own -march=native on some processors.
     COMMAND ${other_compiler} -std=c++20 -O3 -march=native -w -ffp-contract=off -I ${PROJECT_SOURCE_DIR}/src
             -isystem ${eigen_folder} ${hash_sources} $<TARGET_FILE:poinsot_core> $<TARGET_FILE:fmt::fmt> -o ${other}
     DEPENDS ${hash_sources} ${hash_headers} poinsot_core
