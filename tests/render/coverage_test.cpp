@@ -38,7 +38,7 @@ TEST_F(CoverageTest, BoxesFrustumsAndEllipsoidsHaveTheAreaOfTheirHull) {
     const vec3 axis = random.direction(), u = random.across(axis);
     const vec3 v(axis.y * u.z - axis.z * u.y, axis.z * u.x - axis.x * u.z, axis.x * u.y - axis.y * u.x);
     const float a = random.in(0.1f, 0.5f), b = random.in(0.05f, 0.4f), c = random.in(0.05f, 0.4f);
-    const vec3 centre(random.in(-1, 1), random.in(-0.2f, 0.2f), random.in(-0.2f, 0.2f));
+    const vec3 centre{random.in(-1, 1), random.in(-0.2f, 0.2f), random.in(-0.2f, 0.2f)};
     std::vector<vec2> outline;
     const auto add = [&](vec3 p) { outline.push_back(project(list.camera, p)); };
     if (trial % 3 == 0) {

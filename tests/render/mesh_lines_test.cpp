@@ -31,7 +31,8 @@ TEST_F(MeshLinesTest, SharpEdgesBearLinesWhereTheyAreSeen) {
     EXPECT_GT(picture.at(p.x, p.y)[1], 100);
 }
 
-// Whole lines, however steep the faces beside them: those of the cube's edges that belong to a face seen.
+// Whole lines, however steep the faces beside them: those of the cube's edges that belong to a face seen. Edges
+// within a few pixels are left out: at their ends a pixel is covered by half.
 TEST_F(MeshLinesTest, LinesAreUnbroken) {
   Random random;
   int probes = 0, broken = 0;
@@ -51,16 +52,19 @@ TEST_F(MeshLinesTest, LinesAreUnbroken) {
       const int along = edge / 4, u = (along + 1) % 3, v = (along + 2) % 3;
       const float a = edge & 1 ? 1.0f : -1.0f, b = edge & 2 ? 1.0f : -1.0f;
       if (!faces(u, a) && !faces(v, b)) continue;
-      for (float s = -0.9f; s < 0.91f; s += 0.05f) {
-        const vec3 p = s * mesh.axes_W[along] + a * mesh.axes_W[u] + b * mesh.axes_W[v];
-        const glm::vec2 at = project(list.camera, p);
+      const auto place = [&](float s) {
+        return project(list.camera, s * mesh.axes_W[along] + a * mesh.axes_W[u] + b * mesh.axes_W[v]);
+      };
+      if (glm::distance(place(-1), place(1)) < 8) continue;
+      for (float s = -0.75f; s < 0.76f; s += 0.05f) {
+        const glm::vec2 at = place(s);
         ++probes;
         broken += *picture.at(static_cast<int>(at.x), static_cast<int>(at.y)) > 150;
       }
     }
   }
-  EXPECT_GT(probes, 10000);
-  EXPECT_LE(broken, 2);  // measured 0 of 11840
+  EXPECT_GT(probes, 9000);
+  EXPECT_LE(broken, 2);  // measured 0 of 9920
 }
 
 }  // namespace

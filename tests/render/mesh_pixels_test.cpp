@@ -118,7 +118,7 @@ TEST(PixelMarks, HoldEveryPixelOfASegmentAndFewOthers) {
   for (int trial = 0; trial < 300; ++trial) {
     PixelMarks marks;
     marks.reset({40, 30}, {0, 0, 40, 30});
-    const dvec2 a(random.in(-10, 50), random.in(-10, 40)), b(random.in(-10, 50), random.in(-10, 40));
+    const dvec2 a{random.in(-10, 50), random.in(-10, 40)}, b{random.in(-10, 50), random.in(-10, 40)};
     marks.markSegment(a, b);
     marks.finish();
     std::vector<char> crossed(40 * 30);

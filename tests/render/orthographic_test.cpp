@@ -36,12 +36,13 @@ class OrthographicTest : public PictureTest {
     return list;
   }
 
-  void expectAsFromFarAway(const DrawList& list, const char* what, float worstLight) {
+  /// @param mostValues  that may differ by more than worstLight
+  void expectAsFromFarAway(const DrawList& list, const char* what, float worstLight, int mostValues = 0) {
     const image::Image parallel = render(list);
     ASSERT_GT(difference(parallel, render(emptyList())).count, 200) << what;
-    const Difference d = difference(parallel, render(fromFarAway(list)));
+    const Difference d = difference(parallel, render(fromFarAway(list)), worstLight);
     RecordProperty(std::string(what) + " worst light", std::to_string(d.worstLight));
-    EXPECT_LE(d.worstLight, worstLight) << what;
+    EXPECT_LE(d.beyond, mostValues) << what << ", by up to " << d.worstLight;
   }
 
   static draw::Mesh tilted(MeshPointer mesh) {
@@ -76,7 +77,7 @@ TEST_F(OrthographicTest, SolidsAreAsFromFarAway) {
     list.meshes.push_back(tilted(mesh));
     expectAsFromFarAway(list, "mesh", 0.03f);  // measured 0.009
     list.meshes[0].edge_px = 2;
-    expectAsFromFarAway(list, "mesh with lines", 0.08f);
+    expectAsFromFarAway(list, "mesh with lines", 0.08f, 3);  // measured 1 pixel, where a line ends at a corner
   }
 }
 

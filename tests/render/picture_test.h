@@ -44,8 +44,9 @@ class PictureTest : public testing::Test {
     double mean = 0;  ///< over those
     int worst = 0;
     float worstLight = 0;  ///< the largest, in linear light
+    int beyond = 0;        ///< values that differ by more than a bound, in linear light
   };
-  static Difference difference(const image::Image& a, const image::Image& b) {
+  static Difference difference(const image::Image& a, const image::Image& b, float bound = 0) {
     EXPECT_EQ(a.pixels.size(), b.pixels.size());
     Difference d;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -55,6 +56,7 @@ class PictureTest : public testing::Test {
       d.worst = std::max(d.worst, step);
       const float light = draw::linearFromSrgb8(a.pixels[i]) - draw::linearFromSrgb8(b.pixels[i]);
       d.worstLight = std::max(d.worstLight, std::abs(light));
+      d.beyond += std::abs(light) > bound;
     }
     d.mean /= std::max(d.count, 1);
     return d;

@@ -7,7 +7,8 @@
 
 namespace poinsot::render {
 
-/// mt19937_64 is the same everywhere; the distributions of the library are not.
+/// Numbers that are the same everywhere: mt19937_64 is, the distributions of the library are not. Draw several in
+/// braces or statements: the order in which a function's arguments are evaluated is the compiler's.
 class Random {
  public:
   float in(float low, float high) {
@@ -15,7 +16,7 @@ class Random {
   }
   glm::vec3 direction() {
     for (;;) {
-      const glm::vec3 v(in(-1, 1), in(-1, 1), in(-1, 1));
+      const glm::vec3 v{in(-1, 1), in(-1, 1), in(-1, 1)};
       const float n = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
       if (n > 0.1f && n < 1) return v / n;
     }
