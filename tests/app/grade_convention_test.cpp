@@ -97,8 +97,8 @@ TEST(GradeConvention, NamesUnitsOfTime) {
   expectCause(scaled(1e3), "t is in ms");
   expectCause(scaled(1e9), "t is in ns");
   for (const auto& [unit, perSecond] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}}) {
-    const Grade both = gradeOfLog(logOf([=](const auto& s) {
-      return LogRow{(s.t_s + 1.7e9) * perSecond, s.q_WB, s.omega_B};
+    const Grade both = gradeOfLog(logOf([scale = perSecond](const auto& s) {
+      return LogRow{(s.t_s + 1.7e9) * scale, s.q_WB, s.omega_B};
     }));
     EXPECT_THAT(both.notes, ElementsAre(AllOf(HasSubstr(std::string("t is in ") + unit),
                                               HasSubstr("and t is 1700000000 s earlier"))));

@@ -8,6 +8,7 @@
 //   ELSEWHERE_LACKS encoders that libavcodec lacks, by its own names: "libx264,gif"
 //   ELSEWHERE_SETS  a setting, "NAME=value", that comes into the environment after the program cleared it
 //   ELSEWHERE_HIDES libraries that are not to be opened at run time, by the start of their names: "libav"
+#undef _FORTIFY_SOURCE  // or glibc defines functions that this file replaces
 #include <dlfcn.h>
 #include <sys/time.h>
 #include <sys/utsname.h>

@@ -36,7 +36,7 @@ class Completion : public ::testing::Test {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     std::ranges::sort(lines);
-    lines.erase(std::ranges::unique(lines).begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());  // of std::ranges Clang 14 lacks it
     return lines;
   }
 
