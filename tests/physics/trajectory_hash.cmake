@@ -47,7 +47,7 @@ if(other_compiler)
   file(GLOB hash_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/physics/*.h)
   get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_custom_command(OUTPUT ${other}
-    COMMAND ${other_compiler} -std=c++20 -O3 -march=native -w -ffp-contract=off -I ${PROJECT_SOURCE_DIR}/src
+    COMMAND ${other_compiler} -std=c++20 -O3 -march=native -w -ffp-contract=off ${physics_options} -I ${PROJECT_SOURCE_DIR}/src
             -isystem ${eigen_folder} ${hash_sources} $<TARGET_FILE:poinsot_core> $<TARGET_FILE:fmt::fmt> -o ${other}
     DEPENDS ${hash_sources} ${hash_headers} poinsot_core
     COMMENT "Building the trajectory hash with ${other_compiler}")
