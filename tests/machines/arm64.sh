@@ -6,8 +6,8 @@
 # docs/testing.md says how to build the second program.
 set -euo pipefail
 (($# == 2)) || { echo "usage: tests/machines/arm64.sh PROGRAM ARM64_PROGRAM" >&2; exit 2; }
+program=$(realpath "$1") arm64=(qemu-aarch64 -L / "$(realpath "$2")")
 cd "${BASH_SOURCE[0]%/*}/../.."
-program=$1 arm64=(qemu-aarch64 -L / "$2")
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 

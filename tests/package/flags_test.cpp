@@ -107,9 +107,9 @@ TEST(Archives, HaveNoGlobalNamesButTheirOwn) {
   EXPECT_GT(ours, 5000) << "nm has told of too few";
 }
 
-// Their last bit moves from one C library to the next (glibc 2.41 rounds them correctly), and pixels with it:
-// cones moved between Debian 12 and 13. The double's value, rounded, does not. hypotf is not named: glibc computes
-// it in double.
+// Functions in single precision differ in the last bit from one C library to the next: glibc 2.41 rounds them
+// correctly, glibc 2.36 does not, and cones differed between Debian 13 and 12. Rounding the double's value gives
+// the same with both. hypotf is allowed, because glibc computes it in double.
 TEST(Archives, TakeNoFunctionInSinglePrecisionFromTheCLibrary) {
   const InstalledTree tree;
   std::istringstream lines(tree.run("nm --print-file-name --undefined-only --format=posix $PREFIX/lib/*.a"));
