@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "compare/difference.h"
 #include "guard_picture.h"
-#include "image/difference.h"
 #include "image/png_file.h"
 #include "output/yuv.h"
 #include "physics/free_motion.h"
@@ -72,7 +72,7 @@ Work compare() {
   constexpr image::PixelSize kSmall{480, 270};
   const auto a = std::make_shared<const image::Image>(guardPicture(kSmall, 0));
   const auto b = std::make_shared<const image::Image>(guardPicture(kSmall, 0.125));
-  return [a, b] { image::compare(*a, *b); };
+  return [a, b] { compare::compare(*a, *b); };
 }
 
 Work png() {

@@ -9,14 +9,14 @@ set(POINSOT_PUBLIC_HEADERS
   physics/possible_inertia.h physics/precession_cones.h physics/principal_axes.h physics/run_condition.h physics/solid.h physics/stability.h
   physics/start.h
   geometry/mesh.h geometry/mesh_file.h geometry/mesh_integrals.h geometry/primitives.h
-  image/changes.h image/difference.h image/flip.h image/image.h image/magma.h image/near_rule.h image/png_file.h
+  compare/changes.h compare/difference.h compare/flip.h image/image.h compare/magma.h compare/near_rule.h image/png_file.h
   gl/offscreen_context.h
   scene/film_clock.h scene/limits.h scene/make_motion.h scene/reference.h scene/scene.h scene/scene_file.h
   scene/units.h
   draw/camera.h draw/color.h draw/draw_list.h draw/picture.h draw/picture_digest.h
   text/coverage.h text/math_setter.h text/plain_text.h
-  output/animation.h output/atomic_file.h output/figure.h output/film.h output/film_reader.h output/png_sequence.h output/video_segment.h
+  output/animation.h core/atomic_file.h figure/figure.h output/film.h output/film_reader.h output/png_sequence.h output/video_segment.h
   stage/stage.h
   render/reference.h render/renderer.h
-  app/alt_text.h app/film_diff.h app/folder_diff.h app/golden_suite.h app/grade.h app/grade_text.h app/interrupt.h app/picture_diff.h app/render_job.h app/report_scene.h
-  app/scene_request.h app/still_batch.h app/trajectory_text.h app/worker.h)
+  describe/alt_text.h compare/film_diff.h compare/folder_diff.h golden/suite.h reference/grade.h reference/grade_text.h process/interrupt.h compare/picture_diff.h job/render_job.h describe/report_scene.h
+  request/scene_request.h job/still_batch.h reference/trajectory_text.h job/worker.h)

@@ -6,12 +6,12 @@
 
 #include <span>
 
-#include "app/scene_grade.h"
-#include "app/trajectory_row.h"
 #include "checkup.h"
+#include "compare/flip.h"
 #include "diff.h"
 #include "grade.h"
-#include "image/flip.h"
+#include "reference/scene_grade.h"
+#include "reference/trajectory_row.h"
 #include "scene/explanation.h"
 #include "signals.h"
 #include "stability.h"
@@ -42,14 +42,14 @@ std::vector<Explained> explanationsOf(const std::string& word) {
   return all;
 }
 
-Words namesOf(std::span<const app::TrajectoryColumn> columns) {
+Words namesOf(std::span<const reference::TrajectoryColumn> columns) {
   Words names;
-  for (const app::TrajectoryColumn& column : columns) names.emplace_back(column.name);
+  for (const reference::TrajectoryColumn& column : columns) names.emplace_back(column.name);
   return names;
 }
 
 Words trajectoryColumns(const LoadedScene& scene) {
-  return namesOf(app::trajectoryColumns(scene.scene().motion.forcing.dissipation));
+  return namesOf(reference::trajectoryColumns(scene.scene().motion.forcing.dissipation));
 }
 
 void declareClasses(const py::module_& module) {
@@ -79,9 +79,9 @@ void declareClasses(const py::module_& module) {
 
 void declareAnswers(py::module_& module) {
   declareClasses(module);
-  module.attr("all_trajectory_columns") = namesOf(app::kTrajectoryColumns);
-  module.attr("flip_pixels_per_degree") = image::kFlipPixelsPerDegree;
-  module.def("attitude_limit", &app::attitudeLimit_rad);
+  module.attr("all_trajectory_columns") = namesOf(reference::kTrajectoryColumns);
+  module.attr("flip_pixels_per_degree") = compare::kFlipPixelsPerDegree;
+  module.def("attitude_limit", &reference::attitudeLimit_rad);
   module.def("checkup", &checkupOf, py::call_guard<WithoutGil>());
   module.def("diff", &diffOf);
   module.def("explain", &explanationsOf);

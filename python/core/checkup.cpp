@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checkup.h"
 
-#include "app/memory.h"
 #include "core/error.h"
+#include "request/memory.h"
 #include "scene/problem.h"
 #include "stage/stage.h"
 
@@ -25,7 +25,8 @@ std::vector<Remark> problemsOf(const LoadedScene& loaded) {
 }
 
 double memory_bytes(const scene::Scene& scene, const std::optional<output::FilmFormat>& film) {
-  return app::workerMemory_bytes({scene.output.width, scene.output.height}, film) + app::meshMemory_bytes(scene);
+  return request::workerMemory_bytes({scene.output.width, scene.output.height}, film) +
+         request::meshMemory_bytes(scene);
 }
 
 }  // namespace

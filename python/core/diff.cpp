@@ -9,13 +9,13 @@
 #include <optional>
 #include <variant>
 
-#include "app/diff_json.h"
-#include "app/file_diff.h"
-#include "app/user_limits.h"
+#include "compare/diff_json.h"
+#include "compare/file_diff.h"
 #include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "output/film_reader.h"
+#include "request/user_limits.h"
 #include "signals.h"
 
 namespace poinsot::python {
@@ -45,14 +45,14 @@ image::BasicImage<Sample> expanded(const Sample* samples, image::PixelSize size,
 }
 
 template <class Sample>
-app::DiffPicture pictureOf(const py::array& array) {
+compare::DiffPicture pictureOf(const py::array& array) {
   const auto samples = py::array_t<Sample, py::array::c_style>::ensure(array);
   const auto side = [&](py::ssize_t axis) { return static_cast<int>(array.shape(axis)); };
   const int channels = side(2);
   return {expanded(samples.data(), {side(1), side(0)}, channels), {channels, false, sizeof(Sample) == 2}};
 }
 
-using Source = std::variant<fs::path, app::DiffPicture>;
+using Source = std::variant<fs::path, compare::DiffPicture>;
 
 Source sourceOf(const PictureSource& source) {
   if (py::isinstance<py::bytes>(source)) return fs::path(py::cast<std::string>(source));
@@ -60,35 +60,37 @@ Source sourceOf(const PictureSource& source) {
   return array.itemsize() == 2 ? pictureOf<std::uint16_t>(array) : pictureOf<std::uint8_t>(array);
 }
 
-image::NearRule limitsOf(const DiffAsk& ask) {
-  image::NearRule limits;
+compare::NearRule limitsOf(const DiffAsk& ask) {
+  compare::NearRule limits;
   for (const auto& [key, word] : ask.rule)
-    if (key == "like") limits = app::namedLimits("rule", word);
+    if (key == "like") limits = compare::namedLimits("rule", word);
   for (const auto& [key, word] : ask.rule) {
     if (key == "like") continue;
-    const auto known = std::ranges::find(app::ruleLimits(), std::string_view(key), &app::RuleLimit::key);
-    if (known == app::ruleLimits().end()) {
+    const auto known = std::ranges::find(compare::ruleLimits(), std::string_view(key), &compare::RuleLimit::key);
+    if (known == compare::ruleLimits().end()) {
       std::vector<std::string_view> keys{"like"};
-      for (const app::RuleLimit& limit : app::ruleLimits()) keys.emplace_back(limit.key);
+      for (const compare::RuleLimit& limit : compare::ruleLimits()) keys.emplace_back(limit.key);
       refuse(
           fmt::format("rule: no limit is called '{}'; there are {}", core::printable(key), fmt::join(keys, ", ")));
     }
     known->set(limits, "rule: " + key, word);
   }
-  app::expectCanRefuse(limits, "rule");
+  compare::expectCanRefuse(limits, "rule");
   return limits;
 }
 
-app::DiffRequest requestOf(const DiffAsk& ask) {
-  app::DiffRequest request{{limitsOf(ask)}, ask.pixelsPerDegree, {}, {}, app::limitsOf(app::userLimitsFile())};
-  for (const std::vector<double>& box : ask.ignore) request.rule.ignore.push_back(app::ignoredBox("ignore", box));
+compare::DiffRequest requestOf(const DiffAsk& ask) {
+  compare::DiffRequest request{
+      {limitsOf(ask)}, ask.pixelsPerDegree, {}, {}, request::limitsOf(request::userLimitsFile())};
+  for (const std::vector<double>& box : ask.ignore)
+    request.rule.ignore.push_back(compare::ignoredBox("ignore", box));
   for (const std::string& word : ask.limits) request.limits.setByWord(word);
   if (ask.mask.is_none()) return request;
   Source mask = sourceOf(ask.mask);
   if (const auto* file = std::get_if<fs::path>(&mask))
     request.rule.mask = *file;
   else
-    request.rule.painted = std::get<app::DiffPicture>(std::move(mask)).pixels;
+    request.rule.painted = std::get<compare::DiffPicture>(std::move(mask)).pixels;
   return request;
 }
 
@@ -97,8 +99,8 @@ bool isFilm(const Source& source) {
   return file != nullptr && output::isFilm(*file);
 }
 
-app::DiffPicture read(Source&& source) {
-  if (auto* picture = std::get_if<app::DiffPicture>(&source)) return std::move(*picture);
+compare::DiffPicture read(Source&& source) {
+  if (auto* picture = std::get_if<compare::DiffPicture>(&source)) return std::move(*picture);
   image::PngPicture png = image::readPngAsStored(std::get<fs::path>(source));
   return {std::move(png.picture), png.stored, std::move(png.color)};
 }
@@ -121,9 +123,9 @@ std::string nameOf(const Source& source) {
   return file != nullptr ? file->native() : "";
 }
 
-std::string comparedJson(Source reference, Source test, const app::DiffRequest& request, int jobs) {
+std::string comparedJson(Source reference, Source test, const compare::DiffRequest& request, int jobs) {
   for (const Source* source : {&reference, &test}) expectReadable(*source);
-  const app::DiffNames names{nameOf(reference), nameOf(test)};
+  const compare::DiffNames names{nameOf(reference), nameOf(test)};
   const bool film = isFilm(reference), testIsFilm = isFilm(test);
   if (film != testIsFilm)
     refuse(fmt::format("the {} is a film, the {} a picture: give two of a kind", film ? "reference" : "test",
@@ -132,21 +134,21 @@ std::string comparedJson(Source reference, Source test, const app::DiffRequest& 
     if (!compared && !mismatch.empty()) refuse(mismatch + ": pictures of different sizes are not compared");
   };
   if (film) {
-    const app::FilmDiff diff = app::diffFilms(names.reference, names.test, request, jobs);
+    const compare::FilmDiff diff = compare::diffFilms(names.reference, names.test, request, jobs);
     expectOneSize(diff.mismatch, !diff.frames.empty());
-    return app::diffJson(diff, names, request);
+    return compare::diffJson(diff, names, request);
   }
-  const app::PictureDiff diff =
-      app::comparePictures(read(std::move(reference)), read(std::move(test)), request).diff;
+  const compare::PictureDiff diff =
+      compare::comparePictures(read(std::move(reference)), read(std::move(test)), request).diff;
   expectOneSize(diff.mismatch, diff.hasFigures);
-  return app::diffJson(diff, names, request);
+  return compare::diffJson(diff, names, request);
 }
 
 }  // namespace
 
 std::string diffJson(const PictureSource& reference, const PictureSource& test, const DiffAsk& ask) {
   Source a = sourceOf(reference), b = sourceOf(test);
-  const app::DiffRequest request = requestOf(ask);
+  const compare::DiffRequest request = requestOf(ask);
   const WithoutGil others;
   return comparedJson(std::move(a), std::move(b), request, ask.jobs);
 }

@@ -25,7 +25,7 @@ struct DiffAsk {
 
 /// Compares two pictures or two films, and returns the JSON that `diff --json` prints.
 /// @throws core::Error(kUsage) for an unknown rule, and for pictures that cannot be compared: of different sizes,
-/// or a film beside a picture; as app::compareFiles() and app::diffFilms().
+/// or a film beside a picture; as compare::compareFiles() and compare::diffFilms().
 std::string diffJson(const PictureSource& reference, const PictureSource& test, const DiffAsk& ask);
 
 }  // namespace poinsot::python

@@ -13,11 +13,11 @@ namespace poinsot::python {
 using Column = pybind11::array_t<double, pybind11::array::c_style>;
 
 /// Grades a CSV file, and returns the JSON that `grade --json` prints.
-/// @throws core::Error as app::readTrajectoryTable() and app::gradeAgainst().
+/// @throws core::Error as reference::readTrajectoryTable() and reference::gradeAgainst().
 std::string gradeJson(const LoadedScene& scene, const std::string& fileName);
 
 /// Grades columns in memory. @param columns  as many as names, of one axis.
-/// @throws core::Error as app::trajectoryTableOf() and app::gradeAgainst().
+/// @throws core::Error as reference::trajectoryTableOf() and reference::gradeAgainst().
 std::string gradeJson(const LoadedScene& scene, const std::vector<std::string>& names,
                       const std::vector<Column>& columns);
 

@@ -3,8 +3,8 @@
 
 #include <atomic>
 
-#include "app/frame_clock.h"
-#include "app/user_limits.h"
+#include "core/frame_clock.h"
+#include "request/user_limits.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::python {
@@ -16,7 +16,7 @@ std::uint64_t nextNumber() {
 }
 
 scene::Allowance allowance(const LoadedScene::Words& limits, const LoadedScene::Words& assetRoots) {
-  scene::Allowance allowed{app::limitsOf(app::userLimitsFile()), {assetRoots.begin(), assetRoots.end()}};
+  scene::Allowance allowed{request::limitsOf(request::userLimitsFile()), {assetRoots.begin(), assetRoots.end()}};
   for (const std::string& word : limits) allowed.limits.setByWord(word);
   return allowed;
 }
@@ -25,19 +25,19 @@ scene::Allowance allowance(const LoadedScene::Words& limits, const LoadedScene::
 
 LoadedScene LoadedScene::ofFile(const std::string& fileName, Words overrides, const Words& limits,
                                 const Words& assetRoots) {
-  return LoadedScene(app::readSceneRequest(fileName, std::move(overrides), allowance(limits, assetRoots)));
+  return LoadedScene(request::readSceneRequest(fileName, std::move(overrides), allowance(limits, assetRoots)));
 }
 
 LoadedScene LoadedScene::ofText(std::string text, const std::string& fileName, Words overrides,
                                 const Words& limits, const Words& assetRoots) {
-  return LoadedScene(app::SceneRequest{fileName, std::move(text), std::move(overrides), std::nullopt,
-                                       allowance(limits, assetRoots)});
+  return LoadedScene(request::SceneRequest{fileName, std::move(text), std::move(overrides), std::nullopt,
+                                           allowance(limits, assetRoots)});
 }
 
-LoadedScene::LoadedScene(app::SceneRequest request)
-    : request_(std::move(request)), scene_(app::loadRequested(request_)), number_(nextNumber()) {}
+LoadedScene::LoadedScene(request::SceneRequest request)
+    : request_(std::move(request)), scene_(request::loadRequested(request_)), number_(nextNumber()) {}
 
-std::int64_t LoadedScene::frameCount() const { return app::frameCount(scene_.time.duration_s, scene_.time.fps); }
+std::int64_t LoadedScene::frameCount() const { return core::frameCount(scene_.time.duration_s, scene_.time.fps); }
 
 scene::FilmClock LoadedScene::clock() const { return stage::filmClock(scene_); }
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/scene_request.h"
 #include "motions.h"
+#include "request/scene_request.h"
 #include "scene/film_clock.h"
 
 namespace poinsot::python {
@@ -19,14 +19,14 @@ class LoadedScene {
   using Words = std::vector<std::string>;
 
   /// @param limits  as after --limit, above those of the user's limits.toml.
-  /// @throws core::Error as app::readSceneRequest() and app::loadRequested().
+  /// @throws core::Error as request::readSceneRequest() and request::loadRequested().
   static LoadedScene ofFile(const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);
   /// @param fileName  for messages; its folder is where files that the scene names lie.
   static LoadedScene ofText(std::string text, const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);
 
-  const app::SceneRequest& request() const { return request_; }
+  const request::SceneRequest& request() const { return request_; }
   const scene::Scene& scene() const { return scene_; }
   const scene::Limits& limits() const { return request_.allowance.limits; }
   /// Different for each scene of this process.
@@ -40,9 +40,9 @@ class LoadedScene {
   }
 
  private:
-  explicit LoadedScene(app::SceneRequest request);
+  explicit LoadedScene(request::SceneRequest request);
 
-  app::SceneRequest request_;
+  request::SceneRequest request_;
   scene::Scene scene_;
   std::uint64_t number_;
   std::unique_ptr<Motions> motions_ = std::make_unique<Motions>();

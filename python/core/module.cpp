@@ -6,9 +6,9 @@
 #include <pybind11/stl.h>
 
 #include "answers.h"
-#include "app/alt_text.h"
-#include "app/report_scene.h"
 #include "core/version.h"
+#include "describe/alt_text.h"
+#include "describe/report_scene.h"
 #include "errors.h"
 #include "loaded_scene.h"
 #include "pictures.h"
@@ -98,10 +98,11 @@ void declareScene(const py::module_& module) {
       .def("picture", &picture)
       .def("png", &png)
       .def(
-          "info_json", [](const LoadedScene& it) { return app::reportJson(app::sceneReport(it.scene())); },
+          "info_json",
+          [](const LoadedScene& it) { return describe::reportJson(describe::sceneReport(it.scene())); },
           Interruptible())
       .def(
-          "alt_text", [](const LoadedScene& it) { return app::altText(it.scene()); }, Interruptible());
+          "alt_text", [](const LoadedScene& it) { return describe::altText(it.scene()); }, Interruptible());
 }
 
 void declareTrajectory(const py::module_& module) {

@@ -8,17 +8,17 @@
 #include <atomic>
 #include <variant>
 
-#include "app/frames_cache.h"
-#include "app/owning_thread.h"
 #include "core/error.h"
+#include "core/owning_thread.h"
 #include "gl/offscreen_context.h"
 #include "image/png_file.h"
+#include "job/frames_cache.h"
 #include "signals.h"
 
 namespace poinsot::python {
 namespace {
 
-using Artist = app::OwningThread<app::FramesCache>;
+using Artist = core::OwningThread<job::FramesCache>;
 using core::ErrorKind;
 
 /// Ends a picture whose caller has left.
@@ -41,7 +41,7 @@ Artist& artist() {
   refuseFork();
   static Artist& drawing = *[] {
     gl::pinEnvironment(false);
-    return new Artist([] { return std::make_unique<app::FramesCache>(gl::Backend::kAuto); });
+    return new Artist([] { return std::make_unique<job::FramesCache>(gl::Backend::kAuto); });
   }();
   return drawing;
 }
@@ -61,9 +61,9 @@ Result awaited(std::future<Result> result, std::atomic<bool>& abandoned) {
 /// Calls `use` with the picture, on the thread that drew it.
 template <class Use>
 auto withPicture(const std::shared_ptr<LoadedScene>& loaded, const PictureAsk& ask, const Use& use) {
-  const app::PictureForm form{std::nullopt, ask.transparent, ask.bits};
+  const request::PictureForm form{std::nullopt, ask.transparent, ask.bits};
   const auto abandoned = std::make_shared<std::atomic<bool>>(false);
-  auto drawn = artist().begin([=](app::FramesCache& cache) {
+  auto drawn = artist().begin([=](job::FramesCache& cache) {
     const auto check = [&] {
       if (*abandoned) throw Abandoned();
     };
@@ -73,11 +73,11 @@ auto withPicture(const std::shared_ptr<LoadedScene>& loaded, const PictureAsk& a
       scene::Scene scene = loaded->scene();
       scene.output.width = ask.size.width;
       scene.output.height = ask.size.height;
-      return app::drawableOf(std::move(scene));
+      return job::drawableOf(std::move(scene));
     };
     const std::string key = fmt::format("{} {}x{} {} {}", loaded->number(), ask.size.width, ask.size.height,
                                         form.transparent, form.bits);
-    app::SceneFrames& frames = *cache.of(key, load, form, loaded->limits()).frames;
+    job::SceneFrames& frames = *cache.of(key, load, form, loaded->limits()).frames;
     frames.setTime(ask.time_s);
     return use(frames.frame(0).picture);
   });
@@ -107,7 +107,7 @@ std::vector<std::uint8_t> pngOf(const std::shared_ptr<LoadedScene>& scene, const
 }
 
 void finishPictures() {
-  if (owner == getpid()) artist().begin([](app::FramesCache&) {}).wait();
+  if (owner == getpid()) artist().begin([](job::FramesCache&) {}).wait();
 }
 
 }  // namespace poinsot::python

@@ -23,7 +23,7 @@ void requireSides(std::int64_t width, std::int64_t height, const scene::Limits& 
 
 /// The picture, drawn as a film's frames are. Call it without the GIL, from any thread: one thread of this module
 /// draws for all. After Ctrl-C that thread finishes the picture alone.
-/// @throws core::Error as app::FramesCache::of(); (kUsage) in a fork of a process that has drawn.
+/// @throws core::Error as job::FramesCache::of(); (kUsage) in a fork of a process that has drawn.
 image::AnyImage pictureOf(const std::shared_ptr<LoadedScene>& scene, const PictureAsk& ask);
 
 /// The same as a PNG file.

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "app/trajectory_accuracy.h"
-#include "app/trajectory_times.h"
 #include "core/error.h"
 #include "physics/motion.h"
+#include "reference/trajectory_accuracy.h"
+#include "reference/trajectory_times.h"
 #include "signals.h"
 
 namespace poinsot::python {
@@ -121,7 +121,7 @@ TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const Doubles& times,
   if (!times_s.empty()) {
     const WithoutGil others;
     const auto [earliest, latest] = std::ranges::minmax(times_s);
-    note = app::accuracyNote(loaded.scene(), app::TrajectoryTimes({earliest, latest}));
+    note = reference::accuracyNote(loaded.scene(), reference::TrajectoryTimes({earliest, latest}));
     const auto motion = motionFor(loaded, times_s, shape, span_s);
     for (std::size_t k = 0; k < times_s.size(); ++k) {
       core::checkInterruption();

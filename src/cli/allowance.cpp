@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <system_error>
 
-#include "app/time_limit.h"
-#include "app/user_limits.h"
 #include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "process/time_limit.h"
+#include "request/user_limits.h"
 
 namespace poinsot::cli {
 namespace {
@@ -70,7 +70,7 @@ void addAllowance(CLI::App& command, AllowanceOptions& options) {
 }
 
 scene::Allowance allowed(const AllowanceOptions& options) {
-  scene::Allowance allowance{app::limitsOf(app::userLimitsFile()), {}};
+  scene::Allowance allowance{request::limitsOf(request::userLimitsFile()), {}};
   scene::Limits& limits = allowance.limits;
   for (const std::string& word : options.limits) setBy("--limit", [&] { limits.setByWord(word); });
   if (!options.memory.empty())
@@ -86,7 +86,7 @@ scene::Allowance allowed(const AllowanceOptions& options) {
 scene::Allowance granted(const AllowanceOptions& options) {
   scene::Allowance allowance = allowed(options);
   const std::int64_t seconds = allowance.limits[Limit::kSeconds];
-  if (seconds > 0) app::limitTime(seconds);
+  if (seconds > 0) process::limitTime(seconds);
   return allowance;
 }
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <tuple>
 
-#include "app/loop_text.h"
-#include "app/scene_composer.h"
+#include "describe/loop_text.h"
+#include "request/scene_composer.h"
 #include "scene/heavy_top_start.h"
 #include "scene/make_motion.h"
 #include "stage/palette.h"
@@ -89,12 +89,12 @@ std::string doubtNotes(const scene::Scene& scene) {
 
 std::string choiceNotes(const scene::Scene& scene, bool film) {
   std::string notes = doubtNotes(scene);
-  if (scene.time.loop) notes += line(app::loopText(*scene.time.loop, scene.time));
+  if (scene.time.loop) notes += line(describe::loopText(*scene.time.loop, scene.time));
   if (film) notes += paceNote(scene);
   return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);
 }
 
-std::string smallTypeNote(const app::RenderRequest& render, const scene::Scene& scene) {
+std::string smallTypeNote(const job::RenderRequest& render, const scene::Scene& scene) {
   constexpr double kLegible_px = 7;  // an x of 3 pixels
   constexpr double kLegible_pt = 5;  // what publishers ask for at least
   const auto& [sweep, print] = std::tie(render.scene.sweep, render.form.print);
@@ -102,7 +102,7 @@ std::string smallTypeNote(const app::RenderRequest& render, const scene::Scene& 
   const glm::ivec2 size_px(scene.output.width, scene.output.height);
   const stage::Moment moment(render.time_s.value_or(scene.time.stillTime_s()), true);
   const double smallest_px = smallestType_px(
-      app::composerOf(render.scene, scene)->compose(moment, size_px, app::sizingOf(render.form, size_px)));
+      request::composerOf(render.scene, scene)->compose(moment, size_px, request::sizingOf(render.form, size_px)));
   const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
   if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
   return line(fmt::format("the smallest type is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,

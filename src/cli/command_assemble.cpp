@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/next_step.h"
-#include "app/subtitles.h"
-#include "app/work_folder.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "job/next_step.h"
+#include "job/work_folder.h"
 #include "output/run_files.h"
+#include "request/subtitles.h"
 
 namespace poinsot::cli {
 namespace {
@@ -24,10 +24,10 @@ struct AssembleOptions {
 };
 
 /// Where the film goes: the output itself unless another name is given.
-app::OutputTarget filmTarget(const AssembleOptions& options, const app::OutputTarget& output) {
+request::OutputTarget filmTarget(const AssembleOptions& options, const request::OutputTarget& output) {
   if (options.film.empty()) return output;
-  const auto film = app::parseTarget(options.film);
-  if (film.kind != output.kind || output.kind != app::OutputKind::kFilm)
+  const auto film = request::parseTarget(options.film);
+  if (film.kind != output.kind || output.kind != request::OutputKind::kFilm)
     throw core::Error(core::ErrorKind::kUsage, "-o names another place for a film; frames stay where they are");
   if (film.path.extension() != output.path.extension())
     throw core::Error(core::ErrorKind::kUsage,
@@ -36,27 +36,27 @@ app::OutputTarget filmTarget(const AssembleOptions& options, const app::OutputTa
   return film;
 }
 
-void enterFiles(const AssembleOptions& options, const std::filesystem::path& folder, const app::JobFile& job,
-                const app::OutputTarget& film) {
+void enterFiles(const AssembleOptions& options, const std::filesystem::path& folder, const job::JobFile& job,
+                const request::OutputTarget& film) {
   output::RunFiles files(options.force);
-  for (const app::FrameRange& segment : job.segments())
-    files.reads(app::segmentFile(folder, job.film.container, segment), "segment");
+  for (const request::FrameRange& segment : job.segments())
+    files.reads(job::segmentFile(folder, job.film.container, segment), "segment");
   files.writes(film.path, "-o");
-  app::enterSubtitles(files, job.subtitles, film.path);
+  request::enterSubtitles(files, job.subtitles, film.path);
 }
 
 int assemble(const AssembleOptions& options) {
-  const auto output = app::parseTarget(options.output), film = filmTarget(options, output);
-  const auto folder = app::workFolderOf(output.path);
-  const auto job = app::readJobFile(folder, output);
+  const auto output = request::parseTarget(options.output), film = filmTarget(options, output);
+  const auto folder = job::workFolderOf(output.path);
+  const auto job = job::readJobFile(folder, output);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: there are no segments of it here; {}", core::printable(options.output),
-                                  app::nothingUnderWayText(output, folder)));
-  if (film.kind == app::OutputKind::kFilm) enterFiles(options, folder, *job, film);
-  app::WorkFolder work(output.path, app::WorkFolderUse::kResumed);
-  output::FileBatch results;
-  app::assemble(results, work.path(), *job, output, film.path);
+                                  job::nothingUnderWayText(output, folder)));
+  if (film.kind == request::OutputKind::kFilm) enterFiles(options, folder, *job, film);
+  job::WorkFolder work(output.path, job::WorkFolderUse::kResumed);
+  core::FileBatch results;
+  job::assemble(results, work.path(), *job, output, film.path);
   results.commit();
   if (!options.keep) work.discard();
   if (!options.quiet)

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/scene_request.h"
 #include "cli/choice_notes.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -13,6 +12,7 @@
 #include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "request/scene_request.h"
 #include "scene/problem.h"
 #include "stage/stage.h"
 
@@ -26,7 +26,8 @@ struct CheckOptions : SceneOptions {
 /// Everything short of drawing: the stage finds what the motion lacks. Gives what may be a slip.
 std::string checkScene(const std::string& fileName, const CheckOptions& options,
                        const scene::Allowance& allowance) {
-  const scene::Scene scene = app::loadRequested(app::readSceneRequest(fileName, options.overrides, allowance));
+  const scene::Scene scene =
+      request::loadRequested(request::readSceneRequest(fileName, options.overrides, allowance));
   const stage::Stage stage(scene);
   return doubtNotes(scene);
 }

@@ -8,18 +8,6 @@
 #include <system_error>
 #include <vector>
 
-#include "app/diff_curve.h"
-#include "app/diff_json.h"
-#include "app/diff_report.h"
-#include "app/diff_text.h"
-#include "app/file_diff.h"
-#include "app/junit.h"
-#include "app/markdown.h"
-#include "app/outcome.h"
-#include "app/pair_approval.h"
-#include "app/picture_rule.h"
-#include "app/render_job.h"
-#include "app/user_limits.h"
 #include "cli/approval.h"
 #include "cli/ci_environment.h"
 #include "cli/commands.h"
@@ -27,12 +15,24 @@
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
+#include "compare/diff_curve.h"
+#include "compare/diff_json.h"
+#include "compare/diff_report.h"
+#include "compare/diff_text.h"
+#include "compare/file_diff.h"
+#include "compare/junit.h"
+#include "compare/markdown.h"
+#include "compare/outcome.h"
+#include "compare/pair_approval.h"
+#include "compare/picture_rule.h"
+#include "core/atomic_file.h"
 #include "core/file_error.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
+#include "job/render_job.h"
 #include "output/film_reader.h"
 #include "output/run_files.h"
+#include "request/user_limits.h"
 
 namespace poinsot::cli {
 namespace {
@@ -44,9 +44,9 @@ using core::ErrorKind;
 struct DiffOptions : AllowanceOptions {
   std::string reference, test, rule, mask, map, difference, curve, report, junit, markdown;
   std::vector<std::string> limits =
-      std::vector<std::string>(app::ruleLimits().size());  ///< words; empty: not given
+      std::vector<std::string>(compare::ruleLimits().size());  ///< words; empty: not given
   std::vector<std::string> ignore, update;
-  double pixelsPerDegree = image::kFlipPixelsPerDegree;
+  double pixelsPerDegree = compare::kFlipPixelsPerDegree;
   int jobs = 0;
   bool json = false, exact = false, quiet = false, force = false;
 };
@@ -74,14 +74,14 @@ Kind commonKind(const DiffOptions& options) {
   throw Error(ErrorKind::kUsage, "both must be files, or both folders");
 }
 
-app::PictureRule ruleOf(const DiffOptions& options) {
-  app::PictureRule rule;
-  if (!options.rule.empty()) rule.limits = app::namedLimits("--rule", options.rule);
+compare::PictureRule ruleOf(const DiffOptions& options) {
+  compare::PictureRule rule;
+  if (!options.rule.empty()) rule.limits = compare::namedLimits("--rule", options.rule);
   for (std::size_t i = 0; i < options.limits.size(); ++i)
-    if (const app::RuleLimit& limit = app::ruleLimits()[i]; !options.limits[i].empty())
+    if (const compare::RuleLimit& limit = compare::ruleLimits()[i]; !options.limits[i].empty())
       limit.set(rule.limits, limit.option, options.limits[i]);
-  app::expectCanRefuse(rule.limits, "these limits");
-  for (const std::string& box : options.ignore) rule.ignore.push_back(app::ignoredBox("--ignore", box));
+  compare::expectCanRefuse(rule.limits, "these limits");
+  for (const std::string& box : options.ignore) rule.ignore.push_back(compare::ignoredBox("--ignore", box));
   rule.mask = options.mask;
   return rule;
 }
@@ -91,24 +91,24 @@ std::optional<fs::path> place(const std::string& word) {
   return word.empty() ? std::nullopt : std::optional<fs::path>(word);
 }
 
-app::DiffRequest requestOf(const DiffOptions& options) {
+compare::DiffRequest requestOf(const DiffOptions& options) {
   return {ruleOf(options), options.pixelsPerDegree, place(options.map), place(options.difference),
           granted(options).limits};
 }
 
 /// Enters the maps of pictures, or of the pairs of two folders.
-void enterMaps(output::RunFiles& files, const app::DiffRequest& request, const app::FolderNames* names) {
+void enterMaps(output::RunFiles& files, const compare::DiffRequest& request, const compare::FolderNames* names) {
   if (names == nullptr) {
-    files.writes(request.map.value_or(""), "--map", app::mapKind());
-    files.writes(request.difference.value_or(""), "--diff-image", app::mapKind());
+    files.writes(request.map.value_or(""), "--map", compare::mapKind());
+    files.writes(request.difference.value_or(""), "--diff-image", compare::mapKind());
     return;
   }
   files.claims(request.map.value_or(""), "--map");
   files.claims(request.difference.value_or(""), "--diff-image");
   for (const std::string& name : names->inBoth) {
-    const app::DiffRequest own = app::requestForPair(request, name);
-    files.writesInNewFolder(own.map.value_or(""), "--map", app::mapKind());
-    files.writesInNewFolder(own.difference.value_or(""), "--diff-image", app::mapKind());
+    const compare::DiffRequest own = compare::requestForPair(request, name);
+    files.writesInNewFolder(own.map.value_or(""), "--map", compare::mapKind());
+    files.writesInNewFolder(own.difference.value_or(""), "--diff-image", compare::mapKind());
   }
 }
 
@@ -120,12 +120,13 @@ void expectNamesOfReports(const DiffOptions& options, Kind kind) {
 }
 
 /// Enters all files, before anything is compared. @param names  of two folders
-void enterFiles(const DiffOptions& options, const app::DiffRequest& request, const app::FolderNames* names) {
+void enterFiles(const DiffOptions& options, const compare::DiffRequest& request,
+                const compare::FolderNames* names) {
   output::RunFiles files(options.force);
   files.reads(options.reference, "REFERENCE");
   files.reads(options.test, "TEST");
   files.reads(options.mask, "--mask");
-  files.reads(app::userLimitsFile(), "your limits");
+  files.reads(request::userLimitsFile(), "your limits");
   if (names != nullptr) {
     for (const auto* ofReference : {&names->inBoth, &names->onlyInReference})
       for (const std::string& name : *ofReference) files.reads(fs::path(options.reference) / name, "REFERENCE");
@@ -133,10 +134,10 @@ void enterFiles(const DiffOptions& options, const app::DiffRequest& request, con
       for (const std::string& name : *ofTest) files.reads(fs::path(options.test) / name, "TEST");
   }
   enterMaps(files, request, names);
-  if (!options.curve.empty()) files.writes(options.curve, "--curve", app::curveKind(options.curve));
-  files.writes(options.report, "--report", app::reportKind());
-  files.writes(options.junit, "--junit", app::junitKind());
-  files.addsTo(options.markdown, "--markdown", app::markdownKind());
+  if (!options.curve.empty()) files.writes(options.curve, "--curve", compare::curveKind(options.curve));
+  files.writes(options.report, "--report", compare::reportKind());
+  files.writes(options.junit, "--junit", compare::junitKind());
+  files.addsTo(options.markdown, "--markdown", compare::markdownKind());
 }
 
 /// Compares in one of the three ways, and writes what was asked for about it.
@@ -144,7 +145,7 @@ class Diff {
  public:
   explicit Diff(const DiffOptions& options)
       : options_(options), kind_(commonKind(options)), request_(requestOf(options)) {
-    if (kind_ == Kind::kFolder) names_ = app::namesInFolders(options.reference, options.test);
+    if (kind_ == Kind::kFolder) names_ = compare::namesInFolders(options.reference, options.test);
     enterFiles(options, request_, names_ ? &*names_ : nullptr);
     expectNamesOfReports(options, kind_);
   }
@@ -153,9 +154,10 @@ class Diff {
   int run() {
     switch (kind_) {
       case Kind::kFolder:
-        return finish(app::diffFolders(options_.reference, options_.test, *names_, request_, jobs(), results_));
+        return finish(
+            compare::diffFolders(options_.reference, options_.test, *names_, request_, jobs(), results_));
       case Kind::kFilm:
-        return finish(app::diffFilms(options_.reference, options_.test, request_, jobs()));
+        return finish(compare::diffFilms(options_.reference, options_.test, request_, jobs()));
       case Kind::kPicture:
         break;
     }
@@ -163,8 +165,8 @@ class Diff {
   }
 
  private:
-  int jobs() const { return options_.jobs > 0 ? options_.jobs : app::availableCpus(); }
-  app::DiffNames names() const { return {options_.reference, options_.test}; }
+  int jobs() const { return options_.jobs > 0 ? options_.jobs : job::availableCpus(); }
+  compare::DiffNames names() const { return {options_.reference, options_.test}; }
   void say(const std::string& text) const {
     if (!options_.quiet) writeOut(text);
   }
@@ -178,9 +180,9 @@ class Diff {
     return core::shellWords(words);
   }
 
-  app::OutcomePageHead headOf(image::Verdict verdict) const {
-    app::OutcomePageHead head{options_.test, std::string(image::toString(verdict)),
-                              "compared with " + options_.reference};
+  compare::OutcomePageHead headOf(compare::Verdict verdict) const {
+    compare::OutcomePageHead head{options_.test, std::string(compare::toString(verdict)),
+                                  "compared with " + options_.reference};
     head.page = options_.report;
     head.place = options_.reference;
     head.approve = approveCommand();
@@ -190,28 +192,28 @@ class Diff {
     return head;
   }
 
-  app::Outcome outcomeOf(const app::PictureDiff& diff) const {
-    app::Outcome outcome = app::outcomeOf(diff, options_.reference, options_.test, request_);
+  compare::Outcome outcomeOf(const compare::PictureDiff& diff) const {
+    compare::Outcome outcome = compare::outcomeOf(diff, options_.reference, options_.test, request_);
     if (diff.hasFigures) outcome.map = options_.map;
     return outcome;
   }
 
   int finishPictures() {
     std::optional<Error> unreadable;
-    app::ComparedPictures compared;
+    compare::ComparedPictures compared;
     try {
-      compared = app::compareFiles(options_.reference, options_.test, request_);
+      compared = compare::compareFiles(options_.reference, options_.test, request_);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kIo) throw;
       unreadable = error;
-      compared.diff = app::unreadablePair(error);
+      compared.diff = compare::unreadablePair(error);
     }
-    app::addMaps(results_, compared, request_);
-    const app::Outcome outcome = outcomeOf(compared.diff);
-    addReport([&] { return app::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
-    const std::string text = options_.json ? app::diffJson(compared.diff, names(), request_)
+    compare::addMaps(results_, compared, request_);
+    const compare::Outcome outcome = outcomeOf(compared.diff);
+    addReport([&] { return compare::diffReport(compared, outcome, headOf(compared.diff.verdict)); });
+    const std::string text = options_.json ? compare::diffJson(compared.diff, names(), request_)
                              : unreadable  ? ""
-                                           : app::diffText(compared.diff, request_);
+                                           : compare::diffText(compared.diff, request_);
     const int code = finish({outcome}, text);
     if (unreadable) throw *unreadable;  // after what could be told
     return code;
@@ -222,60 +224,60 @@ class Diff {
     if (!options_.report.empty()) results_.write(options_.report, page());
   }
 
-  int finish(const app::FolderDiff& diff) {
-    const auto outcomes = app::outcomesOf(diff, options_.reference, options_.test, request_);
-    addReport([&] { return app::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
-    const int code = finish(outcomes, options_.json ? app::diffJson(outcomes, names(), request_)
-                                                    : app::diffText(outcomes, diff.names.linkedFolders));
+  int finish(const compare::FolderDiff& diff) {
+    const auto outcomes = compare::outcomesOf(diff, options_.reference, options_.test, request_);
+    addReport([&] { return compare::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
+    const int code = finish(outcomes, options_.json ? compare::diffJson(outcomes, names(), request_)
+                                                    : compare::diffText(outcomes, diff.names.linkedFolders));
     if (diff.firstError) throw *diff.firstError;  // after what could be told
     return code;
   }
 
   /// Adds the maps of the worst frame.
-  void addMaps(const app::FilmDiff& diff) {
+  void addMaps(const compare::FilmDiff& diff) {
     if (diff.frames.empty() || (!request_.map && !request_.difference)) return;
-    app::forFrames(
+    compare::forFrames(
         options_.reference, options_.test, {diff.worst()}, request_,
-        [&](std::size_t, const app::ComparedPictures& frame) { app::addMaps(results_, frame, request_); });
+        [&](std::size_t, const compare::ComparedPictures& frame) { compare::addMaps(results_, frame, request_); });
   }
 
-  int finish(const app::FilmDiff& diff) {
+  int finish(const compare::FilmDiff& diff) {
     addMaps(diff);
     if (!options_.curve.empty())
-      results_.write(options_.curve, app::curveText(options_.curve, diff, request_.rule.limits));
+      results_.write(options_.curve, compare::curveText(options_.curve, diff, request_.rule.limits));
     addReport([&] {
-      return app::diffReport(diff, options_.reference, options_.test, request_, headOf(diff.verdict()));
+      return compare::diffReport(diff, options_.reference, options_.test, request_, headOf(diff.verdict()));
     });
-    return finish({outcomeOf(app::summaryOf(diff))},
-                  options_.json ? app::diffJson(diff, names(), request_) : app::diffText(diff));
+    return finish({outcomeOf(compare::summaryOf(diff))},
+                  options_.json ? compare::diffJson(diff, names(), request_) : compare::diffText(diff));
   }
 
-  int finish(const std::vector<app::Outcome>& outcomes, const std::string& text) {
+  int finish(const std::vector<compare::Outcome>& outcomes, const std::string& text) {
     addReports(outcomes);
     if (!options_.update.empty()) return approve(outcomes);
     results_.commit();
     say(text);
-    const bool passes = app::countFailures(outcomes, options_.exact) == 0;
-    if (!passes && !options_.quiet && !options_.json && app::countFailures(outcomes, false) == 0)
+    const bool passes = compare::countFailures(outcomes, options_.exact) == 0;
+    if (!passes && !options_.quiet && !options_.json && compare::countFailures(outcomes, false) == 0)
       writeErr("poinsot: not all pixels and not all ways of storing them are identical, as --exact asks\n");
     return passes ? kDone : kNo;
   }
 
-  void addReports(const std::vector<app::Outcome>& outcomes) {
-    const app::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test),
-                                  options_.exact,
-                                  options_.report,
-                                  approveCommand(),
-                                  "",
-                                  attachmentRoot()};
-    if (!options_.junit.empty()) results_.write(options_.junit, app::junitXml(outcomes, head));
-    if (!options_.markdown.empty()) results_.append(options_.markdown, app::markdownOf(outcomes, head));
+  void addReports(const std::vector<compare::Outcome>& outcomes) {
+    const compare::OutcomeReport head{fmt::format("{} and {}", options_.reference, options_.test),
+                                      options_.exact,
+                                      options_.report,
+                                      approveCommand(),
+                                      "",
+                                      attachmentRoot()};
+    if (!options_.junit.empty()) results_.write(options_.junit, compare::junitXml(outcomes, head));
+    if (!options_.markdown.empty()) results_.append(options_.markdown, compare::markdownOf(outcomes, head));
   }
 
   /// Replaces the pictures together with the reports.
-  int approve(const std::vector<app::Outcome>& outcomes) {
-    const app::PairApproval approval =
-        app::addApprovals(results_, outcomes, options_.update, options_.reference, options_.exact);
+  int approve(const std::vector<compare::Outcome>& outcomes) {
+    const compare::PairApproval approval =
+        compare::addApprovals(results_, outcomes, options_.update, options_.reference, options_.exact);
     results_.commit();
     say(approval.text);
     return approval.complete ? kDone : kNo;
@@ -283,9 +285,9 @@ class Diff {
 
   const DiffOptions& options_;
   Kind kind_;
-  app::DiffRequest request_;
-  std::optional<app::FolderNames> names_;  ///< of two folders
-  output::FileBatch results_;
+  compare::DiffRequest request_;
+  std::optional<compare::FolderNames> names_;  ///< of two folders
+  core::FileBatch results_;
 };
 
 Reach reachOf(const DiffOptions& options) {
@@ -299,7 +301,7 @@ Reach reachOf(const DiffOptions& options) {
 int diff(const DiffOptions& options) {
   if (!options.update.empty()) {
     expectMayApprove(options);
-    app::expectReplaceable(options.reference);
+    compare::expectReplaceable(options.reference);
   }
   return Diff(options).run();
 }
@@ -310,9 +312,9 @@ void addLimits(CLI::App& command, DiffOptions& options) {
     return command.add_option(name, value, help)->type_name(form)->check(notEmpty())->group(kGroup);
   };
   add("--rule", options.rule, "NAME",
-      fmt::format("limits by name: {} (default: near); those below change it", app::ruleNames()));
+      fmt::format("limits by name: {} (default: near); those below change it", compare::ruleNames()));
   for (std::size_t i = 0; i < options.limits.size(); ++i) {
-    const app::RuleLimit& limit = app::ruleLimits()[i];
+    const compare::RuleLimit& limit = compare::ruleLimits()[i];
     add(limit.option, options.limits[i], limit.form, limit.help);
   }
   add("--ignore", options.ignore, "X,Y,W,H", "a box of pixels that is not compared; may be given again")

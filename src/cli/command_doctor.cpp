@@ -3,38 +3,38 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/checkup.h"
-#include "app/interrupt.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/paragraph.h"
+#include "job/checkup.h"
+#include "process/interrupt.h"
 
 namespace poinsot::cli {
 namespace {
 
 constexpr std::size_t kText = 24;  // the column in which it begins
 
-const char* wordFor(app::Finding::State state) {
+const char* wordFor(job::Finding::State state) {
   switch (state) {
-    case app::Finding::State::kGood:
+    case job::Finding::State::kGood:
       return "ok";
-    case app::Finding::State::kAbsent:
+    case job::Finding::State::kAbsent:
       return "absent";
-    case app::Finding::State::kBad:
+    case job::Finding::State::kBad:
       break;
   }
   return "BAD";
 }
 
 int doctor() {
-  app::watchInterrupts();
+  process::watchInterrupts();
   writeOut(versionText());
   bool good = true;
-  for (const app::Finding& finding : app::checkup()) {
+  for (const job::Finding& finding : job::checkup()) {
     const std::string start = fmt::format("{:<8}{:<14}  ", wordFor(finding.state), finding.subject);
     writeOut(start + wrapped(finding.text, kColumns, kText, start.size()) + '\n');
-    good &= finding.state != app::Finding::State::kBad;
+    good &= finding.state != job::Finding::State::kBad;
   }
   return good ? kDone : kNo;
 }

@@ -9,23 +9,23 @@
 #include <set>
 #include <system_error>
 
-#include "app/contact_sheet.h"
-#include "app/interrupt.h"
-#include "app/memory.h"
-#include "app/still_batch.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/contact_sheet.h"
 #include "cli/exit_code.h"
 #include "cli/render_options.h"
 #include "cli/renderer_note.h"
 #include "cli/scenes_place.h"
 #include "cli/untrusted.h"
 #include "cli/worker_count.h"
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "image/png_file.h"
-#include "output/atomic_file.h"
+#include "job/still_batch.h"
 #include "output/run_files.h"
+#include "process/interrupt.h"
+#include "request/memory.h"
 #include "scene/problem.h"
 #include "stage/stage.h"
 
@@ -45,7 +45,7 @@ struct GalleryOptions : RenderOptions {
 struct Item {
   std::string name;
   image::PixelSize size;
-  app::RenderRequest request;
+  job::RenderRequest request;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
@@ -117,10 +117,10 @@ Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, co
   const fs::path target = folder / (scene.name + ".png");
   enterInputs(files, one, scene);
   enterTarget(files, options, target);
-  const app::OutputTarget picture{app::OutputKind::kPicture, target};
+  const request::OutputTarget picture{request::OutputKind::kPicture, target};
   const image::PixelSize size{scene.output.width, scene.output.height};
-  const double bytes = app::workerMemory_bytes(picture, scene, {});
-  app::expectWithinMemory(bytes, app::pictureText(size), allowance.limits);
+  const double bytes = request::workerMemory_bytes(picture, scene, {});
+  request::expectWithinMemory(bytes, request::pictureText(size), allowance.limits);
   Item item{scene.name,
             size,
             {std::move(request),
@@ -151,7 +151,7 @@ class Gallery {
     if (options_.sheet) enterTarget(files_, options_, sheet());
     for (const fs::path& file : files) addItem(file);
     if (options_.dryRun) return describe();
-    app::watchInterrupts();
+    process::watchInterrupts();
     makePictures();
     if (options_.sheet) makeSheet();
     return exitCode_;
@@ -185,16 +185,16 @@ class Gallery {
   }
 
   void makePictures() {
-    std::vector<app::RenderRequest> requests;
+    std::vector<job::RenderRequest> requests;
     for (const Item& item : items_) requests.push_back(item.request);
     const auto listener = [&](std::size_t i, const std::optional<core::Error>& failure) {
       const std::string target = core::printable(items_[i].request.target.path.native());
       if (failure) writeError(fmt::format("{}: {}", target, failure->what()));
       if (!failure) say(options_, target + " is ready");
     };
-    made_ = app::makeStills(requests, workers(), listener);
+    made_ = job::makeStills(requests, workers(), listener);
     std::set<std::string> renderers;
-    for (const app::MadeStill& still : made_) {
+    for (const job::MadeStill& still : made_) {
       if (still.failure) fail(still.failure->kind());
       renderers.insert(still.summary.renderer);
     }
@@ -212,11 +212,11 @@ class Gallery {
 
   /// Of the pictures that this run made; without any there is no sheet.
   void makeSheet() const {
-    std::vector<app::SheetEntry> entries;
+    std::vector<SheetEntry> entries;
     for (std::size_t i = 0; i < items_.size(); ++i)
       if (!made_[i].failure) entries.push_back({items_[i].name, image::readPng(items_[i].request.target.path)});
     if (entries.empty()) return;
-    output::writeFileAtomically(sheet(), image::encodePng(app::contactSheet(entries)));
+    core::writeFileAtomically(sheet(), image::encodePng(contactSheet(entries)));
     say(options_, core::printable(sheet().native()) + " is ready");
   }
 
@@ -225,7 +225,7 @@ class Gallery {
   output::RunFiles files_;
   fs::path folder_;
   std::vector<Item> items_;
-  std::vector<app::MadeStill> made_;
+  std::vector<job::MadeStill> made_;
   int exitCode_ = kDone;
 };
 

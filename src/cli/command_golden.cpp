@@ -10,19 +10,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/diff_json.h"
-#include "app/golden_approval.h"
-#include "app/golden_checks.h"
-#include "app/golden_strays.h"
-#include "app/golden_suite.h"
-#include "app/golden_values.h"
-#include "app/interrupt.h"
-#include "app/junit.h"
-#include "app/markdown.h"
-#include "app/outcome_page.h"
-#include "app/outcome_script.h"
-#include "app/render_job.h"
-#include "app/user_limits.h"
 #include "cli/approval.h"
 #include "cli/ci_environment.h"
 #include "cli/commands.h"
@@ -32,18 +19,32 @@
 #include "cli/renderer_note.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
+#include "compare/diff_json.h"
+#include "compare/junit.h"
+#include "compare/markdown.h"
+#include "compare/outcome_page.h"
+#include "compare/outcome_script.h"
+#include "core/atomic_file.h"
+#include "core/folder.h"
 #include "core/error.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
+#include "golden/approval.h"
+#include "golden/checks.h"
+#include "golden/strays.h"
+#include "golden/suite.h"
+#include "golden/values.h"
+#include "job/render_job.h"
 #include "output/run_files.h"
+#include "process/interrupt.h"
+#include "request/user_limits.h"
 
 namespace poinsot::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using app::Outcome;
-using app::OutcomeStatus;
+using compare::Outcome;
+using compare::OutcomeStatus;
 using core::Error;
 using core::ErrorKind;
 
@@ -53,10 +54,10 @@ gl::Backend backendOf(const std::string& word) {
   return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
 }
 
-app::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allowance) {
+golden::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allowance) {
   return {options.only,
           options.output,
-          options.jobs > 0 ? options.jobs : app::availableCpus(),
+          options.jobs > 0 ? options.jobs : job::availableCpus(),
           backendOf(options.backend),
           !options.native,
           std::move(allowance),
@@ -70,7 +71,7 @@ std::string lineOf(const Outcome& outcome, const std::string& message) {
 
 /// Returns why an outcome has its status; for a near picture the reason of its rule only.
 std::string lineReason(const Outcome& outcome) {
-  return outcome.status == OutcomeStatus::kNear ? outcome.message : app::reasonOf(outcome);
+  return outcome.status == OutcomeStatus::kNear ? outcome.message : compare::reasonOf(outcome);
 }
 
 /// A line for each outcome that is wanted. What is wrong with a scene is said once, at the first of its pictures.
@@ -91,10 +92,10 @@ void enterReports(output::RunFiles& files, const GoldenOptions& options) {
   if (!options.outcome.empty() && fs::path(options.outcome).extension() != ".js")
     refuse(fmt::format("outcome '{}': works: NAME.js{}", core::printable(options.outcome),
                        core::smallLettersHint(options.outcome, {".js"})));
-  files.writes(options.report, "--report", app::reportKind());
-  files.writes(options.junit, "--junit", app::junitKind());
-  files.writes(options.outcome, "--outcome", app::outcomeScriptKind());
-  files.addsTo(options.markdown, "--markdown", app::markdownKind());
+  files.writes(options.report, "--report", compare::reportKind());
+  files.writes(options.junit, "--junit", compare::junitKind());
+  files.writes(options.outcome, "--outcome", compare::outcomeScriptKind());
+  files.addsTo(options.markdown, "--markdown", compare::markdownKind());
 }
 
 /// One run of a suite.
@@ -103,18 +104,18 @@ class Golden {
   explicit Golden(const GoldenOptions& options)
       : options_(options),
         request_(requestOf(options, granted(options))),
-        manifest_(app::readGoldenManifest(options.manifest, request_.allowance, options.images)),
+        manifest_(golden::readGoldenManifest(options.manifest, request_.allowance, options.images)),
         files_(options.force) {}
 
   int run() {
     if (!options_.images.empty() && !fs::is_directory(options_.images))
       throw Error(ErrorKind::kIo, fmt::format("--images {}: no such folder", core::printable(options_.images)));
-    app::expectFilesApart(manifest_, allCases(), request_.output);
+    golden::expectFilesApart(manifest_, allCases(), request_.output);
     if (options_.list) return list();
     checkOptions();
     checkPlaces();
-    app::watchInterrupts();
-    outcomes_ = options_.unused ? app::unusedReferences(manifest_) : app::runGoldens(manifest_, request_);
+    process::watchInterrupts();
+    outcomes_ = options_.unused ? golden::unusedReferences(manifest_) : golden::runGoldens(manifest_, request_);
     const auto isError = [](const Outcome& o) { return o.status == OutcomeStatus::kError; };
     writeErr(options_.quiet ? linesOf(outcomes_, isError) : rendererNotes(renderers()));
     if (options_.update) return update();
@@ -124,10 +125,10 @@ class Golden {
   }
 
  private:
-  std::vector<app::GoldenCase> allCases() const {
-    app::GoldenRequest all = request_;
+  std::vector<golden::GoldenCase> allCases() const {
+    golden::GoldenRequest all = request_;
     all.only.clear();
-    return app::casesOf(manifest_, all);
+    return golden::casesOf(manifest_, all);
   }
 
   /// The renderers that drew the scenes. Pictures of other programs have none that is known.
@@ -139,10 +140,10 @@ class Golden {
   }
 
   int list() const {
-    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
-    if (options_.json) writeOut(app::listJson(cases));
+    const std::vector<golden::GoldenCase> cases = golden::casesOf(manifest_, request_);
+    if (options_.json) writeOut(golden::casesJson(cases));
     if (!options_.json)
-      for (const app::GoldenCase& one : cases) writeOut(one.name + "\n");
+      for (const golden::GoldenCase& one : cases) writeOut(one.name + "\n");
     return kDone;
   }
 
@@ -152,20 +153,20 @@ class Golden {
     if (options_.unused && (options_.update || !options_.only.empty()))
       refuse("--unused: looks at all tests and approves nothing; leave out --only and --update");
     if (!options_.update && !options_.unused)
-      app::expectKnownVariants(manifest_, request_,
-                               options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
+      golden::expectKnownVariants(manifest_, request_,
+                                  options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
     if (options_.beside && !namesVariants()) expectOnlyScenes();
   }
 
   /// Whether any image of the manifest has a variant. The others then have one that is not named.
   bool namesVariants() const {
-    return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const app::GoldenTest& test) {
+    return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const golden::GoldenTest& test) {
       return test.scene.empty() && !test.variant.empty();
     });
   }
 
   void expectOnlyScenes() const {
-    for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
+    for (const golden::GoldenCase& one : golden::casesOf(manifest_, request_))
       if (one.test.scene.empty())
         refuse(fmt::format(
             "--beside: {}: of a picture that another program made, the renderer is not known: name it by "
@@ -175,44 +176,44 @@ class Golden {
 
   /// Checks that everything has a place where it can be written, and replaces nothing that somebody else wrote.
   void checkPlaces() {
-    enterFiles(app::casesOf(manifest_, request_));
+    enterFiles(golden::casesOf(manifest_, request_));
     if (options_.unused) return;
-    output::makeFolders(request_.output);
-    output::expectWritableFolder(request_.output);
+    core::makeFolders(request_.output);
+    core::expectWritableFolder(request_.output);
   }
 
-  void enterFiles(const std::vector<app::GoldenCase>& cases) {
+  void enterFiles(const std::vector<golden::GoldenCase>& cases) {
     files_.reads(options_.manifest, "MANIFEST");
-    files_.reads(app::userLimitsFile(), "your limits");
-    for (const app::GoldenCase& one : cases) {
+    files_.reads(request::userLimitsFile(), "your limits");
+    for (const golden::GoldenCase& one : cases) {
       files_.reads(one.test.scene.empty() ? one.actual : one.test.scene, "the suite's file");
       files_.reads(one.test.rule.mask, "the suite's file");
     }
-    app::enterPatterns(files_, manifest_);
+    golden::enterPatterns(files_, manifest_);
     enterReferences(cases);
-    for (const app::GoldenCase& one : cases)
-      if (!one.test.isUnmatched && !options_.unused) app::enterFilesMade(files_, one, request_.output);
+    for (const golden::GoldenCase& one : cases)
+      if (!one.test.isUnmatched && !options_.unused) golden::enterFilesMade(files_, one, request_.output);
     enterReports(files_, options_);
     request_.files = &files_;
   }
 
-  void enterReferences(const std::vector<app::GoldenCase>& cases) {
+  void enterReferences(const std::vector<golden::GoldenCase>& cases) {
     std::set<fs::path> folders;
-    for (const app::GoldenCase& one : cases) {
-      const fs::path usual = app::usualFile(manifest_.references, one.reference());
-      if (options_.update && !one.test.isUnmatched) app::enterApproval(files_, usual);
+    for (const golden::GoldenCase& one : cases) {
+      const fs::path usual = golden::usualFile(manifest_.references, one.reference());
+      if (options_.update && !one.test.isUnmatched) golden::enterApproval(files_, usual);
       folders.insert(usual.parent_path());
     }
     if (options_.update) return;  // there are no reports, and expectFilesApart() looks at the rest
     for (const fs::path& folder : folders)
-      for (const fs::path& file : app::filesIn(folder)) files_.reads(file, "the reference");
+      for (const fs::path& file : core::filesIn(folder)) files_.reads(file, "the reference");
   }
 
   void say(const std::string& text) const {
     if (!options_.quiet) writeOut(text);
   }
 
-  std::ptrdiff_t failures() const { return app::countFailures(outcomes_, options_.exact); }
+  std::ptrdiff_t failures() const { return compare::countFailures(outcomes_, options_.exact); }
 
   /// Whether nothing but --exact makes it fail.
   bool onlyNear() const {
@@ -221,16 +222,16 @@ class Golden {
   }
 
   void tell() const {
-    if (options_.json) return say(app::suiteJson(outcomes_, {manifest_.references, options_.output}));
+    if (options_.json) return say(compare::suiteJson(outcomes_, {manifest_.references, options_.output}));
     say(linesOf(outcomes_, [&](const Outcome& o) {
       return o.status != OutcomeStatus::kIdentical || !o.passes(options_.exact);
     }));
-    say(fmt::format("{}{}\n", outcomes_.empty() ? "nothing approved is unused" : app::countsText(outcomes_),
+    say(fmt::format("{}{}\n", outcomes_.empty() ? "nothing approved is unused" : compare::countsText(outcomes_),
                     onlyNear() ? ": not all identical, as --exact asks" : ""));
     if (failures() == 0) return;
     if (!options_.unused) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
     if (!options_.report.empty()) say(fmt::format("page: {}\n", core::printable(options_.report)));
-    const std::string approve = app::approveCommand(outcomes_, reportHead());
+    const std::string approve = compare::approveCommand(outcomes_, reportHead());
     if (!approve.empty())
       say(fmt::format("if the new {}: {}\n",
                       failures() == 1 ? "picture is right, approve it" : "pictures are right, approve them",
@@ -239,7 +240,7 @@ class Golden {
 
   std::string suite() const { return fs::absolute(manifest_.file).lexically_normal().parent_path().filename(); }
 
-  app::OutcomeReport reportHead() const {
+  compare::OutcomeReport reportHead() const {
     return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy, attachmentRoot()};
   }
 
@@ -262,27 +263,28 @@ class Golden {
   /// Whether an image with a variant can be approved; references of its other variants are to stay.
   bool failsForAVariant() const {
     std::set<std::string> ofVariants;
-    for (const app::GoldenCase& one : app::casesOf(manifest_, request_))
+    for (const golden::GoldenCase& one : golden::casesOf(manifest_, request_))
       if (!one.variant().empty()) ofVariants.insert(one.name);
     return std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
-      return app::isToApprove(outcome, options_.exact) && ofVariants.contains(outcome.name);
+      return compare::isToApprove(outcome, options_.exact) && ofVariants.contains(outcome.name);
     });
   }
 
   void writeReports() const {
-    output::FileBatch reports;
+    core::FileBatch reports;
     const auto add = [&](const std::string& file, const auto& text) {
       if (!file.empty()) reports.write(file, text());
     };
-    add(options_.junit, [&] { return app::junitXml(outcomes_, reportHead()); });
-    add(options_.report, [&] { return app::outcomePage(outcomes_, pageHead(), request_.jobs); });
-    add(options_.outcome, [&] { return app::outcomeScript(outcomes_, reportHead(), options_.outcome); });
-    if (!options_.markdown.empty()) reports.append(options_.markdown, app::markdownOf(outcomes_, reportHead()));
+    add(options_.junit, [&] { return compare::junitXml(outcomes_, reportHead()); });
+    add(options_.report, [&] { return compare::outcomePage(outcomes_, pageHead(), request_.jobs); });
+    add(options_.outcome, [&] { return compare::outcomeScript(outcomes_, reportHead(), options_.outcome); });
+    if (!options_.markdown.empty())
+      reports.append(options_.markdown, compare::markdownOf(outcomes_, reportHead()));
     reports.commit();
   }
 
-  app::OutcomePageHead pageHead() const {
-    app::OutcomePageHead head{suite(), failures() == 0 ? "passed" : "failed", "", "approved", "new", "Test"};
+  compare::OutcomePageHead pageHead() const {
+    compare::OutcomePageHead head{suite(), failures() == 0 ? "passed" : "failed", "", "approved", "new", "Test"};
     head.page = options_.report;
     head.place = manifest_.file;
     head.approve = approveCommand();
@@ -318,17 +320,17 @@ class Golden {
   /// Whether it is written down what the reference was made with.
   static bool hasOrigin(const Outcome& outcome) {
     std::error_code ignored;
-    return app::isDescription(app::descriptionOf(outcome.reference));
+    return golden::isDescription(golden::descriptionOf(outcome.reference));
   }
 
   /// Approves them together. Returns a line for each.
   std::string approve() const {
-    app::GoldenApproval approval(manifest_.references, options_.beside, options_.force);
-    const std::vector<app::GoldenCase> cases = app::casesOf(manifest_, request_);
-    std::string lines = fmt::format("nothing to approve: {}\n", app::countsText(outcomes_));
+    golden::GoldenApproval approval(manifest_.references, options_.beside, options_.force);
+    const std::vector<golden::GoldenCase> cases = golden::casesOf(manifest_, request_);
+    std::string lines = fmt::format("nothing to approve: {}\n", compare::countsText(outcomes_));
     bool isFirst = true;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (!app::isToApprove(outcomes_[i], options_.exact) && !lacksOwn(outcomes_[i])) continue;
+      if (!compare::isToApprove(outcomes_[i], options_.exact) && !lacksOwn(outcomes_[i])) continue;
       if (std::exchange(isFirst, false)) lines.clear();
       lines += approvalLines(outcomes_[i], approval.add(cases[i].reference(), outcomes_[i]));
     }
@@ -336,19 +338,19 @@ class Golden {
     return lines;
   }
 
-  std::string approvalLines(const Outcome& outcome, const app::Approval& approval) const {
+  std::string approvalLines(const Outcome& outcome, const golden::Approval& approval) const {
     std::string lines;
     for (const fs::path& file : approval.removed)
       lines += fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
                            core::printable(file.native()));
-    if (app::isToApprove(outcome, options_.exact) || !isOfOwnRenderer(outcome))
-      lines += fmt::format("{}: {}\n", core::printable(approval.place.native()), app::approvalText(outcome));
+    if (compare::isToApprove(outcome, options_.exact) || !isOfOwnRenderer(outcome))
+      lines += fmt::format("{}: {}\n", core::printable(approval.place.native()), compare::approvalText(outcome));
     return lines;
   }
 
   const GoldenOptions& options_;
-  app::GoldenRequest request_;
-  app::GoldenManifest manifest_;
+  golden::GoldenRequest request_;
+  golden::GoldenManifest manifest_;
   output::RunFiles files_;
   std::vector<Outcome> outcomes_;
 };
@@ -371,15 +373,15 @@ void removeReports(const GoldenOptions& options) {
     std::error_code ignored;
     if (!file.empty() && kind.isOwn(file)) fs::remove(file, ignored);
   };
-  remove(options.report, app::reportKind());
-  remove(options.junit, app::junitKind());
+  remove(options.report, compare::reportKind());
+  remove(options.junit, compare::junitKind());
 }
 
 /// Whether an outcome can be written before all files of the run are known: where --force is to replace another's
 /// file, that may be a scene.
 bool isOurs(const std::string& outcome) {
   std::error_code ignored;
-  return !outcome.empty() && (!fs::exists(outcome, ignored) || app::outcomeScriptKind().isOwn(outcome));
+  return !outcome.empty() && (!fs::exists(outcome, ignored) || compare::outcomeScriptKind().isOwn(outcome));
 }
 
 /// Runs the suite. An index page shows the last outcome that it finds, so that of an earlier run goes first: this
@@ -393,7 +395,7 @@ int runGolden(const GoldenOptions& options) {
   removeReports(options);
   if (!isOurs(options.outcome)) return Golden(options).run();
   const auto write = [&](const std::string& message) {
-    output::writeFileAtomically(options.outcome, app::brokenOutcomeScript(message));
+    core::writeFileAtomically(options.outcome, compare::brokenOutcomeScript(message));
   };
   write("did not finish");
   try {

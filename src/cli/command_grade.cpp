@@ -4,8 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/grade_text.h"
-#include "app/scene_grade.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -13,6 +11,8 @@
 #include "cli/untrusted.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "reference/grade_text.h"
+#include "reference/scene_grade.h"
 
 namespace poinsot::cli {
 namespace {
@@ -24,7 +24,7 @@ struct GradeOptions : SceneOptions {
 
 /// Returns whether the attitude keeps to the limit; if not, standard error says by how much it is off and when.
 /// @throws core::Error(kIo) if the file has no attitude.
-bool within(const app::Grade& grade, double limit_rad, const std::string& fileName) {
+bool within(const reference::Grade& grade, double limit_rad, const std::string& fileName) {
   const auto& errors = grade.quantity("attitude").errors;
   if (!errors)
     throw core::Error(core::ErrorKind::kIo, "no columns q_w, q_x, q_y, q_z for --max-attitude-error to judge",
@@ -39,10 +39,10 @@ bool within(const app::Grade& grade, double limit_rad, const std::string& fileNa
 
 int gradeTheirs(const GradeOptions& options) {
   const bool limited = !options.limit.empty();
-  const double limit_rad = limited ? app::attitudeLimit_rad("--max-attitude-error", options.limit) : 0;
+  const double limit_rad = limited ? reference::attitudeLimit_rad("--max-attitude-error", options.limit) : 0;
   const scene::Scene scene = loadScene(options);
-  const app::Grade grade = app::gradeAgainst(scene, app::readTrajectoryTable(options.theirs));
-  writeOut(options.json ? app::gradeJson(grade, options.theirs, scene.name) : app::gradeTable(grade));
+  const reference::Grade grade = reference::gradeAgainst(scene, reference::readTrajectoryTable(options.theirs));
+  writeOut(options.json ? reference::gradeJson(grade, options.theirs, scene.name) : reference::gradeTable(grade));
   return !limited || within(grade, limit_rad, options.theirs) ? kDone : kNo;
 }
 

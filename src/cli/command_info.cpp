@@ -4,35 +4,35 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/alt_text.h"
-#include "app/report_scene.h"
-#include "app/report_units.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/paragraph.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
+#include "describe/alt_text.h"
+#include "describe/report_scene.h"
+#include "describe/report_units.h"
 
 namespace poinsot::cli {
 namespace {
 
 struct InfoOptions : SceneOptions {
   bool json = false, alt = false;
-  int digits = app::kUsualDigits;
+  int digits = describe::kUsualDigits;
 };
 
 int info(const InfoOptions& options) {
   if (options.alt) {
-    writeOut(wrapped(app::altText(loadScene(options))) + '\n');
+    writeOut(wrapped(describe::altText(loadScene(options))) + '\n');
     return kDone;
   }
-  const app::Report report = app::sceneReport(loadScene(options));
+  const describe::Report report = describe::sceneReport(loadScene(options));
   if (options.json)
-    writeOut(app::reportJson(report));
+    writeOut(describe::reportJson(report));
   else
-    writeOut(
-        app::reportTable(app::inUnits(report, app::defaultsOf(app::userDefaultsFile()).units), options.digits));
+    writeOut(describe::reportTable(
+        describe::inUnits(report, request::defaultsOf(request::userDefaultsFile()).units), options.digits));
   return kDone;
 }
 
@@ -49,8 +49,8 @@ void addInfo(CLI::App& program, Action& chosen) {
       ->excludes(json);
   command
       ->add_option("--digits", options->digits,
-                   fmt::format("how many digits numbers have; {} tell any from any other", app::kAllDigits))
-      ->check(CLI::Range(1, app::kAllDigits))
+                   fmt::format("how many digits numbers have; {} tell any from any other", describe::kAllDigits))
+      ->check(CLI::Range(1, describe::kAllDigits))
       ->capture_default_str()
       ->excludes(json);
   command->footer(

@@ -16,10 +16,10 @@
 #include "cli/scene_options.h"
 #include "cli/scenes_place.h"
 #include "core/error.h"
+#include "core/file_batch.h"
 #include "core/regular_file.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "output/file_batch.h"
 #include "output/run_files.h"
 #include "scene/limits.h"
 #include "scene/reference.h"
@@ -61,7 +61,7 @@ std::string galleryText(const fs::path& file) {
 void enterFiles(const NewOptions& options, const fs::path& from, const fs::path& file, const fs::path& schema) {
   output::RunFiles files(options.force);
   files.reads(from, "--from");
-  files.reads(app::userDefaultsFile(), "your defaults");
+  files.reads(request::userDefaultsFile(), "your defaults");
   files.writes(file, "NAME", {});
   const std::string text = scene::schemaJson();
   files.writes(schema, "schema", output::textKind("a schema", text.substr(0, text.find("\"type\""))));
@@ -71,12 +71,12 @@ int makeNew(const NewOptions& options) {
   fs::path file = options.name;
   if (file.extension() != ".toml") file += ".toml";
   const fs::path from = options.from.empty() ? fs::path() : galleryFile(options.from);
-  const fs::path schema = output::folderOf(file) / kSchemaName;
+  const fs::path schema = core::folderOf(file) / kSchemaName;
   enterFiles(options, from, file, schema);
-  const app::UserDefaults defaults = app::defaultsOf(app::userDefaultsFile());
+  const request::UserDefaults defaults = request::defaultsOf(request::userDefaultsFile());
   const std::string scene = options.from.empty() ? blankScene(file.stem().string(), defaults)
                                                  : galleryScene(galleryText(from), defaults);
-  output::FileBatch results;
+  core::FileBatch results;
   results.write(schema, scene::schemaJson());
   // The first line is for editors that know Taplo (VS Code with Even Better TOML, Helix, Neovim).
   results.write(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));

@@ -9,10 +9,6 @@
 #include <sstream>
 #include <thread>
 
-#include "app/interrupt.h"
-#include "app/render_job.h"
-#include "app/scene_request.h"
-#include "app/sweep_cells.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -20,7 +16,11 @@
 #include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/shell_word.h"
+#include "job/render_job.h"
 #include "preview/preview_server.h"
+#include "process/interrupt.h"
+#include "request/scene_request.h"
+#include "request/sweep_cells.h"
 #include "scene/problem.h"
 
 namespace poinsot::cli {
@@ -35,8 +35,8 @@ class StopOnSignal {
  public:
   explicit StopOnSignal(preview::PreviewServer& server)
       : waiting_([&server](const std::stop_token& stop) {
-          pollfd signal{.fd = app::interruptFd(), .events = POLLIN, .revents = 0};
-          while (!stop.stop_requested() && app::interruptSignal() == 0) poll(&signal, 1, 100);
+          pollfd signal{.fd = process::interruptFd(), .events = POLLIN, .revents = 0};
+          while (!stop.stop_requested() && process::interruptSignal() == 0) poll(&signal, 1, 100);
           server.stop();
         }) {}
 
@@ -57,10 +57,10 @@ std::string thisMachine() {
 
 /// A file that cannot be read is an error; one with mistakes is what a preview is for.
 void tellMistakes(const PreviewOptions& options) {
-  auto request = app::readSceneRequest(options.scene, options.overrides, granted(options));
-  app::askForSweep(request);
+  auto request = request::readSceneRequest(options.scene, options.overrides, granted(options));
+  request::askForSweep(request);
   try {
-    app::loadRequested(request);
+    request::loadRequested(request);
   } catch (const scene::SceneErrors& errors) {
     writeErr(fmt::format("{}\npoinsot: the page tells this too, and shows the scene when it is mended\n",
                          errors.what()));
@@ -70,14 +70,14 @@ void tellMistakes(const PreviewOptions& options) {
 int preview(const PreviewOptions& options) {
   if (options.untrusted)  // the sandbox has no network
     throw core::Error(core::ErrorKind::kUsage, "--untrusted: a preview cannot be held to it; check and still can");
-  app::watchInterrupts();
-  gl::pinEnvironment(false, app::availableCpus());
+  process::watchInterrupts();
+  gl::pinEnvironment(false, job::availableCpus());
   tellMistakes(options);
   preview::PreviewServer server({.fileName = options.scene,
                                  .overrides = options.overrides,
                                  .allowance = granted(options),
                                  .filmWords = allowanceWords(options),
-                                 .units = app::defaultsOf(app::userDefaultsFile()).units,
+                                 .units = request::defaultsOf(request::userDefaultsFile()).units,
                                  .backend = gl::Backend::kAuto,
                                  .port = options.port});
   writeOut(

@@ -4,19 +4,19 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/frame_plan.h"
 #include "cli/commands.h"
 #include "cli/film_options.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "request/frame_plan.h"
 
 namespace poinsot::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
-void checkFrameCount(const app::OutputTarget& target, const app::FrameRange& frames) {
-  if (target.kind != app::OutputKind::kPicture || frames.count() == 1) return;
+void checkFrameCount(const request::OutputTarget& target, const request::FrameRange& frames) {
+  if (target.kind != request::OutputKind::kPicture || frames.count() == 1) return;
   refuse(
       fmt::format("{0} takes one frame, and {1} are selected: choose one with --frames {2}, or number them as "
                   "NAME_{{frame:05}}.png",

@@ -9,8 +9,8 @@
 #include "cli/completion.h"
 #include "cli/exit_code.h"
 #include "cli/man_page.h"
+#include "core/atomic_file.h"
 #include "core/error.h"
-#include "output/atomic_file.h"
 
 namespace poinsot::cli {
 namespace {
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 void put(const fs::path& file, const std::string& text) {
   std::error_code ignored;  // if a folder cannot be made, writing the file says so
   fs::create_directories(file.parent_path(), ignored);
-  output::writeFileAtomically(file, std::string_view(text));
+  core::writeFileAtomically(file, std::string_view(text));
 }
 
 /// The places below share/ where man and the shells look.

@@ -8,22 +8,22 @@
 #include <system_error>
 #include <vector>
 
-#include "app/json_text.h"
-#include "app/next_step.h"
-#include "app/work_folder.h"
-#include "app/work_left.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/shell_word.h"
 #include "core/text.h"
+#include "job/next_step.h"
+#include "job/work_folder.h"
+#include "job/work_left.h"
 #include "output/png_sequence.h"
 
 namespace poinsot::cli {
 namespace {
 
-using app::SegmentState;
+using job::SegmentState;
 
 struct StatusOptions {
   std::string output;
@@ -42,18 +42,18 @@ constexpr StateWord kStates[] = {{SegmentState::kDone, "done"},
 
 /// A render, how far it is, and what is left of it.
 struct Standing {
-  app::JobFile job;
-  app::JobStatus status;
-  app::WorkLeft left;
+  job::JobFile job;
+  job::JobStatus status;
+  job::WorkLeft left;
 };
 
 using Json = nlohmann::ordered_json;
-using Frames = std::vector<app::FrameRange>;
+using Frames = std::vector<request::FrameRange>;
 
 /// Returns the object that is printed of an output without segments: all keys, null or empty where segments tell.
 /// @param whole  null for a sequence, which keeps no record of the frames that belong to it
 Json jsonOfOutput(const StatusOptions& options, const Json& whole) {
-  Json json{{"output", app::utf8FromBytes(options.output)},
+  Json json{{"output", core::utf8FromBytes(options.output)},
             {"complete", whole},
             {"joined", whole},
             {"frames", nullptr},
@@ -72,8 +72,9 @@ Json jsonOf(const StatusOptions& options, const Standing& standing) {
   json["segment_frames"] = job.segmentFrames;
   json["shards"] = job.shards;
   for (const auto& [state, word] : kStates)
-    for (const app::FrameRange& segment : status.in(state)) json[word].push_back({segment.first, segment.last});
-  json["shards_to_run"] = app::shardsText(left.shards);
+    for (const request::FrameRange& segment : status.in(state))
+      json[word].push_back({segment.first, segment.last});
+  json["shards_to_run"] = job::shardsText(left.shards);
   return json;
 }
 
@@ -85,19 +86,19 @@ std::string leftText(const StatusOptions& options, const Standing& standing) {
   if (status.complete() && left.joining)
     return fmt::format("made, not joined: poinsot assemble {}\n", core::shellWord(options.output));
   if (left.shards.empty() || job.shards == 1) return "";
-  return fmt::format("shards to run: {} of {}\n", app::shardsText(left.shards), job.shards);
+  return fmt::format("shards to run: {} of {}\n", job::shardsText(left.shards), job.shards);
 }
 
 std::string plainText(const StatusOptions& options, const Standing& standing) {
-  const app::JobStatus& status = standing.status;
-  const bool film = standing.job.kind == app::OutputKind::kFilm;
+  const job::JobStatus& status = standing.status;
+  const bool film = standing.job.kind == request::OutputKind::kFilm;
   std::string counts, lines;
   for (const auto& [state, word] : kStates) {
     const auto segments = status.in(state);
     if (state == SegmentState::kDone || !segments.empty())
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", segments.size(), word);
     if (state != SegmentState::kDone && !segments.empty())
-      lines += fmt::format("{}: frames {}\n", word, app::framesText(segments, 20));
+      lines += fmt::format("{}: frames {}\n", word, job::framesText(segments, 20));
   }
   return fmt::format("{}: {}{} segments: {}\n{}{}", core::printable(options.output),
                      film && standing.left.none() ? "complete; " : "", status.segments.size(), counts, lines,
@@ -129,8 +130,8 @@ Frames rangesOf(const std::vector<std::int64_t>& frames) {
 Json jsonOfFrames(const StatusOptions& options, const Frames& there, const Frames& gaps) {
   Json json = jsonOfOutput(options, nullptr);
   json["frames"] = {there.front().first, there.back().last};
-  for (const app::FrameRange& range : there) json["done"].push_back({range.first, range.last});
-  for (const app::FrameRange& range : gaps) json["missing"].push_back({range.first, range.last});
+  for (const request::FrameRange& range : there) json["done"].push_back({range.first, range.last});
+  for (const request::FrameRange& range : gaps) json["missing"].push_back({range.first, range.last});
   return json;
 }
 
@@ -146,37 +147,37 @@ int statusOfFrames(const StatusOptions& options, const Frames& there) {
   else
     writeOut(fmt::format(
         "{}: frames {} are there\n{}for what a scene has besides: poinsot render SCENE -o {} --resume\n",
-        core::printable(options.output), app::framesText(there, 20),
-        gaps.empty() ? "" : fmt::format("missing: frames {}\n", app::framesText(gaps, 20)),
+        core::printable(options.output), job::framesText(there, 20),
+        gaps.empty() ? "" : fmt::format("missing: frames {}\n", job::framesText(gaps, 20)),
         core::printable(core::shellWord(options.output))));
   return gaps.empty() ? kDone : kNo;
 }
 
 /// Returns the frames of a sequence that are there if it has no work folder; else none.
-Frames framesThere(const app::OutputTarget& target) {
+Frames framesThere(const request::OutputTarget& target) {
   std::error_code ignored;
-  const bool isRecorded = std::filesystem::exists(app::workFolderOf(target.path), ignored);
-  if (isRecorded || target.kind != app::OutputKind::kSequence) return {};
+  const bool isRecorded = std::filesystem::exists(job::workFolderOf(target.path), ignored);
+  if (isRecorded || target.kind != request::OutputKind::kSequence) return {};
   return rangesOf(output::framesThere(output::FramePattern(target.path.string())));
 }
 
 int status(const StatusOptions& options) {
-  const auto target = app::parseTarget(options.output);
-  const auto folder = app::workFolderOf(target.path);
-  const auto job = app::readJobFile(folder, target);
+  const auto target = request::parseTarget(options.output);
+  const auto folder = job::workFolderOf(target.path);
+  const auto job = job::readJobFile(folder, target);
   if (const Frames there = framesThere(target); !there.empty()) return statusOfFrames(options, there);
-  if (!job && target.kind == app::OutputKind::kFilm && output::isOwnFilm(target.path))
+  if (!job && target.kind == request::OutputKind::kFilm && output::isOwnFilm(target.path))
     return statusOfFilm(options, target.path);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: no render of it is under way here; {}", core::printable(options.output),
-                                  app::nothingUnderWayText(target, folder)));
-  const app::JobStatus state = app::statusOf(folder, *job, target);
+                                  job::nothingUnderWayText(target, folder)));
+  const job::JobStatus state = job::statusOf(folder, *job, target);
   // A run that was killed while it tidied up leaves some segments of a film that needs none.
-  if (!state.complete() && app::isFinished(*job, target.path)) return statusOfFilm(options, target.path);
-  const Standing standing{*job, state, app::workLeft(*job, state, job->shards, target)};
+  if (!state.complete() && job::isFinished(*job, target.path)) return statusOfFilm(options, target.path);
+  const Standing standing{*job, state, job::workLeft(*job, state, job->shards, target)};
   if (options.shards)
-    writeOut(app::shardsText(standing.left.shards) + "\n");
+    writeOut(job::shardsText(standing.left.shards) + "\n");
   else if (options.json)
     print(jsonOf(options, standing));
   else

@@ -16,8 +16,8 @@ struct Options : RenderOptions {
 };
 
 /// -o, or out/NAME.png.
-app::OutputTarget targetOf(const Options& options, const std::string& sceneName) {
-  return app::parseStillTarget(options.output.empty() ? "out/" + sceneName + ".png" : options.output);
+request::OutputTarget targetOf(const Options& options, const std::string& sceneName) {
+  return request::parseStillTarget(options.output.empty() ? "out/" + sceneName + ".png" : options.output);
 }
 
 int still(const Options& options) {

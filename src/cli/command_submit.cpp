@@ -7,16 +7,16 @@
 #include <iterator>
 #include <memory>
 
-#include "app/memory.h"
-#include "app/submission.h"
-#include "app/sweep_cells.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/film_options.h"
+#include "cluster/submission.h"
 #include "core/error.h"
 #include "core/program_path.h"
 #include "core/text.h"
+#include "request/memory.h"
+#include "request/sweep_cells.h"
 #include "stage/stage.h"
 
 namespace poinsot::cli {
@@ -29,14 +29,14 @@ struct SubmitOptions : FilmOptions {
   int shards = 0, retries = 3;
   double frame_s = 0, task_min = 0;
   bool keep = false;
-  app::SweepRequest grid;
+  request::SweepRequest grid;
 };
 
 /// A file's name that is not taken for an option.
 std::string fileWord(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
 
 /// The same request for `render`, or `sweep`.
-Words renderWords(const SubmitOptions& options, const app::OutputTarget& target) {
+Words renderWords(const SubmitOptions& options, const request::OutputTarget& target) {
   Words words{options.sweep ? "sweep" : "render", fileWord(options.scene), "-o", fileWord(target.path.string())};
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
@@ -56,22 +56,22 @@ Words renderWords(const SubmitOptions& options, const app::OutputTarget& target)
   if (options.bits != 8) add("--bits", std::to_string(options.bits));
   if (options.force) words.push_back("--force");
   if (options.backend != "auto") add("--backend", options.backend);
-  if (options.parts.segmentFrames != app::kSegmentFrames)
+  if (options.parts.segmentFrames != request::kSegmentFrames)
     add("--segment", std::to_string(options.parts.segmentFrames));
   add("-j", std::to_string(options.jobs));
   return words;
 }
 
-Words assembleWords(const SubmitOptions& options, const app::OutputTarget& target) {
+Words assembleWords(const SubmitOptions& options, const request::OutputTarget& target) {
   Words words{"assemble", fileWord(target.path.string())};
   if (options.force) words.push_back("--force");
   if (options.keep) words.push_back("--keep");
   return words;
 }
 
-void checkKind(const app::OutputTarget& target) {
+void checkKind(const request::OutputTarget& target) {
   if (target.stream) throw core::Error(core::ErrorKind::kUsage, "-o -: tasks on several machines write files");
-  if (target.kind == app::OutputKind::kPicture)
+  if (target.kind == request::OutputKind::kPicture)
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("{}: one picture is made by one process; submit is for films and sequences",
                                   core::printable(target.path.string())));
@@ -83,8 +83,8 @@ std::vector<std::filesystem::path> inputFiles(const SubmitOptions& options, cons
   return files;
 }
 
-app::DivisionRequest divisionRequest(const SubmitOptions& options) {
-  app::DivisionRequest request;
+cluster::DivisionRequest divisionRequest(const SubmitOptions& options) {
+  cluster::DivisionRequest request;
   request.cpus = options.jobs;
   if (options.shards > 0) request.shards = options.shards;
   if (options.task_min > 0) request.task_s = 60 * options.task_min;
@@ -92,9 +92,9 @@ app::DivisionRequest divisionRequest(const SubmitOptions& options) {
   return request;
 }
 
-std::string scriptOf(const std::string& engine, const app::Submission& submission) {
-  if (engine == "parallel") return app::parallelScript(submission);
-  return engine == "make" ? app::makeScript(submission) : app::slurmScript(submission);
+std::string scriptOf(const std::string& engine, const cluster::Submission& submission) {
+  if (engine == "parallel") return cluster::parallelScript(submission);
+  return engine == "make" ? cluster::makeScript(submission) : cluster::slurmScript(submission);
 }
 
 void checkGrid(const SubmitOptions& options) {
@@ -105,18 +105,18 @@ void checkGrid(const SubmitOptions& options) {
 }
 
 int submit(SubmitOptions options) {
-  if (app::hasRanges(options.overrides)) options.sweep = options.grid;
+  if (request::hasRanges(options.overrides)) options.sweep = options.grid;
   checkGrid(options);
   const auto [request, scene, target, frames] = requestedFilm(options);
   checkKind(target);
   checkMakeable(options, target, scene, frames, pictureForm(options));
   if (!request.sweep) const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
-  const int cells = request.sweep ? app::SweepGrid(request).cells : 1;
-  const double estimate_bytes = app::workerMemory_bytes(target, scene, pictureForm(options), cells);
-  app::expectWithinMemory(estimate_bytes, app::pictureText({scene.output.width, scene.output.height}),
-                          request.allowance.limits);
-  const auto segments = app::segmentsOf(frames, options.parts.segmentFrames);
-  app::Submission submission;
+  const int cells = request.sweep ? request::SweepGrid(request).cells : 1;
+  const double estimate_bytes = request::workerMemory_bytes(target, scene, pictureForm(options), cells);
+  request::expectWithinMemory(estimate_bytes, request::pictureText({scene.output.width, scene.output.height}),
+                              request.allowance.limits);
+  const auto segments = request::segmentsOf(frames, options.parts.segmentFrames);
+  cluster::Submission submission;
   submission.program = core::programPath();
   submission.folder = std::filesystem::current_path();
   submission.output = target;
@@ -125,8 +125,8 @@ int submit(SubmitOptions options) {
   submission.inputs = inputFiles(options, scene);
   submission.frames = frames.count();
   submission.segments = static_cast<std::int64_t>(segments.size());
-  submission.division = app::divisionOf(divisionRequest(options), frames, segments,
-                                        {scene.output.width, scene.output.height}, estimate_bytes);
+  submission.division = cluster::divisionOf(divisionRequest(options), frames, segments,
+                                            {scene.output.width, scene.output.height}, estimate_bytes);
   submission.retries = options.retries;
   writeOut(scriptOf(options.engine, submission));
   return kDone;

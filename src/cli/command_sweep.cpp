@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/sweep_cells.h"
 #include "cli/commands.h"
 #include "cli/film_options.h"
 #include "cli/picture_bits.h"
@@ -12,13 +11,14 @@
 #include "core/error.h"
 #include "output/film_format.h"
 #include "output/frame_pattern.h"
+#include "request/sweep_cells.h"
 
 namespace poinsot::cli {
 namespace {
 
 struct SweepOptions : FilmOptions {
   StillOptions still;
-  app::SweepRequest asked;
+  request::SweepRequest asked;
 };
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
@@ -30,9 +30,9 @@ bool isFilm(const SweepOptions& options) {
 }
 
 /// -o, or out/NAME_sweep.png, out/NAME_map.png.
-app::OutputTarget pictureTarget(const SweepOptions& options, const std::string& sceneName) {
+request::OutputTarget pictureTarget(const SweepOptions& options, const std::string& sceneName) {
   const std::string ofItself = "out/" + sceneName + (options.asked.map ? "_map.png" : "_sweep.png");
-  return app::parseStillTarget(options.output.empty() ? ofItself : options.output);
+  return request::parseStillTarget(options.output.empty() ? ofItself : options.output);
 }
 
 void checkWords(const SweepOptions& options) {

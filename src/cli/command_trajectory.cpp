@@ -6,20 +6,20 @@
 #include <memory>
 #include <span>
 
-#include "app/interrupt.h"
-#include "app/trajectory_accuracy.h"
-#include "app/trajectory_row.h"
-#include "app/trajectory_target.h"
-#include "app/trajectory_text.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/time_word.h"
 #include "cli/untrusted.h"
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
+#include "process/interrupt.h"
+#include "reference/trajectory_accuracy.h"
+#include "reference/trajectory_row.h"
+#include "reference/trajectory_target.h"
+#include "reference/trajectory_text.h"
 #include "scene/make_motion.h"
 #include "stage/picture_motion.h"
 
@@ -34,11 +34,11 @@ struct TrajectoryOptions : SceneOptions {
 
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
-app::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
+reference::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
   std::vector<double> times_s;
   for (const std::string& word : words)
     for (const double t_s : parseTimes_s("--at", word)) times_s.push_back(t_s);
-  return app::TrajectoryTimes(std::move(times_s));
+  return reference::TrajectoryTimes(std::move(times_s));
 }
 
 core::Rational parsedRate(const std::string& word) {
@@ -51,7 +51,7 @@ core::Rational parsedRate(const std::string& word) {
   return *rate_hz;
 }
 
-app::TrajectoryTimes requestedTimes(const TrajectoryOptions& options, const scene::Scene& scene) {
+reference::TrajectoryTimes requestedTimes(const TrajectoryOptions& options, const scene::Scene& scene) {
   if (options.rate.empty()) return listedTimes(options.at);
   return {parsedRate(options.rate), scene.time.start_s,
           stage::filmClock(scene).motionTime_s(scene.time.duration_s) - scene.time.start_s};
@@ -61,8 +61,9 @@ std::span<const std::uint8_t> bytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-void writeToFile(const app::TrajectoryTarget& target, const std::function<void(const app::TextSink&)>& write) {
-  output::AtomicFile file(target.path);
+void writeToFile(const reference::TrajectoryTarget& target,
+                 const std::function<void(const reference::TextSink&)>& write) {
+  core::AtomicFile file(target.path);
   write([&](std::string_view text) { file.write(bytes(text)); });
   file.commit();
 }
@@ -72,15 +73,15 @@ void checkTimesGiven(const TrajectoryOptions& options) {
     refuse("say at which times: --at T1,T2,... or --rate HZ, one of them");
 }
 
-void noteFarTimes(const scene::Scene& scene, const app::TrajectoryTimes& times) {
-  if (const std::string note = app::accuracyNote(scene, times); !note.empty())
+void noteFarTimes(const scene::Scene& scene, const reference::TrajectoryTimes& times) {
+  if (const std::string note = reference::accuracyNote(scene, times); !note.empty())
     writeErr("poinsot: note: " + note + "\n");
 }
 
 /// A number has about 18 characters: rows of 15 in the gallery have 271 to 303 bytes.
-void checkOutput(const app::TrajectoryTimes& times, const scene::Scene& scene, const scene::Limits& limits) {
+void checkOutput(const reference::TrajectoryTimes& times, const scene::Scene& scene, const scene::Limits& limits) {
   constexpr double kNumber_bytes = 290. / 15;
-  const auto columns = app::trajectoryColumns(scene.motion.forcing.dissipation);
+  const auto columns = reference::trajectoryColumns(scene.motion.forcing.dissipation);
   const double estimate = kNumber_bytes * static_cast<double>(columns.size()) * static_cast<double>(times.count());
   const std::int64_t most = limits[scene::Limit::kOutput];
   if (estimate <= static_cast<double>(most)) return;
@@ -92,18 +93,18 @@ void checkOutput(const app::TrajectoryTimes& times, const scene::Scene& scene, c
 
 int trajectory(const TrajectoryOptions& options) {
   checkTimesGiven(options);
-  const auto target = app::parseTrajectoryTarget(options.output);
+  const auto target = reference::parseTrajectoryTarget(options.output);
   const scene::Allowance allowance = granted(options);
   const scene::Scene scene = loadScene(options, allowance);
   output::RunFiles files = enteredInputs(options, scene, options.force);
-  files.writes(target.path, "-o", app::trajectoryKind(target.format));
-  const app::TrajectoryTimes times = requestedTimes(options, scene);
+  files.writes(target.path, "-o", reference::trajectoryKind(target.format));
+  const reference::TrajectoryTimes times = requestedTimes(options, scene);
   checkOutput(times, scene, allowance.limits);
   noteFarTimes(scene, times);
-  app::watchInterrupts();
+  process::watchInterrupts();
   const auto motion = scene::makeMotion(scene, times.earliest_s(), times.latest_s());
-  const auto write = [&](const app::TextSink& sink) {
-    app::writeTrajectory(*motion, times, target.format, scene.name, sink);
+  const auto write = [&](const reference::TextSink& sink) {
+    reference::writeTrajectory(*motion, times, target.format, scene.name, sink);
   };
   if (target.isStream())
     write(writeOut);

@@ -11,9 +11,9 @@
 #include <string>
 #include <system_error>
 
-#include "app/line_channel.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "process/line_channel.h"
 
 namespace poinsot::cli {
 namespace {
@@ -34,16 +34,16 @@ void openStandardStreams() {
 }
 
 void writeOut(std::string_view text) {
-  const int status = app::writeText(STDOUT_FILENO, core::printableLines(text));
+  const int status = process::writeText(STDOUT_FILENO, core::printableLines(text));
   if (status == EPIPE) throw core::BrokenPipe();
   if (status != 0)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("standard output: {}", std::generic_category().message(status)));
 }
 
-void writeErr(std::string_view text) { app::writeText(STDERR_FILENO, core::printableLines(text)); }
+void writeErr(std::string_view text) { process::writeText(STDERR_FILENO, core::printableLines(text)); }
 
-void writeControl(std::string_view text) { app::writeText(STDERR_FILENO, text); }
+void writeControl(std::string_view text) { process::writeText(STDERR_FILENO, text); }
 
 void writeError(std::string_view message) {
   const bool red = errIsTerminal() && !isSet("NO_COLOR");
@@ -51,7 +51,7 @@ void writeError(std::string_view message) {
       fmt::format("poinsot: {} {}\n", red ? "\x1b[1;31merror:\x1b[0m" : "error:", core::printableLines(message)));
 }
 
-void writeOutOfMemory() noexcept { app::writeText(STDERR_FILENO, "poinsot: error: out of memory\n"); }
+void writeOutOfMemory() noexcept { process::writeText(STDERR_FILENO, "poinsot: error: out of memory\n"); }
 
 bool errIsTerminal() {
   const char* kind = std::getenv("TERM");

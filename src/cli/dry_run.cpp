@@ -3,49 +3,49 @@
 
 #include <fmt/format.h>
 
-#include "app/assembly.h"
-#include "app/scene_composer.h"
-#include "app/work_folder.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "core/text.h"
+#include "job/assembly.h"
+#include "job/work_folder.h"
+#include "request/scene_composer.h"
 
 namespace poinsot::cli {
 namespace {
 
-using Segments = std::vector<app::FrameRange>;
+using Segments = std::vector<request::FrameRange>;
 
-std::string nameText(const app::RenderRequest& request) { return core::printable(request.target.path.string()); }
+std::string nameText(const job::RenderRequest& request) { return core::printable(request.target.path.string()); }
 
-int describePrinted(const app::RenderRequest& request, const scene::Output& output) {
+int describePrinted(const job::RenderRequest& request, const scene::Output& output) {
   const auto [width_mm, dpi] = *request.form.print;
   writeOut(fmt::format("{}: {:.4g} x {:.4g} mm at {:.4g} dpi, {}x{} pixels\n", nameText(request), width_mm,
                        width_mm * output.height / output.width, dpi, output.width, output.height));
   return kDone;
 }
 
-std::int64_t framesThere(const app::RenderRequest& request, const Segments& segments) {
-  if (app::isFinished(*request.job, request.target.path)) return app::framesIn(segments);
-  const app::SegmentRecords records(app::workFolderOf(request.target.path), request.target);
+std::int64_t framesThere(const job::RenderRequest& request, const Segments& segments) {
+  if (job::isFinished(*request.job, request.target.path)) return request::framesIn(segments);
+  const job::SegmentRecords records(job::workFolderOf(request.target.path), request.target);
   std::int64_t frames = 0;
-  for (const app::FrameRange& segment : segments)
-    if (records.stateOf(segment, request.job->job) == app::SegmentState::kDone) frames += segment.count();
+  for (const request::FrameRange& segment : segments)
+    if (records.stateOf(segment, request.job->job) == job::SegmentState::kDone) frames += segment.count();
   return frames;
 }
 
 /// ", 60 frames are there already"
-std::string thereText(const app::RenderRequest& request, const Segments& segments) {
+std::string thereText(const job::RenderRequest& request, const Segments& segments) {
   const bool goesOn = request.job && (request.shard || request.resume);
   return goesOn ? fmt::format(", {} frames are there already", framesThere(request, segments)) : "";
 }
 
 }  // namespace
 
-int describe(const app::RenderRequest& request, const scene::Scene& scene) {
-  app::composerOf(request.scene, scene);  // what the motion lacks is found here
+int describe(const job::RenderRequest& request, const scene::Scene& scene) {
+  request::composerOf(request.scene, scene);  // what the motion lacks is found here
   if (request.form.print) return describePrinted(request, scene.output);
   const Segments segments = request.segments();
-  const std::int64_t own = app::framesIn(segments), all = request.frames.count();
+  const std::int64_t own = request::framesIn(segments), all = request.frames.count();
   const auto& shard = request.shard;
   writeOut(fmt::format("{}{}: {}{} frame{} ({}-{}), {}x{}, {} frames/s, {} segment{}{}\n", nameText(request),
                        shard ? fmt::format(", shard {}/{}", shard->k, shard->n) : "", own,

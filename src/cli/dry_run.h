@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/render_request.h"
+#include "job/render_request.h"
 #include "scene/scene.h"
 
 namespace poinsot::cli {
 
 /// Prints what the render would make and, of a shard or with --resume, how much of it is there already.
 /// @returns an exit code. @throws core::Error(kPhysics) if the motion lacks something.
-int describe(const app::RenderRequest& request, const scene::Scene& scene);
+int describe(const job::RenderRequest& request, const scene::Scene& scene);
 
 }  // namespace poinsot::cli

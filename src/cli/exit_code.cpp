@@ -5,8 +5,8 @@
 
 #include <new>
 
-#include "app/interrupt.h"
 #include "cli/console.h"
+#include "process/interrupt.h"
 #include "scene/problem.h"
 
 namespace poinsot::cli {
@@ -18,7 +18,7 @@ int tellingErrors(const std::function<int()>& action) {
     return action();
   } catch (const core::BrokenPipe&) {
     return kBrokenPipe;
-  } catch (const app::Interrupted& interrupted) {
+  } catch (const process::Interrupted& interrupted) {
     return 128 + interrupted.signal();
   } catch (const scene::SceneErrors& errors) {
     writeErr(fmt::format("{}\n", errors.what()));  // already says "file:line:column: error:"

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "app/frame_clock.h"
 #include "cli/picture_bits.h"
 #include "core/error.h"
+#include "core/frame_clock.h"
 #include "output/film_format.h"
 #include "scene/sweep.h"
 
@@ -43,7 +43,7 @@ void addFilmOptions(CLI::App& command, FilmOptions& options) {
       ->check(CLI::Range(1, 10'000));
 }
 
-void addGridOptions(CLI::App& command, app::SweepRequest& grid) {
+void addGridOptions(CLI::App& command, request::SweepRequest& grid) {
   command.add_option("--columns", grid.columns, "of the grid of one range (default: as the picture has room)")
       ->type_name("N")
       ->check(CLI::Range(1, scene::kMostCells));
@@ -76,39 +76,40 @@ void addPartsOptions(CLI::App& command, PartsOptions& parts) {
                   "make nothing: print which of n shards have segments to make, such as 2,7-9; exit code 0 if the "
                   "output is complete, else 1")
       ->type_name("n")
-      ->check(CLI::Range(1, app::kMostShards));
+      ->check(CLI::Range(1, request::kMostShards));
 }
 
-void checkParts(const PartsOptions& parts, const app::OutputTarget& target) {
-  if (!parts.shard.empty()) app::parseShard(parts.shard);
+void checkParts(const PartsOptions& parts, const request::OutputTarget& target) {
+  if (!parts.shard.empty()) request::parseShard(parts.shard);
   const bool shards = !parts.shard.empty() || parts.shardsLeft > 0;
   if (!parts.shard.empty() && parts.shardsLeft > 0) refuse("--shards-left: is of all shards; give no --shard");
   if (shards && !parts.manifest.empty())
     refuse("--manifest: tells of a whole film, and a shard makes a part of one");
   if (target.stream && (shards || !parts.manifest.empty() || parts.resume || parts.keep))
     refuse("-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
-  if (target.kind != app::OutputKind::kPicture) return;
+  if (target.kind != request::OutputKind::kPicture) return;
   if (shards) refuse("--shard: one picture is made by one process");
   if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
 }
 
-std::optional<app::OutputTarget> namedTarget(const FilmOptions& options) {
-  if (options.output == "-") return app::streamTarget(options.format);
+std::optional<request::OutputTarget> namedTarget(const FilmOptions& options) {
+  if (options.output == "-") return request::streamTarget(options.format);
   if (!options.format.empty()) refuse("--format goes with -o -; a file's name says what it is");
-  return options.output.empty() ? std::nullopt : std::optional(app::parseTarget(options.output));
+  return options.output.empty() ? std::nullopt : std::optional(request::parseTarget(options.output));
 }
 
-app::PictureForm pictureForm(const FilmOptions& options) {
+request::PictureForm pictureForm(const FilmOptions& options) {
   return {std::nullopt, options.transparent, options.bits};
 }
 
 RequestedFilm requestedFilm(const FilmOptions& options) {
-  const auto asked = options.frames.empty() ? std::nullopt : std::optional(app::parseFrameRange(options.frames));
+  const auto asked =
+      options.frames.empty() ? std::nullopt : std::optional(request::parseFrameRange(options.frames));
   const auto named = namedTarget(options);
-  checkBits(options.bits, named.value_or(app::OutputTarget{}));  // without a name, a film
+  checkBits(options.bits, named.value_or(request::OutputTarget{}));  // without a name, a film
   auto [request, scene] = requestedScene(options);
-  const auto target = named ? *named : app::parseTarget("out/" + scene.name + ".mp4");
-  const auto frames = app::selectFrames(app::frameCount(scene.time.duration_s, scene.time.fps), asked);
+  const auto target = named ? *named : request::parseTarget("out/" + scene.name + ".mp4");
+  const auto frames = request::selectFrames(core::frameCount(scene.time.duration_s, scene.time.fps), asked);
   return {std::move(request), std::move(scene), target, frames};
 }
 

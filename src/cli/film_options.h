@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "app/frame_plan.h"
 #include "cli/rendering.h"
+#include "request/frame_plan.h"
 
 namespace poinsot::cli {
 
@@ -23,25 +23,25 @@ void addFilmOptions(CLI::App& command, FilmOptions& options);
 void addPartsOptions(CLI::App& command, PartsOptions& parts);
 
 /// Declares the columns and names of a sweep's grid.
-void addGridOptions(CLI::App& command, app::SweepRequest& grid);
+void addGridOptions(CLI::App& command, request::SweepRequest& grid);
 
 /// @throws core::Error(kUsage) for what the target cannot be made in.
-void checkParts(const PartsOptions& parts, const app::OutputTarget& target);
+void checkParts(const PartsOptions& parts, const request::OutputTarget& target);
 
 /// What they ask for.
 struct RequestedFilm {
-  app::SceneRequest request;
+  request::SceneRequest request;
   scene::Scene scene;
-  app::OutputTarget target;
-  app::FrameRange frames;
+  request::OutputTarget target;
+  request::FrameRange frames;
 };
 
 /// Where it goes, as far as the options alone tell: a wrong name is said before all else.
 /// @throws core::Error(kUsage)
-std::optional<app::OutputTarget> namedTarget(const FilmOptions& options);
+std::optional<request::OutputTarget> namedTarget(const FilmOptions& options);
 
 /// How its pictures are made.
-app::PictureForm pictureForm(const FilmOptions& options);
+request::PictureForm pictureForm(const FilmOptions& options);
 
 /// @throws scene::SceneErrors, core::Error
 RequestedFilm requestedFilm(const FilmOptions& options);

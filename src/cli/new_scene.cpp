@@ -10,8 +10,8 @@
 #include <regex>
 #include <vector>
 
-#include "app/scene_request.h"
 #include "core/text.h"
+#include "request/scene_request.h"
 #include "scene/problem.h"
 
 // Of new_scene.toml.
@@ -40,7 +40,7 @@ void replaceAll(std::string& text, std::string_view what, std::string_view with)
 }
 
 /// A quantity of the blank scene as a TOML value, to three digits where it is converted.
-std::string inUnit(const std::string& quantity, scene::Dimension dimension, const app::UnitChoice& units) {
+std::string inUnit(const std::string& quantity, scene::Dimension dimension, const request::UnitChoice& units) {
   const bool bare = quantity.find(' ') == quantity.npos;
   const auto choice = units.find(dimension);
   if (choice == units.end()) return bare ? quantity : '"' + quantity + '"';
@@ -52,9 +52,9 @@ std::string inUnit(const std::string& quantity, scene::Dimension dimension, cons
 }
 
 /// "@length:24 cm@" stands for a quantity.
-void setQuantities(std::string& text, const app::UnitChoice& units) {
+void setQuantities(std::string& text, const request::UnitChoice& units) {
   for (const scene::Dimension dimension : scene::dimensions()) {
-    const std::string mark = "@" + app::dimensionWord(dimension) + ":";
+    const std::string mark = "@" + request::dimensionWord(dimension) + ":";
     for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at)) {
       const std::size_t begin = at + mark.size(), end = text.find('@', begin);
       text.replace(at, end + 1 - at, inUnit(text.substr(begin, end - begin), dimension, units));
@@ -119,7 +119,7 @@ bool hasKey(std::string_view text, const std::string& path) {
 
 bool isGood(const std::string& text) {
   try {
-    app::loadRequested({"scene.toml", text, {}, std::nullopt, {}});
+    request::loadRequested({"scene.toml", text, {}, std::nullopt, {}});
     return true;
   } catch (const scene::SceneErrors&) {
     return false;
@@ -128,7 +128,7 @@ bool isGood(const std::string& text) {
 
 }  // namespace
 
-std::string withKey(std::string_view text, const app::DefaultKey& key) {
+std::string withKey(std::string_view text, const request::DefaultKey& key) {
   Lines lines = linesOf(text);
   const std::size_t header = tableLine(lines, key.path);
   if (header == lines.size()) {
@@ -148,18 +148,18 @@ std::string withKey(std::string_view text, const app::DefaultKey& key) {
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
-std::string blankScene(const std::string& name, const app::UserDefaults& defaults) {
+std::string blankScene(const std::string& name, const request::UserDefaults& defaults) {
   std::string text(poinsot_new_scene, poinsot_new_scene_end);
   setQuantities(text, defaults.units);
   alignComments(text);
-  for (const app::DefaultKey& key : defaults.keys) text = withKey(text, key);
+  for (const request::DefaultKey& key : defaults.keys) text = withKey(text, key);
   replaceAll(text, "@NAME@", core::printable(name));
   replaceAll(text, "@TITLE@", titleOf(name));
   return text;
 }
 
-std::string galleryScene(std::string text, const app::UserDefaults& defaults) {
-  for (const app::DefaultKey& key : defaults.keys) {
+std::string galleryScene(std::string text, const request::UserDefaults& defaults) {
+  for (const request::DefaultKey& key : defaults.keys) {
     if (hasKey(text, key.path)) continue;
     if (std::string with = withKey(text, key); isGood(with)) text = std::move(with);
   }

@@ -15,12 +15,12 @@ void addBitsOption(CLI::App& command, int& bits) {
       ->check(CLI::IsMember({8, 16}));
 }
 
-void checkBits(int bits, const app::OutputTarget& target) {
-  if (bits == 8 || app::takesDeepPictures(target)) return;
+void checkBits(int bits, const request::OutputTarget& target) {
+  if (bits == 8 || request::takesDeepPictures(target)) return;
   throw core::Error(
       core::ErrorKind::kUsage,
       fmt::format("--bits {}: {}", bits,
-                  target.kind == app::OutputKind::kFigure
+                  target.kind == request::OutputKind::kFigure
                       ? "the pictures in a figure have 8; NAME.png can have 16"
                       : "the pictures of a film have 8; NAME_{frame:05}.png and NAME.png can have 16"));
 }

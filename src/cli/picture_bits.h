@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/output_target.h"
+#include "request/output_target.h"
 
 namespace CLI {
 class App;
@@ -13,6 +13,6 @@ namespace poinsot::cli {
 void addBitsOption(CLI::App& command, int& bits);
 
 /// @throws core::Error(kUsage) where the target takes no pictures of that many bits, saying what does.
-void checkBits(int bits, const app::OutputTarget& target);
+void checkBits(int bits, const request::OutputTarget& target);
 
 }  // namespace poinsot::cli

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/trajectory_number.h"
 #include "core/error.h"
+#include "core/number.h"
 #include "core/text.h"
-#include "output/figure.h"
+#include "figure/figure.h"
 #include "scene/limits.h"
 
 namespace poinsot::cli {
@@ -31,7 +31,7 @@ struct Sides {
   double width, height;
 };
 
-Sides sidesOf(const app::PrintSize& print, image::PixelSize proportion) {
+Sides sidesOf(const request::PrintSize& print, image::PixelSize proportion) {
   const double width = std::round(print.width_mm / 25.4 * print.dpi);
   return {width, std::round(width * proportion.height / proportion.width)};
 }
@@ -42,7 +42,7 @@ bool fits(const Sides& sides, double most) {
 }
 
 /// The whole number of dpi nearest to those asked that fits, in words; empty where none does.
-std::string advice(app::PrintSize print, image::PixelSize proportion, double longest) {
+std::string advice(request::PrintSize print, image::PixelSize proportion, double longest) {
   const Sides asked = sidesOf(print, proportion);
   const auto [least, most] = std::minmax(asked.width, asked.height);
   const double shrink = longest / most;
@@ -57,7 +57,7 @@ double parseWidth_mm(const std::string& word) {
     if (!word.ends_with(unit.name)) continue;
     std::string_view number = std::string_view(word).substr(0, word.size() - unit.name.size());
     while (number.ends_with(' ')) number.remove_suffix(1);
-    const auto value = app::parseNumber(number);
+    const auto value = core::parseNumber(number);
     if (!value || !(*value > 0) || !std::isfinite(*value)) break;
     if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
     refuse(
@@ -68,7 +68,7 @@ double parseWidth_mm(const std::string& word) {
                      core::printable(word)));
 }
 
-image::PixelSize printedPixels(const app::PrintSize& print, image::PixelSize proportion,
+image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,
                                const scene::Limits& limits) {
   const auto longest = static_cast<double>(limits[scene::Limit::kSide]);
   const Sides sides = sidesOf(print, proportion);

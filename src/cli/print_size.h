@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "app/picture_form.h"
 #include "image/image.h"
+#include "request/picture_form.h"
 #include "scene/limits.h"
 
 namespace poinsot::cli {
@@ -16,7 +16,7 @@ double parseWidth_mm(const std::string& word);
 
 /// The pixels of a print whose sides are as those of `proportion`.
 /// @throws core::Error(kLimit) beyond the limits of a picture, saying how many dpi would do.
-image::PixelSize printedPixels(const app::PrintSize& print, image::PixelSize proportion,
+image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,
                                const scene::Limits& limits);
 
 }  // namespace poinsot::cli

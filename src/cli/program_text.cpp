@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/golden_explanation.h"
 #include "core/version.h"
+#include "golden/explanation.h"
 #include "scene/keys.h"
 
 namespace poinsot::cli {
@@ -89,9 +89,9 @@ void readFooter(const std::string& footer, CommandText& command) {
 
 std::vector<FileKeyText> goldenKeyTexts() {
   std::vector<FileKeyText> texts;
-  for (const app::GoldenKey& key : app::goldenKeys()) {
+  for (const golden::GoldenKey& key : golden::goldenKeys()) {
     const std::string fallback = *key.fallback ? std::string(" (default: ") + key.fallback + ")" : "";
-    texts.push_back({app::pathInFile(key), key.value, key.help + fallback});
+    texts.push_back({golden::pathInFile(key), key.value, key.help + fallback});
   }
   return texts;
 }

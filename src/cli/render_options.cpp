@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
-#include "app/scene_composer.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "request/scene_composer.h"
 #include "scene/limits.h"
 #include "scene/problem.h"
 
@@ -131,13 +131,13 @@ RequestedScene requestedScene(const RenderOptions& options, const scene::Allowan
   const auto overrides = overridesOf(options);
   std::vector<std::string> texts;
   for (const Override& override : overrides) texts.push_back(override.text);
-  auto request = app::readSceneRequest(options.scene, std::move(texts), allowance);
+  auto request = request::readSceneRequest(options.scene, std::move(texts), allowance);
   request.sweep = options.sweep;
   if (options.view > 0) request.view = static_cast<std::size_t>(options.view - 1);
   if (!options.size.empty()) request.size = parseSize(options.size, allowance.limits);
   try {
-    RequestedScene requested{request, app::loadRequested(request)};
-    if (request.sweep) app::checkSweep(request, requested.scene);
+    RequestedScene requested{request, request::loadRequested(request)};
+    if (request.sweep) request::checkSweep(request, requested.scene);
     return requested;
   } catch (const scene::SceneErrors& errors) {
     throwAsTyped(errors, overrides);

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "app/output_target.h"
-#include "app/progress.h"
-#include "app/scene_request.h"
 #include "cli/scene_options.h"
 #include "gl/offscreen_context.h"
 #include "image/image.h"
+#include "job/progress.h"
+#include "request/output_target.h"
+#include "request/scene_request.h"
 
 namespace poinsot::cli {
 
@@ -20,7 +20,7 @@ struct RenderOptions : SceneOptions {
   int view = 0;  ///< counted from 1; 0: all of them
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
-  std::optional<app::SweepRequest> sweep;  ///< by the command
+  std::optional<request::SweepRequest> sweep;  ///< by the command
 };
 
 /// Declares those that every process of a render must be told: size, quality, back end, what may be replaced.
@@ -40,7 +40,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options);
 image::PixelSize parseSize(const std::string& text, const scene::Limits& limits);
 
 struct RequestedScene {
-  app::SceneRequest request;
+  request::SceneRequest request;
   scene::Scene scene;
 };
 

@@ -8,15 +8,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/film_choice.h"
-#include "app/interrupt.h"
-#include "app/job_identity.h"
-#include "app/manifest.h"
-#include "app/memory.h"
-#include "app/progress.h"
-#include "app/subtitles.h"
-#include "app/sweep_cells.h"
-#include "app/temporary_folder.h"
 #include "cli/choice_notes.h"
 #include "cli/console.h"
 #include "cli/dry_run.h"
@@ -25,20 +16,29 @@
 #include "cli/shard_run.h"
 #include "cli/worker_count.h"
 #include "core/error.h"
+#include "core/temporary_folder.h"
 #include "core/text.h"
-#include "output/figure.h"
+#include "figure/figure.h"
+#include "job/job_identity.h"
+#include "job/manifest.h"
+#include "job/progress.h"
 #include "output/png_sequence.h"
 #include "output/run_files.h"
+#include "process/interrupt.h"
+#include "request/film_choice.h"
+#include "request/memory.h"
+#include "request/subtitles.h"
+#include "request/sweep_cells.h"
 
 namespace poinsot::cli {
 namespace {
 
-using app::OutputKind;
+using request::OutputKind;
 
-void enterTarget(output::RunFiles& files, const app::OutputTarget& target, const app::FrameRange& frames) {
+void enterTarget(output::RunFiles& files, const request::OutputTarget& target, const request::FrameRange& frames) {
   if (target.kind == OutputKind::kSequence)
     return files.writes(output::FramePattern(target.path.string()), frames.first, frames.last, "-o");
-  for (const auto& file : output::figureFiles(target.path)) files.writes(file, "-o");
+  for (const auto& file : figure::figureFiles(target.path)) files.writes(file, "-o");
 }
 
 void checkStandardOutput() {
@@ -48,7 +48,7 @@ void checkStandardOutput() {
 }
 
 /// The folder of results, out/, also where it was named. False when it is missing and a dry run leaves it so.
-bool prepareDefaultFolder(const RenderOptions& options, const app::OutputTarget& target) {
+bool prepareDefaultFolder(const RenderOptions& options, const request::OutputTarget& target) {
   const auto folder = target.path.parent_path();
   const bool results = options.output.empty() || folder == "out";
   std::error_code ignored;  // if it cannot be made, the check of the target says so
@@ -57,25 +57,25 @@ bool prepareDefaultFolder(const RenderOptions& options, const app::OutputTarget&
 }
 
 /// A sequence makes its folder; every other target was checked to have one.
-void prepareFolder(const app::OutputTarget& target) {
+void prepareFolder(const request::OutputTarget& target) {
   if (target.kind == OutputKind::kSequence) output::PngSequence(output::FramePattern(target.path.string()));
 }
 
-app::ProgressStyle styleOf(const RenderOptions& options, std::int64_t frames) {
+job::ProgressStyle styleOf(const RenderOptions& options, std::int64_t frames) {
   // One frame is over before a bar says anything.
   const bool silent = options.quiet || (frames == 1 && options.progress == "auto");
-  return app::progressStyle(silent ? "none" : options.progress, errIsTerminal());
+  return job::progressStyle(silent ? "none" : options.progress, errIsTerminal());
 }
 
 /// Ends an open bar whatever happens, so that a message starts on its own line.
 class LineEnd {
  public:
-  explicit LineEnd(app::Progress& progress) : progress_(progress) {}
+  explicit LineEnd(job::Progress& progress) : progress_(progress) {}
   ~LineEnd() { progress_.end(); }
   LineEnd(const LineEnd&) = delete;
 
  private:
-  app::Progress& progress_;
+  job::Progress& progress_;
 };
 
 void sayHowToGoOn(std::int64_t kept, std::int64_t total, bool shard) {
@@ -83,12 +83,12 @@ void sayHowToGoOn(std::int64_t kept, std::int64_t total, bool shard) {
                        shard ? "" : " with --resume"));
 }
 
-app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequest request) {
-  const std::int64_t total = app::framesIn(request.segments());
+job::RenderSummary runWithProgress(const RenderOptions& options, job::RenderRequest request) {
+  const std::int64_t total = request::framesIn(request.segments());
   const bool shard = request.shard.has_value();
-  app::Progress progress(styleOf(options, total), total, errColumns(), writeControl);
+  job::Progress progress(styleOf(options, total), total, errColumns(), writeControl);
   const LineEnd lineEnd(progress);
-  app::RenderJob job(std::move(request), [&](std::int64_t done, std::int64_t reused, double elapsed_s) {
+  job::RenderJob job(std::move(request), [&](std::int64_t done, std::int64_t reused, double elapsed_s) {
     progress.update(done, reused, elapsed_s);
   });
   try {
@@ -101,7 +101,7 @@ app::RenderSummary runWithProgress(const RenderOptions& options, app::RenderRequ
 }
 
 /// What is refused for want of memory is refused here, before anything is made.
-int workersOf(const RenderOptions& options, const app::RenderRequest& request, const scene::Scene& scene) {
+int workersOf(const RenderOptions& options, const job::RenderRequest& request, const scene::Scene& scene) {
   // A shard has none if there are more shards than segments.
   const int segments = std::max(1, static_cast<int>(request.segments().size()));
   return workerCount(options, segments, request.worker_bytes, {scene.output.width, scene.output.height},
@@ -109,26 +109,26 @@ int workersOf(const RenderOptions& options, const app::RenderRequest& request, c
 }
 
 /// Returns the subtitles that are written as files; standard output and pictures have none.
-std::vector<app::Subtitle> subtitlesBeside(const app::OutputTarget& target, const scene::Scene& scene,
-                                           const app::FrameRange& frames) {
+std::vector<request::Subtitle> subtitlesBeside(const request::OutputTarget& target, const scene::Scene& scene,
+                                               const request::FrameRange& frames) {
   if (target.kind != OutputKind::kFilm || target.stream) return {};
-  return app::subtitlesOf(scene, frames);
+  return request::subtitlesOf(scene, frames);
 }
 
 /// Returns a note on what happens to subtitles if another film of this name exists: NAME.srt changes and may no
 /// longer fit that film, or stays although this film has no captions.
-std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Scene& scene,
-                                const app::FrameRange& frames) {
+std::string sharedSubtitlesNote(const request::OutputTarget& target, const scene::Scene& scene,
+                                const request::FrameRange& frames) {
   if (target.kind != OutputKind::kFilm || target.stream) return "";
-  const auto subtitles = app::subtitlesOf(scene, frames);
+  const auto subtitles = request::subtitlesOf(scene, frames);
   const auto name = [](const std::filesystem::path& path) { return core::printable(path.string()); };
-  const auto files = app::subtitleFiles(target.path);
-  const auto others = app::filmsWithSubtitlesOf(target.path);
+  const auto files = request::subtitleFiles(target.path);
+  const auto others = request::filmsWithSubtitlesOf(target.path);
   std::string notes;
   if (subtitles.empty() && !others.empty())
-    for (const auto& file : app::ownSubtitleFiles(target.path))
+    for (const auto& file : request::ownSubtitleFiles(target.path))
       notes += fmt::format("poinsot: note: {} stays: it may belong to {}\n", name(file), name(others.front()));
-  if (subtitles.empty() || !app::replacesOthers(subtitles, target.path)) return notes;
+  if (subtitles.empty() || !request::replacesOthers(subtitles, target.path)) return notes;
   for (const auto& other : others)
     notes += fmt::format(
         "poinsot: note: {} and {} get the captions of {}, which differ from those that they have; if these "
@@ -137,24 +137,24 @@ std::string sharedSubtitlesNote(const app::OutputTarget& target, const scene::Sc
   return notes;
 }
 
-std::string damageNote(const app::OutputTarget& target, const app::RenderSummary& summary) {
+std::string damageNote(const request::OutputTarget& target, const job::RenderSummary& summary) {
   if (!summary.replacedDamaged) return "";
   return fmt::format("poinsot: note: {} was there, but not as it was written; it was made again\n",
                      core::printable(target.path.string()));
 }
 
-bool isMadeInParts(const app::OutputTarget& target) {
+bool isMadeInParts(const request::OutputTarget& target) {
   return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
 }
 
-std::string completeText(const PartsOptions& parts, const app::OutputTarget& target) {
+std::string completeText(const PartsOptions& parts, const request::OutputTarget& target) {
   return fmt::format("{} is complete: nothing is left to make for shard {}", core::printable(target.path.string()),
                      parts.shard);
 }
 
 /// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
-std::string readyText(const PartsOptions& parts, const app::OutputTarget& target, const app::FrameRange& frames,
-                      const app::RenderSummary& summary) {
+std::string readyText(const PartsOptions& parts, const request::OutputTarget& target,
+                      const request::FrameRange& frames, const job::RenderSummary& summary) {
   const std::string what = target.stream ? "standard output" : core::printable(target.path.string());
   const std::string reused =
       summary.reused > 0 ? fmt::format(", {} of them were there already", summary.reused) : "";
@@ -167,11 +167,11 @@ std::string readyText(const PartsOptions& parts, const app::OutputTarget& target
 }
 
 /// Returns what the options ask for, without what depends on the machine and on the files.
-app::RenderRequest renderRequest(const RenderOptions& options, const app::OutputTarget& target,
-                                 app::SceneRequest request, const scene::Scene& scene,
-                                 const app::FrameRange& frames, std::optional<double> time_s,
-                                 const app::PictureForm& form, const PartsOptions& parts) {
-  app::RenderRequest render{std::move(request),
+job::RenderRequest renderRequest(const RenderOptions& options, const request::OutputTarget& target,
+                                 request::SceneRequest request, const scene::Scene& scene,
+                                 const request::FrameRange& frames, std::optional<double> time_s,
+                                 const request::PictureForm& form, const PartsOptions& parts) {
+  job::RenderRequest render{std::move(request),
                             target,
                             frames,
                             time_s,
@@ -182,12 +182,12 @@ app::RenderRequest renderRequest(const RenderOptions& options, const app::Output
                             parts.segmentFrames,
                             parts.resume,
                             parts.keep};
-  const int cells = render.scene.sweep ? app::SweepGrid(render.scene).cells : 1;
-  render.worker_bytes = app::workerMemory_bytes(target, scene, form, cells);
-  if (!parts.shard.empty()) render.shard = app::parseShard(parts.shard);
-  if (parts.shardsLeft > 0) render.shard = app::Shard{1, parts.shardsLeft};
+  const int cells = render.scene.sweep ? request::SweepGrid(render.scene).cells : 1;
+  render.worker_bytes = request::workerMemory_bytes(target, scene, form, cells);
+  if (!parts.shard.empty()) render.shard = request::parseShard(parts.shard);
+  if (parts.shardsLeft > 0) render.shard = request::Shard{1, parts.shardsLeft};
   if (render.shard) render.reproducible = true;  // the machines of a cluster differ
-  if (render.shard || isMadeInParts(target)) render.job = app::jobFileOf(render, scene);
+  if (render.shard || isMadeInParts(target)) render.job = job::jobFileOf(render, scene);
   if (!parts.manifest.empty()) render.manifest = parts.manifest;
   if (!options.trace.empty()) render.trace = options.trace;
   return render;
@@ -199,30 +199,30 @@ int reportingFailures(const RenderOptions& options, const Action& action) {
   try {
     return action();
   } catch (const core::FileError& error) {
-    if (options.progress == "json") writeErr(app::jsonLine(error) + "\n");
+    if (options.progress == "json") writeErr(job::jsonLine(error) + "\n");
     throw;
   }
 }
 
-/// Makes what was asked for, showing progress. @throws core::Error, app::Interrupted
-int make(const RenderOptions& options, app::RenderRequest render, const PartsOptions& parts) {
-  const app::OutputTarget target = render.target;
-  const app::FrameRange frames = render.frames;
-  std::optional<app::TemporaryFolder> parked;  // where segments wait for their turn
+/// Makes what was asked for, showing progress. @throws core::Error, process::Interrupted
+int make(const RenderOptions& options, job::RenderRequest render, const PartsOptions& parts) {
+  const request::OutputTarget target = render.target;
+  const request::FrameRange frames = render.frames;
+  std::optional<core::TemporaryFolder> parked;  // where segments wait for their turn
   if (target.stream) render.target.path = parked.emplace().path() / target.path;
   prepareFolder(render.target);
-  app::watchInterrupts();
+  process::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
   if (!options.quiet && options.progress != "json")
     writeErr(damageNote(target, summary) + rendererNotes({summary.renderer}) +
              "poinsot: " + readyText(parts, target, frames, summary) + "\n");
-  if (options.stats) writeErr(app::statisticsText(summary.spent, summary.wall_s));
+  if (options.stats) writeErr(job::statisticsText(summary.spent, summary.wall_s));
   return kDone;
 }
 
 }  // namespace
 
-Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target) {
+Reach reachOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target) {
   Reach reach{{options.scene}, options.assetRoots};
   reach.reproducible = options.reproducible;
   if (!options.dryRun) {  // what is missing cannot be made within
@@ -236,11 +236,11 @@ Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarge
   return reach;
 }
 
-output::RunFiles checkMakeable(const RenderOptions& options, const app::OutputTarget& target,
-                               const scene::Scene& scene, const app::FrameRange& frames,
-                               const app::PictureForm& form) {
+output::RunFiles checkMakeable(const RenderOptions& options, const request::OutputTarget& target,
+                               const scene::Scene& scene, const request::FrameRange& frames,
+                               const request::PictureForm& form) {
   if (target.kind == OutputKind::kFilm)
-    output::checkFormat(app::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
+    output::checkFormat(request::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
                         scene.time.fps);
   output::RunFiles files = enteredInputs(options, scene, options.force);
   if (target.stream) {
@@ -249,19 +249,19 @@ output::RunFiles checkMakeable(const RenderOptions& options, const app::OutputTa
   }
   if (prepareDefaultFolder(options, target)) {
     enterTarget(files, target, frames);
-    app::enterSubtitles(files, subtitlesBeside(target, scene, frames), target.path);
+    request::enterSubtitles(files, subtitlesBeside(target, scene, frames), target.path);
   }
   return files;
 }
 
-int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
-             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s,
-             const app::PictureForm& form, const PartsOptions& parts) {
+int renderTo(const RenderOptions& options, const request::OutputTarget& target, request::SceneRequest request,
+             const scene::Scene& scene, const request::FrameRange& frames, std::optional<double> time_s,
+             const request::PictureForm& form, const PartsOptions& parts) {
   return reportingFailures(options, [&]() -> int {
     output::RunFiles files = checkMakeable(options, target, scene, frames, form);
-    files.writes(parts.manifest, "--manifest", app::manifestKind());
-    files.writes(options.trace, "--trace", app::traceKind());
-    app::RenderRequest render =
+    files.writes(parts.manifest, "--manifest", job::manifestKind());
+    files.writes(options.trace, "--trace", job::traceKind());
+    job::RenderRequest render =
         renderRequest(options, target, std::move(request), scene, frames, time_s, form, parts);
     if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
     if (!options.dryRun && isShardOfFinishedFilm(render)) {

@@ -3,36 +3,37 @@
 
 #include <optional>
 
-#include "app/render_job.h"
 #include "cli/render_options.h"
 #include "cli/untrusted.h"
+#include "job/render_job.h"
 
 namespace poinsot::cli {
 
 /// How a film or a sequence is made in parts, as typed.
 struct PartsOptions {
   bool resume = false, keep = false;
-  std::int64_t segmentFrames = app::kSegmentFrames;
+  std::int64_t segmentFrames = request::kSegmentFrames;
   std::string shard, manifest;
   int shardsLeft = 0;  ///< only tells which of so many shards have work left
 };
 
 /// What it touches. @param target  where it was named; else `out` is made.
-Reach reachOf(const RenderOptions& options, const std::optional<app::OutputTarget>& target);
+Reach reachOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
 
 /// What can be refused before anything is drawn: a film of no such format, files that stand where it would go.
 /// Makes the folder of an output that was not named, unless this is a dry run.
 /// @returns the files of the run so far: inputs, the output and its subtitles.
 /// @throws core::Error
-output::RunFiles checkMakeable(const RenderOptions& options, const app::OutputTarget& target,
-                               const scene::Scene& scene, const app::FrameRange& frames,
-                               const app::PictureForm& form);
+output::RunFiles checkMakeable(const RenderOptions& options, const request::OutputTarget& target,
+                               const scene::Scene& scene, const request::FrameRange& frames,
+                               const request::PictureForm& form);
 
 /// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be
 /// made), showing progress and what was asked for besides.
-/// @throws core::Error, app::Interrupted
-int renderTo(const RenderOptions& options, const app::OutputTarget& target, app::SceneRequest request,
-             const scene::Scene& scene, const app::FrameRange& frames, std::optional<double> time_s = std::nullopt,
-             const app::PictureForm& form = {}, const PartsOptions& parts = {});
+/// @throws core::Error, process::Interrupted
+int renderTo(const RenderOptions& options, const request::OutputTarget& target, request::SceneRequest request,
+             const scene::Scene& scene, const request::FrameRange& frames,
+             std::optional<double> time_s = std::nullopt, const request::PictureForm& form = {},
+             const PartsOptions& parts = {});
 
 }  // namespace poinsot::cli

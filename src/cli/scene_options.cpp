@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/scene_request.h"
-#include "app/user_limits.h"
+#include "request/scene_request.h"
+#include "request/user_limits.h"
 
 namespace poinsot::cli {
 
@@ -28,7 +28,7 @@ CLI::Validator notEmpty(const std::vector<std::string>& words) {
 }
 
 scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance) {
-  return app::loadRequested(app::readSceneRequest(options.scene, options.overrides, allowance));
+  return request::loadRequested(request::readSceneRequest(options.scene, options.overrides, allowance));
 }
 
 scene::Scene loadScene(const SceneOptions& options) { return loadScene(options, granted(options)); }
@@ -36,7 +36,7 @@ scene::Scene loadScene(const SceneOptions& options) { return loadScene(options, 
 void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene) {
   files.reads(options.scene, "SCENE");
   for (const scene::InputFile& input : scene.inputs) files.reads(input.place, "the scene's file");
-  files.reads(app::userLimitsFile(), "your limits");
+  files.reads(request::userLimitsFile(), "your limits");
 }
 
 output::RunFiles enteredInputs(const SceneOptions& options, const scene::Scene& scene, bool force) {

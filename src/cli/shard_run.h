@@ -3,19 +3,19 @@
 
 #include <string>
 
-#include "app/render_request.h"
+#include "job/render_request.h"
 
 /// Decisions and messages of `render` and `sweep` that concern shards only.
 namespace poinsot::cli {
 
 /// Prints which of the n shards of request.shard have segments to make: "2,7-9". An empty line if only the joining
 /// is left. @returns kDone if the output is complete, else kNo.
-int listShardsLeft(const app::RenderRequest& request);
+int listShardsLeft(const job::RenderRequest& request);
 
 /// Returns whether the film of this shard is there already, so that nothing is left to make.
-bool isShardOfFinishedFilm(const app::RenderRequest& request);
+bool isShardOfFinishedFilm(const job::RenderRequest& request);
 
 /// Returns a line if the shard cannot keep its compiled shaders for the next one; else an empty string.
-std::string shaderCacheNote(const app::RenderRequest& request);
+std::string shaderCacheNote(const job::RenderRequest& request);
 
 }  // namespace poinsot::cli

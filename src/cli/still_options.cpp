@@ -17,8 +17,8 @@ namespace {
 [[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
 
 /// A figure has a size on paper, a picture only where one is asked for.
-app::PictureForm printed(app::PictureForm form, const StillOptions& options, app::OutputKind kind) {
-  if (kind == app::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
+request::PictureForm printed(request::PictureForm form, const StillOptions& options, request::OutputKind kind) {
+  if (kind == request::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
   if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
   if (options.dpi && !form.print) refuse("--dpi needs --width: pixels to the inch of a picture that has a width");
   if (options.dpi) form.print->dpi = *options.dpi;
@@ -26,7 +26,7 @@ app::PictureForm printed(app::PictureForm form, const StillOptions& options, app
 }
 
 /// With a size on paper the one in pixels is its proportion.
-void setPixels(const app::PictureForm& form, RequestedScene& requested) {
+void setPixels(const request::PictureForm& form, RequestedScene& requested) {
   if (!form.print) return;
   scene::Output& output = requested.scene.output;
   const image::PixelSize pixels =
@@ -58,7 +58,7 @@ void addStillOptions(CLI::App& command, StillOptions& options) {
       ->check(CLI::Range(1.0, 10000.0));
 }
 
-int makeStill(const RenderOptions& options, const StillOptions& still, app::PictureForm form,
+int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureForm form,
               const StillTarget& targetOf) {
   const auto named = targetOf("SCENE");  // what is typed wrong is said first
   checkBits(form.bits, named);
@@ -72,7 +72,7 @@ int makeStill(const RenderOptions& options, const StillOptions& still, app::Pict
     refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
                        scene.time.duration_s));
   setPixels(form, requested);
-  return renderTo(options, targetOf(scene.name), std::move(requested.request), scene, app::FrameRange{0, 0},
+  return renderTo(options, targetOf(scene.name), std::move(requested.request), scene, request::FrameRange{0, 0},
                   asked_s.value_or(scene.time.stillTime_s()), form);
 }
 

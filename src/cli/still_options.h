@@ -22,11 +22,11 @@ struct StillOptions {
 void addStillOptions(CLI::App& command, StillOptions& options);
 
 /// Where the picture of a scene of that name goes. @throws core::Error(kUsage)
-using StillTarget = std::function<app::OutputTarget(const std::string& sceneName)>;
+using StillTarget = std::function<request::OutputTarget(const std::string& sceneName)>;
 
 /// Makes it. @param form  what it is besides its size on paper
-/// @returns the exit status. @throws core::Error, scene::SceneErrors, app::Interrupted
-int makeStill(const RenderOptions& options, const StillOptions& still, app::PictureForm form,
+/// @returns the exit status. @throws core::Error, scene::SceneErrors, process::Interrupted
+int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureForm form,
               const StillTarget& targetOf);
 
 }  // namespace poinsot::cli

@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "app/trajectory_number.h"
 #include "core/error.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "scene/units.h"
 
 namespace poinsot::cli {
 
 double parseTime_s(std::string_view option, const std::string& word) {
-  if (const auto seconds = app::parseNumber(word)) return *seconds;
+  if (const auto seconds = core::parseNumber(word)) return *seconds;
   const auto quantity = scene::parseQuantity(word, scene::Dimension::kTime);
   if (!quantity.ok())
     throw core::Error(core::ErrorKind::kUsage,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/untrusted.h"
 
-#include "app/supervisor.h"
-#include "app/user_defaults.h"
-#include "app/user_limits.h"
 #include "cli/exit_code.h"
-#include "output/atomic_file.h"
+#include "core/atomic_file.h"
+#include "gl/shader_cache.h"
+#include "process/supervisor.h"
+#include "request/user_defaults.h"
+#include "request/user_limits.h"
 
 namespace poinsot::cli {
 namespace {
@@ -19,25 +20,25 @@ constexpr std::uint64_t kMostCpu_s = std::uint64_t{24} * 3600;
 
 bool isFile(const std::string& name) { return !name.empty() && name != "-"; }
 
-app::Confinement confinementOf(const Reach& reach, const scene::Limits& limits) {
-  app::Confinement confinement;
-  app::Sandbox& sandbox = confinement.sandbox;
+process::Confinement confinementOf(const Reach& reach, const scene::Limits& limits) {
+  process::Confinement confinement;
+  process::Sandbox& sandbox = confinement.sandbox;
   for (const std::string& scene : reach.scenes) {
     sandbox.read.emplace_back(scene);  // may be a link to elsewhere
-    sandbox.read.push_back(output::folderOf(scene));
+    sandbox.read.push_back(core::folderOf(scene));
   }
   for (const std::string& input : reach.inputs) sandbox.read.emplace_back(input);
-  for (const auto& own : {app::userLimitsFile(), app::userDefaultsFile()}) sandbox.read.push_back(own);
+  for (const auto& own : {request::userLimitsFile(), request::userDefaultsFile()}) sandbox.read.push_back(own);
   for (const std::string& file : reach.outputs)
-    if (isFile(file)) sandbox.write.push_back(output::folderOf(file));
+    if (isFile(file)) sandbox.write.push_back(core::folderOf(file));
   for (const std::string& folder : reach.made) {
-    output::makeFolders(folder);
+    core::makeFolders(folder);
     sandbox.write.emplace_back(folder);
   }
   sandbox.mostMemory_bytes = kAddressSpace * limits.bytes(Limit::kMemory);
   sandbox.mostFile_bytes = limits.bytes(Limit::kOutput);
   sandbox.mostCpu_s = limits[Limit::kSeconds] > 0 ? limits.bytes(Limit::kSeconds) : kMostCpu_s;
-  confinement.draws = reach.reproducible;
+  if (reach.reproducible) confinement.shaderCache = gl::shaderCacheFolder(*reach.reproducible);
   return confinement;
 }
 
@@ -46,7 +47,7 @@ app::Confinement confinementOf(const Reach& reach, const scene::Limits& limits) 
 int confined(const AllowanceOptions& options, const std::function<Reach()>& reachOf,
              const std::function<int()>& work) {
   if (!options.untrusted) return work();
-  return app::runConfined(confinementOf(reachOf(), allowed(options).limits), translatingErrors, work);
+  return process::runConfined(confinementOf(reachOf(), allowed(options).limits), translatingErrors, work);
 }
 
 }  // namespace poinsot::cli

@@ -121,7 +121,7 @@ class Animation {
     checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), frame_.get()), "encoding a frame");
     receive();
   }
-  AtomicFile finish() {
+  core::AtomicFile finish() {
     checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), nullptr), "ending the film");
     receive();
     return file_.finish();
@@ -176,8 +176,8 @@ void setPalette(AVFrame& frame, const std::vector<Rgb>& palette) {
 
 }  // namespace
 
-AtomicFile animate(const std::vector<path>& segments, const path& target, const FilmTrack& track,
-                   const FilmTexts& texts, const path& temporaryFolder) {
+core::AtomicFile animate(const std::vector<path>& segments, const path& target, const FilmTrack& track,
+                         const FilmTexts& texts, const path& temporaryFolder) {
   const bool gif = track.container == FilmContainer::kGif;
   std::optional<OrderedDither> dither;
   if (gif) dither.emplace(paletteOf(segments));

@@ -9,7 +9,8 @@
 namespace poinsot::output {
 
 /// Makes a GIF or an APNG of segments that keep every pixel as it is, as joinedSegments() has it.
-AtomicFile animate(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
-                   const FilmTrack& track, const FilmTexts& texts, const std::filesystem::path& temporaryFolder);
+core::AtomicFile animate(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
+                         const FilmTrack& track, const FilmTexts& texts,
+                         const std::filesystem::path& temporaryFolder);
 
 }  // namespace poinsot::output

@@ -156,7 +156,7 @@ std::string animationText(FileFormat format, const std::string& text) {
   return {bytes.begin(), bytes.end()};
 }
 
-void insertTexts(AtomicFile& film, FileFormat format, const std::vector<std::string>& texts) {
+void insertTexts(core::AtomicFile& film, FileFormat format, const std::vector<std::string>& texts) {
   constexpr std::size_t kHead = 64, kBlock = 1 << 20;
   std::string inserted;
   for (const std::string& text : texts) inserted += animationText(format, text);

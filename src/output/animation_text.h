@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "output/atomic_file.h"
+#include "core/atomic_file.h"
 #include "output/ffmpeg_container.h"
 
 namespace poinsot::output {
@@ -20,7 +20,7 @@ std::string animationText(FileFormat format, const std::string& text);
 
 /// Puts texts into a film that libavformat has written.
 /// @throws core::Error(kIo) with the path.
-void insertTexts(AtomicFile& film, FileFormat format, const std::vector<std::string>& texts);
+void insertTexts(core::AtomicFile& film, FileFormat format, const std::vector<std::string>& texts);
 
 /// Reads the texts of a .gif or an .apng.
 /// @throws core::Error(kIo) with the path if there are none because the file is damaged, or no such film.

@@ -231,11 +231,11 @@ TrackWriter::TrackWriter(const std::filesystem::path& target, FileFormat format,
     : file_(target, temporaryFolder),
       format_(format),
       texts_(texts),
-      muxer_({[this](std::span<const std::uint8_t> bytes) { return writeAll(file_.descriptor(), bytes); },
+      muxer_({[this](std::span<const std::uint8_t> bytes) { return core::writeAll(file_.descriptor(), bytes); },
               target.native(), file_.descriptor(), file_.temporary()},
              format, parameters, fps, index, texts) {}
 
-AtomicFile TrackWriter::finish() {
+core::AtomicFile TrackWriter::finish() {
   muxer_.finish();
   if (isAnimation(format_)) insertTexts(file_, format_, textsOfAnimation(texts_));
   if (!texts_.origin.empty()) seal(file_, format_, texts_.origin);

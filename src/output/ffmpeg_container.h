@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/atomic_file.h"
 #include "core/rational.h"
-#include "output/atomic_file.h"
 #include "output/ffmpeg_handles.h"
 #include "output/film.h"
 
@@ -87,10 +87,10 @@ class TrackWriter {
 
   void write(AVPacket& packet, std::int64_t frame) { muxer_.write(packet, frame); }
   /// After the last packet. @returns the complete file, which has no name yet.
-  [[nodiscard]] AtomicFile finish();
+  [[nodiscard]] core::AtomicFile finish();
 
  private:
-  AtomicFile file_;
+  core::AtomicFile file_;
   FileFormat format_;
   FilmTexts texts_;
   TrackMuxer muxer_;

@@ -12,7 +12,7 @@ namespace poinsot::output {
 namespace {
 
 bool isDrawn(const std::filesystem::path& file) {
-  return image::isOwnPng(file) || isOwnFilm(file) || isOwnFigure(file);
+  return image::isOwnPng(file) || isOwnFilm(file) || figure::isOwnFigure(file);
 }
 
 bool beginsWith(const std::filesystem::path& file, const std::string& mark) try {
@@ -36,9 +36,9 @@ FileKind textKind(std::string name, std::string mark) {
           [mark = std::move(mark)](const std::filesystem::path& file) { return beginsWith(file, mark); }};
 }
 
-FileKind markedKind(std::string name, const CommentMark& mark) {
+FileKind markedKind(std::string name, const figure::CommentMark& mark) {
   return {std::move(name),
-          [mark](const std::filesystem::path& file) { return markedRest(file, mark).has_value(); }};
+          [mark](const std::filesystem::path& file) { return figure::markedRest(file, mark).has_value(); }};
 }
 
 }  // namespace poinsot::output

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "output/figure_mark.h"
+#include "figure/mark.h"
 
 namespace poinsot::output {
 
@@ -24,6 +24,6 @@ const FileKind& drawnKind();
 FileKind textKind(std::string name, std::string mark);
 
 /// Text that carries a mark of this program and was not changed since.
-FileKind markedKind(std::string name, const CommentMark& mark);
+FileKind markedKind(std::string name, const figure::CommentMark& mark);
 
 }  // namespace poinsot::output

@@ -130,8 +130,8 @@ void joinSegments(const std::vector<path>& segments, const path& target, const F
   joinedSegments(segments, target, track, texts, temporaryFolder).commit();
 }
 
-AtomicFile joinedSegments(const std::vector<path>& segments, const path& target, const FilmTrack& track,
-                          const FilmTexts& texts, const path& temporaryFolder) {
+core::AtomicFile joinedSegments(const std::vector<path>& segments, const path& target, const FilmTrack& track,
+                                const FilmTexts& texts, const path& temporaryFolder) {
   POINSOT_EXPECT(!segments.empty());
   if (isMadeWhole(track.container)) return animate(segments, target, track, texts, temporaryFolder);
   const Segment first(segments.front(), track);

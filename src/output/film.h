@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/atomic_file.h"
 #include "core/rational.h"
-#include "output/atomic_file.h"
 #include "output/film_format.h"
 
 namespace poinsot::output {
@@ -43,10 +43,10 @@ void joinSegments(const std::vector<std::filesystem::path>& segments, const std:
                   const std::filesystem::path& temporaryFolder = {});
 
 /// Makes the same film as joinSegments(), complete and synced, without its name: a batch gives it that.
-[[nodiscard]] AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
-                                        const std::filesystem::path& target, const FilmTrack& track,
-                                        const FilmTexts& texts = {},
-                                        const std::filesystem::path& temporaryFolder = {});
+[[nodiscard]] core::AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
+                                              const std::filesystem::path& target, const FilmTrack& track,
+                                              const FilmTexts& texts = {},
+                                              const std::filesystem::path& temporaryFolder = {});
 
 /// Takes bytes in their order. @returns 0 or an errno.
 using ByteSink = std::function<int(std::span<const std::uint8_t>)>;

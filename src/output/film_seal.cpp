@@ -116,7 +116,7 @@ std::string originIn(std::string_view text) {
   return digits == text.npos ? "" : std::string(text.substr(0, digits - kWord.size()));
 }
 
-void seal(AtomicFile& film, FileFormat format, const std::string& origin) {
+void seal(core::AtomicFile& film, FileFormat format, const std::string& origin) {
   const auto found = findSeal(film.descriptor(), film.target(), format, origin);
   if (!found)  // a work folder may come from anyone
     throw core::Error(core::ErrorKind::kIo, fmt::format("{}: the film cannot keep the text of its origin",

@@ -22,7 +22,7 @@ std::string originIn(std::string_view text);
 
 /// Replaces the zeros in a film that holds sealText(origin) by its digest.
 /// @throws core::Error(kIo) with the path if the film holds no such text, or cannot be read again or written.
-void seal(AtomicFile& film, FileFormat format, const std::string& origin);
+void seal(core::AtomicFile& film, FileFormat format, const std::string& origin);
 
 /// Compares a film with its digest. @returns kOther if the file holds no sealText(origin).
 /// @throws core::Error(kIo) with the path if it cannot be read.

@@ -40,7 +40,7 @@ image::PngText digestText(const std::string& digest) { return {kDigestKey, diges
 std::vector<std::int64_t> framesThere(const FramePattern& pattern) {
   std::vector<std::int64_t> frames;
   std::error_code failure;
-  const auto folder = folderOf(pattern.path(0));
+  const auto folder = core::folderOf(pattern.path(0));
   for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure))
     if (const auto k = pattern.frameOf(entry->path().filename()); k && image::isOwnPng(entry->path(), kDigestKey))
@@ -51,15 +51,15 @@ std::vector<std::int64_t> framesThere(const FramePattern& pattern) {
 
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts, double dpi, core::StepLedger* steps,
-              Durability durability) {
+              core::Durability durability) {
   const auto bytes = encoded(picture, texts, dpi, steps);
   const core::StepScope timing(steps, core::Step::kWrite);
-  writeFileAtomically(target, bytes, durability);
+  core::writeFileAtomically(target, bytes, durability);
 }
 
 PngSequence::PngSequence(FramePattern pattern, SequenceOptions options)
     : pattern_(std::move(pattern)), options_(std::move(options)) {
-  createFolder(folderOf(pattern_.path(0)));
+  createFolder(core::folderOf(pattern_.path(0)));
 }
 
 bool PngSequence::has(std::int64_t k) const {
@@ -77,17 +77,17 @@ void PngSequence::write(const image::Frame& frame, std::int64_t k) {
   if (options_.digestOf) texts.push_back(digestText(options_.digestOf(k)));
   const auto bytes = encoded(frame.picture, texts, 0, options_.steps);
   const core::StepScope timing(options_.steps, core::Step::kWrite);
-  AtomicFile file(target, options_.temporaryFolder);
+  core::AtomicFile file(target, options_.temporaryFolder);
   file.write(bytes);
-  file.commit(Durability::kRenamed);
+  file.commit(core::Durability::kRenamed);
   unsynced_.push_back(target);
 }
 
 void PngSequence::finish() {
   if (unsynced_.empty()) return;
   const core::StepScope timing(options_.steps, core::Step::kWrite);
-  for (const auto& file : unsynced_) syncFile(file);
-  syncFolderOf(unsynced_.front());  // all frames share one folder
+  for (const auto& file : unsynced_) core::syncFile(file);
+  core::syncFolderOf(unsynced_.front());  // all frames share one folder
   unsynced_.clear();
 }
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/atomic_file.h"
 #include "core/step_times.h"
 #include "image/png_file.h"
-#include "output/atomic_file.h"
 #include "output/frame_pattern.h"
 #include "output/frame_sink.h"
 
@@ -18,7 +18,7 @@ namespace poinsot::output {
 /// core::Error(kIo).
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts = {}, double dpi = 0, core::StepLedger* steps = nullptr,
-              Durability durability = Durability::kSynced);
+              core::Durability durability = core::Durability::kSynced);
 
 /// What a frame's file says of its own digest: hexadecimal.
 image::PngText digestText(const std::string& digest);

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/file_names.h"
 #include "output/file_kind.h"
-#include "output/file_names.h"
 #include "output/frame_pattern.h"
 
 namespace poinsot::output {
@@ -70,7 +70,7 @@ class RunFiles {
   std::vector<Pattern> patterns_;
   std::map<std::string, std::size_t> byName_;                ///< index of an entry
   std::map<std::pair<dev_t, ino_t>, std::size_t> byNumber_;  ///< of those that exist
-  FileNames names_;
+  core::FileNames names_;
 };
 
 }  // namespace poinsot::output

@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/atomic_file.h"
 #include "core/file_error.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "output/atomic_file.h"
 
 namespace poinsot::output {
 namespace {
@@ -80,24 +80,24 @@ void checkName(const std::filesystem::path& target) {
 
 void checkTarget(const std::filesystem::path& target, bool force, const FileKind& kind) {
   checkName(target);
-  checkFolder(folderOf(target));
+  checkFolder(core::folderOf(target));
   checkExisting(target, force, kind);
 }
 
 void checkTargetInNewFolder(const std::filesystem::path& target, bool force, const FileKind& kind) {
   checkName(target);
-  std::filesystem::path folder = folderOf(target);
+  std::filesystem::path folder = core::folderOf(target);
   struct stat status {};
-  while (::stat(folder.c_str(), &status) < 0 && errno == ENOENT && folder != folderOf(folder))
-    folder = folderOf(folder);
+  while (::stat(folder.c_str(), &status) < 0 && errno == ENOENT && folder != core::folderOf(folder))
+    folder = core::folderOf(folder);
   checkFolder(folder);
-  if (folder == folderOf(target)) checkExisting(target, force, kind);
+  if (folder == core::folderOf(target)) checkExisting(target, force, kind);
 }
 
 void checkAddedTo(const std::filesystem::path& target, bool force, const FileKind& kind) {
   checkName(target);
   struct stat status {};
-  if (::stat(target.c_str(), &status) < 0) return checkFolder(folderOf(target));
+  if (::stat(target.c_str(), &status) < 0) return checkFolder(core::folderOf(target));
   if (!S_ISREG(status.st_mode))
     refuse(target, S_ISDIR(status.st_mode) ? EISDIR : EEXIST,
            fmt::format("is {}; text is added to regular files", kindOf(status.st_mode)));
@@ -107,9 +107,9 @@ void checkAddedTo(const std::filesystem::path& target, bool force, const FileKin
 }
 
 void checkSequence(const FramePattern& pattern, std::int64_t first, std::int64_t last, bool force) {
-  const auto folder = folderOf(pattern.path(first));
+  const auto folder = core::folderOf(pattern.path(first));
   struct stat status {};
-  if (::lstat(folder.c_str(), &status) < 0 && errno == ENOENT) return checkFolder(folderOf(folder));
+  if (::lstat(folder.c_str(), &status) < 0 && errno == ENOENT) return checkFolder(core::folderOf(folder));
   checkFolder(folder);
   for (std::int64_t k = first; k <= last; ++k) checkExisting(pattern.path(k), force, drawnKind());
 }

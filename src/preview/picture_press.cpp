@@ -7,25 +7,25 @@
 #include <utility>
 #include <variant>
 
-#include "app/frames_cache.h"
-#include "app/scene_composer.h"
 #include "core/error.h"
 #include "image/png_file.h"
+#include "job/frames_cache.h"
+#include "request/scene_composer.h"
 
 namespace poinsot::preview {
 namespace {
 
-app::Drawable drawableFor(const SceneVersion& version, const PictureAsk& ask) {
-  app::SceneRequest request = version.request;
+job::Drawable drawableFor(const SceneVersion& version, const PictureAsk& ask) {
+  request::SceneRequest request = version.request;
   request.overrides.insert(request.overrides.end(), ask.changes.overrides.begin(), ask.changes.overrides.end());
   request.size = ask.size;
   request.view = ask.changes.view;
-  scene::Scene scene = app::loadRequested(request);
+  scene::Scene scene = request::loadRequested(request);
   if (request.sweep) {
-    auto composer = app::composerOf(request, scene);
+    auto composer = request::composerOf(request, scene);
     return {std::move(scene), std::move(composer)};
   }
-  return app::drawableOf(std::move(scene));
+  return job::drawableOf(std::move(scene));
 }
 
 /// Of all that decides the scene of an ask but its version.
@@ -56,7 +56,7 @@ class PicturePress::Drawer {
   }
 
  private:
-  app::FramesCache cache_;
+  job::FramesCache cache_;
   int version_ = 0;
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/owning_thread.h"
+#include "core/owning_thread.h"
 #include "gl/offscreen_context.h"
 #include "image/image.h"
 #include "preview/watched_scene.h"
@@ -42,7 +42,7 @@ class PicturePress {
   class Drawer;
 
   const WatchedScene& scene_;
-  app::OwningThread<Drawer> drawer_;
+  core::OwningThread<Drawer> drawer_;
 };
 
 }  // namespace poinsot::preview

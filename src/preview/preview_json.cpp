@@ -9,11 +9,11 @@
 #include <numbers>
 #include <span>
 
-#include "app/frame_clock.h"
-#include "app/report_scene.h"
-#include "app/report_units.h"
 #include "core/error.h"
+#include "core/frame_clock.h"
 #include "core/text.h"
+#include "describe/report_scene.h"
+#include "describe/report_units.h"
 #include "scene/state_quantity.h"
 #include "stage/picture_motion.h"
 #include "stage/quantity_track.h"
@@ -33,14 +33,14 @@ json quantityJson(const scene::StateQuantity& quantity) {
 }
 
 /// What `info` prints, as sections.
-json physicsOf(const scene::Scene& scene, const app::UnitChoice& units) {
+json physicsOf(const scene::Scene& scene, const request::UnitChoice& units) {
   json sections = json::array();
-  const app::Report report = app::inUnits(app::sceneReport(scene), units);
-  for (const app::Section& section : report.sections) {
+  const describe::Report report = describe::inUnits(describe::sceneReport(scene), units);
+  for (const describe::Section& section : report.sections) {
     if (section.facts.empty()) continue;
     json facts = json::array();
-    for (const app::Fact& fact : section.facts)
-      facts.push_back({{"label", fact.label}, {"lines", app::factLines(fact)}, {"from", fact.from}});
+    for (const describe::Fact& fact : section.facts)
+      facts.push_back({{"label", fact.label}, {"lines", describe::factLines(fact)}, {"from", fact.from}});
     sections.push_back({{"title", section.title}, {"facts", std::move(facts)}});
   }
   return sections;
@@ -70,11 +70,11 @@ json notesOf(const scene::Scene& scene) {
 }
 
 /// `sweep`: of its first cell; all of them are turned together.
-json filmOf(const scene::Scene& scene, bool sweep, const app::UnitChoice& units) {
+json filmOf(const scene::Scene& scene, bool sweep, const request::UnitChoice& units) {
   json quantities = json::array();
   for (const scene::StateQuantity& quantity : scene::stateQuantities())
     quantities.push_back(quantityJson(quantity));
-  return {{"frames", app::frameCount(scene.time.duration_s, scene.time.fps)},
+  return {{"frames", core::frameCount(scene.time.duration_s, scene.time.fps)},
           {"fps", static_cast<double>(scene.time.fps.num) / static_cast<double>(scene.time.fps.den)},
           {"duration_s", scene.time.duration_s},
           {"size", {scene.output.width, scene.output.height}},
@@ -102,7 +102,7 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 
 }  // namespace
 
-std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units) {
+std::string sceneJson(const SceneVersion& version, const request::UnitChoice& units) {
   json all{{"version", version.number}, {"error", version.error}, {"file", version.request.fileName}};
   if (version.scene) all["film"] = filmOf(*version.scene, version.request.sweep.has_value(), units);
   return text(all);

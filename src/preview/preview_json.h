@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "app/user_defaults.h"
 #include "preview/film_errand.h"
 #include "preview/watched_scene.h"
+#include "request/user_defaults.h"
 
 /// What the page is told.
 namespace poinsot::preview {
 
 /// Number, mistake; of the last scene without one its film, its size, the physics and the quantities to plot.
 /// @param units  that the physics is told in.
-std::string sceneJson(const SceneVersion& version, const app::UnitChoice& units);
+std::string sceneJson(const SceneVersion& version, const request::UnitChoice& units);
 
 /// Quantities of the motion over the film, by their names in a scene: times and values, at most a thousand of
 /// each.

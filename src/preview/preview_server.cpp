@@ -15,7 +15,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/sweep_cells.h"
 #include "core/base64.h"
 #include "core/error.h"
 #include "preview/film_errand.h"
@@ -23,6 +22,7 @@
 #include "preview/picture_press.h"
 #include "preview/preview_json.h"
 #include "preview/watched_scene.h"
+#include "request/sweep_cells.h"
 
 // Of page.html.
 extern "C" const char poinsot_preview_page[];
@@ -249,7 +249,7 @@ class PreviewServer::Site {
   void film(const Request& request, Response& response) {
     const auto changes = changesAsked(request, response);
     if (!changes) return;
-    const bool sweep = app::hasRanges(request_.overrides);
+    const bool sweep = request::hasRanges(request_.overrides);
     std::vector<std::string> words{sweep ? "sweep" : "render", "--progress=json"};
     if (sweep) words.insert(words.end(), {"-o", sweepFilm()});
     for (const std::string& override : request_.overrides) words.insert(words.end(), {"-D", override});

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/user_defaults.h"
 #include "gl/offscreen_context.h"
+#include "request/user_defaults.h"
 #include "scene/limits.h"
 
 namespace poinsot::preview {
@@ -16,7 +16,7 @@ struct PreviewRequest {
   std::vector<std::string> overrides;  ///< after -D
   scene::Allowance allowance;
   std::vector<std::string> filmWords = {};  ///< besides file and overrides, for what makes the film
-  app::UnitChoice units = {};               ///< that the physics is told in
+  request::UnitChoice units = {};           ///< that the physics is told in
   gl::Backend backend = gl::Backend::kAuto;
   int port = 0;  ///< 0: any that is free
 };

@@ -7,10 +7,10 @@
 #include <exception>
 #include <utility>
 
-#include "app/scene_composer.h"
-#include "app/sweep_cells.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "request/scene_composer.h"
+#include "request/sweep_cells.h"
 #include "stage/stage.h"
 
 namespace poinsot::preview {
@@ -80,11 +80,11 @@ SceneVersion WatchedScene::after(int known, milliseconds most) const {
 SceneVersion WatchedScene::load() const {
   SceneVersion loaded;
   try {
-    loaded.request = app::readSceneRequest(fileName_, overrides_, allowance_);
-    app::askForSweep(loaded.request);
-    auto scene = std::make_shared<const scene::Scene>(app::loadRequested(loaded.request));
+    loaded.request = request::readSceneRequest(fileName_, overrides_, allowance_);
+    request::askForSweep(loaded.request);
+    auto scene = std::make_shared<const scene::Scene>(request::loadRequested(loaded.request));
     if (loaded.request.sweep)  // what the motion lacks is found here
-      app::checkSweep(loaded.request, *scene);
+      request::checkSweep(loaded.request, *scene);
     else
       const stage::Stage stage(*scene);
     loaded.scene = std::move(scene);

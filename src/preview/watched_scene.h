@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/scene_request.h"
+#include "request/scene_request.h"
 #include "scene/scene.h"
 
 namespace poinsot::preview {
@@ -18,7 +18,7 @@ namespace poinsot::preview {
 /// What a scene's files said when they last changed.
 struct SceneVersion {
   int number = 0;                             ///< grows with each change
-  app::SceneRequest request;                  ///< of `scene`
+  request::SceneRequest request;              ///< of `scene`
   std::shared_ptr<const scene::Scene> scene;  ///< the last one without a mistake; null before there was one
   std::string error;                          ///< of the newest, with its place; empty where it is `scene`
 };

@@ -40,7 +40,7 @@ double framesOf(const Time& time, double period_s, double speed, const Limits& l
   return frames;
 }
 
-/// A duration that has just so many frames: those at k/fps below it (app/frame_clock.h), so not a rounding more.
+/// A duration that has just so many frames: those at k/fps below it (core/frame_clock.h), so not a rounding more.
 double durationOf(double frames, const core::Rational& fps) {
   const double seconds = frames * static_cast<double>(fps.den);
   const double duration_s = seconds / static_cast<double>(fps.num);

@@ -188,7 +188,7 @@ TEST_F(Allowance, OfPicturesAndFilms) {
 }
 
 TEST_F(Allowance, OfMemory) {
-  // 115 MB and 46 bytes a pixel (app/memory.cpp).
+  // 115 MB and 46 bytes a pixel (request/memory.cpp).
   const std::string still = "still s.toml -o t.png --dry-run --size ";
   expectRefused(still + "8192x8192",
                 "a worker that makes pictures of 8192x8192: about 3.0 GiB of memory, more than "

@@ -368,7 +368,7 @@ TEST_F(DiffCommand, ReplacesNothingThatItCannotRead) {
 }
 
 // What the page shows is tested in a browser (tests/golden/page_test.py), what the curve shows in
-// tests/app/diff_curve_test.cpp.
+// tests/compare/diff_curve_test.cpp.
 TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
   folder_.put("s.toml", kGoodScene);
   EXPECT_EQ(run(folder_, {"render", "s.toml", "-o", "a.apng", "--frames", "0-3", "--quiet"}).exitCode, 0);

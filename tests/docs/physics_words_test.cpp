@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/report_scene.h"
-#include "app/scene_request.h"
+#include "describe/report_scene.h"
 #include "docs/pages.h"
 #include "physics/catalogue.h"
 #include "physics/heavy_top.h"
+#include "request/scene_request.h"
 #include "scene/make_motion.h"
 
 namespace poinsot {
@@ -28,7 +28,7 @@ std::filesystem::path pathOf(const std::string& name) { return kRoot / "scenes" 
 std::string textOfScene(const std::string& name) { return textOf(pathOf(name)); }
 
 scene::Scene sceneOf(const std::string& name) {
-  return app::loadRequested(app::readSceneRequest(pathOf(name).string(), {}));
+  return request::loadRequested(request::readSceneRequest(pathOf(name).string(), {}));
 }
 
 physics::HeavyTop topOf(const scene::Scene& scene) {

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/golden_manifest.h"
-#include "app/scene_request.h"
-#include "app/user_defaults.h"
-#include "app/user_limits.h"
 #include "core/error.h"
 #include "docs/pages.h"
+#include "golden/manifest.h"
+#include "request/scene_request.h"
+#include "request/user_defaults.h"
+#include "request/user_limits.h"
 #include "scene/scene_file.h"
 #include "support/scratch_folder.h"
 #include "text/commands.h"
@@ -57,7 +57,7 @@ std::string problemOfGoldens(const std::string& toml) {
     folder.put(std::string(scenes) + "/racket.toml", "");
   }
   try {
-    app::readGoldenManifest(folder.put("golden.toml", toml));
+    golden::readGoldenManifest(folder.put("golden.toml", toml));
     return "";
   } catch (const std::exception& error) {
     return error.what();
@@ -70,7 +70,7 @@ bool isDefaults(const std::string& toml) { return toml.starts_with("[units]\n");
 std::string problemOfDefaults(const std::string& toml) {
   const ScratchFolder folder;
   try {
-    app::defaultsOf(folder.put("defaults.toml", toml));
+    request::defaultsOf(folder.put("defaults.toml", toml));
     return "";
   } catch (const std::exception& error) {
     return error.what();
@@ -80,7 +80,7 @@ std::string problemOfDefaults(const std::string& toml) {
 std::string problemOfLimits(const std::string& toml) {
   const ScratchFolder folder;
   try {
-    app::limitsOf(folder.put("limits.toml", toml));
+    request::limitsOf(folder.put("limits.toml", toml));
     return "";
   } catch (const std::exception& error) {
     return error.what();
@@ -93,7 +93,7 @@ std::string problem(const std::string& toml) {
   if (isLimits(toml)) return problemOfLimits(toml);
   if (isDefaults(toml)) return problemOfDefaults(toml);
   try {
-    app::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
+    request::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
     return "";
   } catch (const std::exception& error) {
     return error.what();

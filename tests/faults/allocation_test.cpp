@@ -9,14 +9,14 @@
 
 #include <functional>
 
-#include "app/scene_request.h"
 #include "cli/exit_code.h"
 #include "cli/program_run.h"
 #include "core/file_handle.h"
-#include "output/figure.h"
+#include "figure/figure.h"
 #include "output/film.h"
 #include "output/png_sequence.h"
 #include "output/video_segment.h"
+#include "request/scene_request.h"
 #include "stage/stage.h"
 #include "support/failing_memory.h"
 #include "support/sanitized.h"
@@ -40,7 +40,7 @@ title = 'Élan: ẋ, $\omega$ and $\mathbf{L}$'
 size = [64, 36]
 )";
 
-scene::Scene parsed() { return app::loadRequested({"tiny.toml", kScene, {}, {}, {}}); }
+scene::Scene parsed() { return request::loadRequested({"tiny.toml", kScene, {}, {}, {}}); }
 
 /// The scene's pictures, composed in full and drawn as paper.
 class FlatFrames {
@@ -90,7 +90,7 @@ void makeSequence(const scene::Scene&, FlatFrames& frames, const fs::path& folde
 
 void makeFigure(FlatFrames& frames, const fs::path& file) {
   frames.frame(0);
-  output::writeFigure(file, frames.picture(), frames.image(), {86, "title", "words"});
+  figure::writeFigure(file, frames.picture(), frames.image(), {86, "title", "words"});
 }
 
 using Make = std::function<void(const scene::Scene&, FlatFrames&, const fs::path&)>;

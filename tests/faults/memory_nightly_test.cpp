@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a worker, measured: at 4K over many frames, and against what app/memory.h says of each encoder.
+// The memory of a worker, measured: at 4K over many frames, and against what request/memory.h says of each encoder.
 #include <gmock/gmock.h>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "app/memory.h"
 #include "faults/memory_watch.h"
 #include "faults/tiny_film.h"
+#include "request/memory.h"
 #include "scene/scene_file.h"
 
 namespace poinsot::faults {
@@ -75,7 +75,7 @@ TEST_P(Estimate, IsWithinAFifthOfThePeak) {
   const MemoryWatch watch(folder, words);
   const bool isFilm = !std::string(m.target).ends_with(".png");
   const double expected_MiB =
-      app::workerMemory_bytes(m.size, isFilm ? std::optional(m.format) : std::nullopt) / (1 << 20);
+      request::workerMemory_bytes(m.size, isFilm ? std::optional(m.format) : std::nullopt) / (1 << 20);
   const double peak_MiB = watch.workerPeak_MiB(0, m.frames + 1);
   std::printf("%s: peak %.0f MiB, estimate %.0f MiB, ratio %.2f\n", m.name, peak_MiB, expected_MiB,
               expected_MiB / peak_MiB);
@@ -114,7 +114,7 @@ TEST(MemoryNightly, OfAMeshIsWithinAFifthOfThePeak) {
     const MemoryWatch watch(folder, arguments("t_{frame}.png", {640, 360}, 2, "30"));
     const auto scene = scene::loadScene(folder / "tiny.toml");
     const double expected_MiB =
-        (app::workerMemory_bytes({640, 360}, std::nullopt) + app::meshMemory_bytes(scene)) / (1 << 20);
+        (request::workerMemory_bytes({640, 360}, std::nullopt) + request::meshMemory_bytes(scene)) / (1 << 20);
     const double peak_MiB = watch.workerPeak_MiB(0, 3);
     std::printf("%d triangles: peak %.0f MiB, estimate %.0f MiB, ratio %.2f\n", triangles, peak_MiB, expected_MiB,
                 expected_MiB / peak_MiB);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/frame_plan.h"
-#include "app/picture_rule.h"
-#include "app/output_target.h"
-#include "app/trajectory_target.h"
 #include "cli/command_line.h"
 #include "cli/render_options.h"
 #include "cli/time_word.h"
+#include "compare/picture_rule.h"
 #include "core/error.h"
 #include "fuzz/input.h"
+#include "reference/trajectory_target.h"
+#include "request/frame_plan.h"
+#include "request/output_target.h"
 
 namespace {
 
@@ -24,17 +24,17 @@ void attempt(const Parse& parse) {
 
 /// What the values of options are read by, once a command runs.
 void readValue(const std::string& word) {
-  attempt([&] { app::parseTarget(word); });
-  attempt([&] { app::parseStillTarget(word); });
-  attempt([&] { app::parseTrajectoryTarget(word); });
-  attempt([&] { app::parseFrameRange(word); });
-  attempt([&] { app::parseShard(word); });
+  attempt([&] { request::parseTarget(word); });
+  attempt([&] { request::parseStillTarget(word); });
+  attempt([&] { reference::parseTrajectoryTarget(word); });
+  attempt([&] { request::parseFrameRange(word); });
+  attempt([&] { request::parseShard(word); });
   attempt([&] { cli::parseSize(word, scene::Limits()); });
   attempt([&] { cli::parseTimes_s("--at", word); });
-  image::NearRule rule;
-  for (const app::RuleLimit& limit : app::ruleLimits())
+  compare::NearRule rule;
+  for (const compare::RuleLimit& limit : compare::ruleLimits())
     attempt([&] { limit.set(rule, limit.option, word); });
-  attempt([&] { app::ignoredBox("--ignore", word); });
+  attempt([&] { compare::ignoredBox("--ignore", word); });
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <iterator>
 
-#include "app/grade.h"
 #include "core/error.h"
 #include "fuzz/input.h"
+#include "reference/grade.h"
 
 using namespace poinsot;
 
@@ -37,17 +37,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const Body& body = kBodies[data[0] % std::size(kBodies)];
   const unsigned driven = data[0] / static_cast<unsigned>(std::size(kBodies)) % 4;
-  const app::MotionMaker maker = [&](const physics::TimeSpan& span) {
+  const reference::MotionMaker maker = [&](const physics::TimeSpan& span) {
     return std::make_unique<physics::DrivenMotion>(physics::PrincipalMoments(body.moments), body.omega,
                                                    Eigen::Quaterniond(1, 2, 3, 4), forcingOf(driven), span, 1e-6,
                                                    kMostSteps);
   };
   try {
-    const app::TrajectoryTable theirs =
-        app::parseTrajectoryTable(fuzz::textOf({data + 1, size - 1}), "theirs.csv");
+    const reference::TrajectoryTable theirs =
+        reference::parseTrajectoryTable(fuzz::textOf({data + 1, size - 1}), "theirs.csv");
     if (theirs.rows() > kMostRows) return 0;
     // A late start is looked for at some ten thousand times, which in closed form take no time.
-    app::grade(*maker(app::spanOf(theirs)), theirs, driven < 2 ? maker : app::MotionMaker());
+    reference::grade(*maker(reference::spanOf(theirs)), theirs, driven < 2 ? maker : reference::MotionMaker());
   } catch (const core::Error& error) {
     fuzz::expectPrintable(error.what());
   }

@@ -171,10 +171,10 @@ def vocabulary(target):
         "mesh": lambda: strings("geometry/*.cpp") + NUMBERS + ["property list uchar int vertex_indices", "end_header", "\\\\\\x0a", "f ", "v "],
         "png": lambda: ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "tEXt", "zTXt", "iTXt", "iCCP", "sPLT", "hIST", "pCAL", "sCAL", "bKGD", "eXIf", "acTL", "cICP", "gAMA", "cHRM"],
         "torque_table": lambda: ["t,Nx,Ny,Nz", *NUMBERS],
-        "trajectory_table": lambda: strings("app/trajectory_row.h") + NUMBERS + ["\\x22", ",", "#"],
-        "grade": lambda: strings("app/trajectory_row.h") + NUMBERS + ["1e300", "-1e300", "1e308", "1e289", "4.9e-324", ",", "\\x0a"],
-        "work_folder": lambda: strings("app/job_file.cpp") + strings("app/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
-        "golden_manifest": lambda: strings("app/golden_manifest.cpp") + strings("app/golden_keys.cpp", "[a-z_]{3,12}") + TOML,
+        "trajectory_table": lambda: strings("reference/trajectory_row.h") + NUMBERS + ["\\x22", ",", "#"],
+        "grade": lambda: strings("reference/trajectory_row.h") + NUMBERS + ["1e300", "-1e300", "1e308", "1e289", "4.9e-324", ",", "\\x0a"],
+        "work_folder": lambda: strings("job/job_file.cpp") + strings("job/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
+        "golden_manifest": lambda: strings("golden/manifest.cpp") + strings("golden/keys.cpp", "[a-z_]{3,12}") + TOML,
         "command_line": lambda: strings("cli/*.cpp", r"-{0,2}[a-z][a-z-]{1,20}") + NUMBERS + ["-D", "-o", "=", "--"],
     }[target]()
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/grade_table.h"
 #include "core/error.h"
 #include "fuzz/input.h"
+#include "reference/grade_table.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    poinsot::app::parseTrajectoryTable(poinsot::fuzz::textOf({data, size}), "theirs.csv");
+    poinsot::reference::parseTrajectoryTable(poinsot::fuzz::textOf({data, size}), "theirs.csv");
   } catch (const poinsot::core::Error& error) {
     poinsot::fuzz::expectPrintable(error.what());
   }

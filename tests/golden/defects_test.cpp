@@ -11,8 +11,8 @@
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "compare/near_rule.h"
 #include "golden/other_rules.h"
-#include "image/near_rule.h"
 #include "image/png_file.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -236,7 +236,7 @@ std::string headText() {
 
 /// What each rule says, as a row.
 std::string rowText(const Change& change, const std::vector<bool>& fails) {
-  const auto d = image::compare(change.reference, change.test).difference;
+  const auto d = compare::compare(change.reference, change.test).difference;
   std::string row = fmt::format("| {}{} |", change.isDefect ? "" : "*legal:* ", change.name);
   if (change.isOfThisCpu)
     row += " a few | 1 | | |";
@@ -281,13 +281,13 @@ TEST(Defects, AreAllCaughtAndNothingElse) {
   expectInDocs("defects_test", headText() + rows + counts + "\n");
 }
 
-bool refuses(const image::NearRule& rule, const Change& change) {
-  return image::verdict(image::compare(change.reference, change.test).difference, rule) ==
-         image::Verdict::kDifferent;
+bool refuses(const compare::NearRule& rule, const Change& change) {
+  return compare::verdict(compare::compare(change.reference, change.test).difference, rule) ==
+         compare::Verdict::kDifferent;
 }
 
-image::NearRule rule(std::string_view name) {
-  return std::ranges::find(image::namedRules(), name, &image::NamedRule::name)->rule;
+compare::NearRule rule(std::string_view name) {
+  return std::ranges::find(compare::namedRules(), name, &compare::NamedRule::name)->rule;
 }
 
 /// Verdicts of the rules that have a name on the same changes, and on another driver. "near" is the rule that the
@@ -298,15 +298,15 @@ TEST(Defects, AreCaughtByNamedRulesAsTheDocsSay) {
   const Image a = box().drawn();
   all.insert(all.begin() + 2, {"another driver, simulated", false, a, byAnotherDriver(a)});
   std::string first = "| change |", second = "| --- |", counts = "| **defects caught** |", rows;
-  std::vector<int> caught(image::namedRules().size());
-  for (const image::NamedRule& named : image::namedRules()) {
+  std::vector<int> caught(compare::namedRules().size());
+  for (const compare::NamedRule& named : compare::namedRules()) {
     first += fmt::format(" {} |", named.name);
     second += " --- |";
   }
   for (const Change& change : all) {
     rows += fmt::format("| {}{} |", change.isDefect ? "" : "*legal:* ", change.name);
     for (std::size_t i = 0; i < caught.size(); ++i) {
-      const bool refused = refuses(image::namedRules()[i].rule, change);
+      const bool refused = refuses(compare::namedRules()[i].rule, change);
       if (refused && change.isDefect) ++caught[i];
       rows += change.isDefect ? (refused ? " caught |" : " |") : refused ? " refused |" : " passed |";
     }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "image/near_rule.h"
+#include "compare/near_rule.h"
 
 namespace poinsot {
 namespace {
@@ -37,10 +37,10 @@ bool isFarInYiq(const std::uint8_t* p, const std::uint8_t* q) {
   return 0.5053 * y * y + 0.299 * i * i + 0.1957 * v * v > kLargest * kThreshold * kThreshold;
 }
 
-double rms(const Image& a, const Image& b) { return image::compare(a, b).difference.rmse; }
+double rms(const Image& a, const Image& b) { return compare::compare(a, b).difference.rmse; }
 
 bool failsOurs(const Image& a, const Image& b) {
-  return image::verdict(image::compare(a, b).difference) == image::Verdict::kDifferent;
+  return compare::verdict(compare::compare(a, b).difference) == compare::Verdict::kDifferent;
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ const std::vector<ComparisonRule>& comparisonRules() {
        [](const Image& a, const Image& b) {
          return shareOfPixels(a, b, [](const auto* p, const auto* q) { return largestDifference(p, q) > 3; }) > 0;
        }},
-      {"FLIP's mean", [](const Image& a, const Image& b) { return image::flip(a, b).mean() > 1e-3; }},
+      {"FLIP's mean", [](const Image& a, const Image& b) { return compare::flip(a, b).mean() > 1e-3; }},
       {"poinsot", failsOurs},
   };
   return rules;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "image/difference.h"
+#include "compare/difference.h"
 
 namespace poinsot {
 

@@ -87,8 +87,8 @@ TEST_F(MadeUpTree, ThatIsRightHasNoViolations) {
 TEST_F(MadeUpTree, UpwardAndSidewaysIncludesAreCaught) {
   write("core/a.h", "\n#include \"physics/b.h\"\n");
   write("render/a.cpp", "#include <physics/free_motion.h>\n");
-  write("app/a.cpp", "#include \"cli/program.h\"\n");
-  EXPECT_THAT(violations(), ElementsAre("app/a.cpp:1: app must not include cli/program.h",
+  write("job/a.cpp", "#include \"cli/program.h\"\n");
+  EXPECT_THAT(violations(), ElementsAre("job/a.cpp:1: job must not include cli/program.h",
                                         "core/a.h:2: core must not include physics/b.h",
                                         "render/a.cpp:1: render must not include physics/free_motion.h"));
 }
@@ -115,7 +115,7 @@ TEST_F(MadeUpTree, ForbiddenLinksAreCaught) {
 TEST_F(MadeUpTree, ThirdPartiesOutsideTheirDoorsAreCaught) {
   const std::pair<const char*, const char*> kFaults[] = {{"image/image.cpp", "<png.h>"},
                                                          {"output/film.h", "<libavformat/avformat.h>"},
-                                                         {"app/a.cpp", "<libswscale/swscale.h>"},
+                                                         {"job/a.cpp", "<libswscale/swscale.h>"},
                                                          {"output/a.cpp", "<libavutil/crc.h>"},
                                                          {"output/palette.cpp", "<libimagequant.h>"},
                                                          {"gl/a.cpp", "<dlfcn.h>"},
@@ -125,7 +125,7 @@ TEST_F(MadeUpTree, ThirdPartiesOutsideTheirDoorsAreCaught) {
                                                          {"render/a.cpp", "<hb.h>"},
                                                          {"render/a.h", "FT_FREETYPE_H"},
                                                          {"render/a.cpp", "<EGL/egl.h>"},
-                                                         {"app/a.cpp", "<GL/osmesa.h>"},
+                                                         {"job/a.cpp", "<GL/osmesa.h>"},
                                                          {"render/a.h", "<glad/gl.h>"},
                                                          {"stage/a.cpp", "<glad/gl.h>"},
                                                          {"draw/a.h", "<Eigen/Core>"},
@@ -136,8 +136,8 @@ TEST_F(MadeUpTree, ThirdPartiesOutsideTheirDoorsAreCaught) {
                                                          {"image/a.cpp", "<Eigen/Core>"},
                                                          {"physics/a.cpp", "<glm/vec3.hpp>"},
                                                          {"scene/a.h", "<glm/vec3.hpp>"},
-                                                         {"app/a.cpp", "<CLI/CLI.hpp>"},
-                                                         {"app/a.h", "<nlohmann/json.hpp>"},
+                                                         {"job/a.cpp", "<CLI/CLI.hpp>"},
+                                                         {"job/a.h", "<nlohmann/json.hpp>"},
                                                          {"render/a.cpp", "<cairo.h>"}};
   for (const auto& [file, header] : kFaults) {
     write(file, std::string("#include ") + header + "\n");

@@ -13,14 +13,14 @@
 #include "output/film.h"
 #include "output/film_format.h"
 #include "output/video_segment.h"
-#include "scratch_folder.h"
+#include "support/folder_test.h"
 
 namespace poinsot::output {
 namespace {
 
 constexpr const char* kOrigin = "frames 0-5 of scene sha256 1f; job sha256 2e; ";
 
-class FilmDamage : public ScratchFolder, public testing::WithParamInterface<FilmContainer> {
+class FilmDamage : public FolderTest, public testing::WithParamInterface<FilmContainer> {
  protected:
   void SetUp() override {
     if (const char* missing = missingEncoder(codecsOf(GetParam()).front()))

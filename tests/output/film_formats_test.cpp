@@ -15,7 +15,7 @@
 #include "output/film_format.h"
 #include "output/film_reader.h"
 #include "output/video_segment.h"
-#include "scratch_folder.h"
+#include "support/folder_test.h"
 
 namespace poinsot::output {
 namespace {
@@ -106,7 +106,7 @@ std::vector<Format> formats() {
 
 const FilmTexts kTexts{"Primaries", "In words.", "of here; ", "a test"};
 
-class FilmFormats : public ScratchFolder, public testing::WithParamInterface<Format> {
+class FilmFormats : public FolderTest, public testing::WithParamInterface<Format> {
  protected:
   void SetUp() override {
     if (const char* missing = missingEncoder(GetParam().format.codec)) GTEST_SKIP() << "no encoder " << missing;
@@ -227,7 +227,7 @@ TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {
   EXPECT_EQ(filmState(file, kTexts.origin), FilmState::kDamaged);
 }
 
-class MadeWhole : public ScratchFolder, public ::testing::WithParamInterface<FilmContainer> {
+class MadeWhole : public FolderTest, public ::testing::WithParamInterface<FilmContainer> {
  protected:
   std::filesystem::path segment(const std::string& name, const image::Image& picture) const {
     const FilmFormat format = of(GetParam(), codecsOf(GetParam()).front(), Chroma::k420, picture.channels == 4);
@@ -256,7 +256,7 @@ TEST_P(MadeWhole, OfPicturesOfOneSizeAndKind) {
 INSTANTIATE_TEST_SUITE_P(All, MadeWhole, testing::Values(Box::kGif, Box::kApng),
                          [](const auto& tested) { return tested.param == Box::kGif ? "Gif" : "Apng"; });
 
-class Reader : public ScratchFolder {};
+class Reader : public FolderTest {};
 
 TEST_F(Reader, DoesNotWaitForAPipe) {
   ASSERT_EQ(::mkfifo(in("fifo.mp4").c_str(), 0600), 0);

@@ -11,7 +11,7 @@
 
 #include "decoded_film.h"
 #include "output/video_segment.h"
-#include "scratch_folder.h"
+#include "support/folder_test.h"
 
 namespace poinsot::output {
 namespace {
@@ -23,7 +23,7 @@ constexpr auto kIo = core::ErrorKind::kIo;
 constexpr image::PixelSize kSize = {160, 96};
 const FilmTrack kTrack{FilmContainer::kMp4, {30, 1}};
 
-class FilmTest : public ScratchFolder {
+class FilmTest : public FolderTest {
  protected:
   /// Segments of these lengths, one after the other from frame 0.
   std::vector<std::filesystem::path> segments(const std::vector<int>& lengths,

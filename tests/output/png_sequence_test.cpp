@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "output/library_versions.h"
-#include "scratch_folder.h"
+#include "support/folder_test.h"
 
 namespace poinsot::output {
 namespace {
@@ -19,7 +19,7 @@ image::Image grey(std::uint8_t value) {
   return picture;
 }
 
-class PngSequenceTest : public ScratchFolder {};
+class PngSequenceTest : public FolderTest {};
 
 TEST_F(PngSequenceTest, WritesEachFrameUnderItsNumber) {
   PngSequence sink(FramePattern(in("frames/f_{frame:04}.png")), {{{"Title", "Polhode"}}, {}, false, {}});

@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "output/figure_mark.h"
-#include "scratch_folder.h"
+#include "figure/mark.h"
+#include "support/folder_test.h"
 
 namespace poinsot::output {
 namespace {
 
 using ::testing::HasSubstr;
 
-class RunFilesTest : public ScratchFolder {
+class RunFilesTest : public FolderTest {
  protected:
   /// The message with which an output is refused; empty where it is not.
   std::string clash(const std::filesystem::path& file, const std::string& role = "-o") {
@@ -108,10 +108,10 @@ TEST_F(RunFilesTest, TakesEveryFrameOfASequence) {
 }
 
 TEST_F(RunFilesTest, ReplacesFilesOfTheSameKindOnly) {
-  const FileKind trace = textKind("a trace", "{\"trace\""), page = markedKind("a report", kHtmlMark);
+  const FileKind trace = textKind("a trace", "{\"trace\""), page = markedKind("a report", figure::kHtmlMark);
   save("trace", "{\"trace\":1}");
-  save("page", marked(kHtmlMark, "<p>"));
-  save("edited", marked(kHtmlMark, "<p>") + "mine");
+  save("page", figure::marked(figure::kHtmlMark, "<p>"));
+  save("edited", figure::marked(figure::kHtmlMark, "<p>") + "mine");
   save("empty", "");
   EXPECT_EQ(refusal(in("trace"), trace), "");
   EXPECT_EQ(refusal(in("empty"), trace), "");

@@ -14,7 +14,7 @@
 #include "output/film.h"
 #include "output/png_sequence.h"
 #include "output/video_segment.h"
-#include "scratch_folder.h"
+#include "support/folder_test.h"
 
 namespace poinsot::output {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-class TargetCheckTest : public ScratchFolder {
+class TargetCheckTest : public FolderTest {
  protected:
   static std::string refusal(const std::filesystem::path& target, bool force = false) {
     return messageOf(core::ErrorKind::kIo, [&] { checkTarget(target, force); });

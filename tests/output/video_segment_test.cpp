@@ -11,7 +11,7 @@
 
 #include "decoded_film.h"
 #include "output/yuv.h"
-#include "scratch_folder.h"
+#include "support/folder_test.h"
 #include "support/sanitized.h"
 #include "support/text_of.h"
 
@@ -41,7 +41,7 @@ double meanError(const DecodedFrame& frame, std::int64_t k) {
   return sum / 1.5 / static_cast<double>(y.size());
 }
 
-class VideoSegmentTest : public ScratchFolder {};
+class VideoSegmentTest : public FolderTest {};
 
 // The picture is distinct for each k: frame k against k + 1 differs by 1.65 levels in the mean.
 TEST_F(VideoSegmentTest, DecodesToWhatWasPutIn) {

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cluster/submission.h"
+#include "cluster/submission_text.h"
+#include "core/error.h"
+#include "core/shell_word.h"
+#include "core/text.h"
+
+namespace poinsot::cluster {
+namespace {
+
+/// What GNU make has no way to write in a name.
+bool isUnwritable(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || std::string_view("%;|\\\x7f").find(c) != std::string::npos;
+}
+
+std::string writtenForMake(char c) {
+  if (c == '=') return "$(equals)";  // or the line would set a variable
+  if (c == '$') return "$$";
+  return std::string_view(" #:*?[").find(c) != std::string::npos ? std::string{'\\', c} : std::string(1, c);
+}
+
+/// A file's name as a target or a prerequisite. Absolute, so that it does not matter where make runs.
+/// @throws core::Error(kUsage).
+std::string makeName(const Submission& submission, const std::filesystem::path& file) {
+  const std::string whole = (submission.folder / file).lexically_normal().string();
+  std::string name;
+  for (const char c : whole) {
+    if (isUnwritable(c))
+      throw core::Error(core::ErrorKind::kUsage,
+                        fmt::format("{}: make cannot hold the '{}' of this name; choose another --engine",
+                                    core::printable(whole), core::printable(std::string_view(&c, 1))));
+    name += writtenForMake(c);
+  }
+  return name;
+}
+
+using Lines = std::vector<std::string>;
+
+/// Lines of bash, after those of placeLines(), as one command of a recipe, which ends where one of them fails.
+/// `variables`: bash's, set from make's.
+std::string recipe(const Submission& submission, const std::string& variables, const Lines& lines) {
+  Lines all = placeLines(submission);
+  all.insert(all.end(), lines.begin(), lines.end());
+  std::string text = "\tset -e" + variables;
+  for (const std::string& line : all) {
+    text += "; \\\n\t";
+    for (const char c : line) text += c == '$' ? "$$" : std::string(1, c);
+  }
+  return text + "\n";
+}
+
+constexpr const char* kHeader = R"MAKE({what}#
+#   make -f SCRIPT -j {jobs}
+#   {status}
+#
+# Where a task or the joining fails, the same command goes on with the segment where it stopped. What is newer than the
+# scene and the files that it names is not made again.
+SHELL := /bin/bash
+equals := =
+)MAKE";
+
+std::string header(const Submission& submission) {
+  return fmt::format(kHeader, fmt::arg("what", whatText(submission, " of make, and then joined")),
+                     fmt::arg("jobs", std::max(2, 8 / submission.division.cpus)),
+                     fmt::arg("status", statusCommand(submission)));
+}
+
+/// Names of the marks: an empty file for each shard that is done, named by its number.
+std::string marks(const Submission& submission) {
+  std::string text = "shards :=";
+  for (int k = 1; k <= submission.division.shards; ++k)
+    text += " \\\n  " + makeName(submission, tasksFolderOf(submission) / std::to_string(k));
+  return text + "\n\n";
+}
+
+std::string shardRule(const Submission& submission) {
+  std::string inputs;
+  for (const std::filesystem::path& file : submission.inputs) inputs += " " + makeName(submission, file);
+  const std::string folder = core::shellWord(tasksFolderOf(submission).string());
+  // The last part of the mark's name. Not $(@F), which takes a space for the end of a name.
+  return "$(shards):" + inputs + "\n" +
+         recipe(submission, "; shard=$(lastword $(subst /, ,$@))",
+                {"mkdir -p -- " + folder, shardCommand(submission, "$shard"), "touch -- " + folder + "/$shard"});
+}
+
+/// Removes the marks before the joining. If the joining fails, each task then looks again whether its segments are
+/// still there, which takes a second. Marks are secondary: they are not missed while the film is newer than the
+/// scene, so a film that did not have to be made again is touched. The mark of a sequence stands for all frames.
+std::string joinRule(const Submission& submission) {
+  const bool film = submission.output.kind == request::OutputKind::kFilm;
+  const std::filesystem::path folder = tasksFolderOf(submission);
+  const std::filesystem::path target = film ? submission.output.path : folder / "all";
+  Lines lines{fmt::format("rm -f -- {}/{{1..{}}}", core::shellWord(folder.string()), submission.division.shards),
+              joinCommand(submission), "touch -- " + core::shellWord(target.string())};
+  if (film) lines.push_back("rmdir --ignore-fail-on-non-empty -- " + core::shellWord(folder.string()));
+  const std::string name = makeName(submission, target);
+  return ".PRECIOUS: " + name + "\n.SECONDARY: $(shards)\n\n" + name + ": $(shards)\n" +
+         recipe(submission, "", lines) + "\n";
+}
+
+}  // namespace
+
+std::string makeScript(const Submission& submission) {
+  return header(submission) + marks(submission) + joinRule(submission) + shardRule(submission);
+}
+
+}  // namespace poinsot::cluster

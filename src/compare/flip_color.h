@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+namespace poinsot::compare {
+
+/// Colours as FLIP sees them. All numbers are of the paper named in compare/flip.h, sections 4.1 and 3.
+using Triple = std::array<double, 3>;
+
+/// Linear light of an sRGB value in [0, 1] (IEC 61966-2-1).
+double linearLight(double encoded);
+
+/// The linear opponent space Y Cx Cz of linear RGB: lightness -16 to 100, red-green, yellow-blue.
+Triple opponentColor(const Triple& rgb);
+
+/// The linear RGB of an opponent colour, each channel cut to [0, 1].
+Triple rgbOfOpponent(const Triple& yCxCz);
+
+/// CIELab (D65) of linear RGB, whose a and b shrink in the dark (Hunt effect).
+Triple huntLab(const Triple& rgb);
+
+/// HyAB distance of two colours in Lab: |ΔL| + √(Δa² + Δb²).
+double hyabDistance(const Triple& a, const Triple& b);
+
+/// HyAB to the power 0.7 of green and blue, the largest there is: 41.276098.
+double largestColorDistance();
+
+/// The distance of two Hunt-adjusted colours as an error in [0, 1]: 0.95 of the range for the lower 0.4 of
+/// distances^0.7, where the eye tells more apart.
+double colorError(const Triple& a, const Triple& b);
+
+}  // namespace poinsot::compare

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/junit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/text.h"
+
+namespace poinsot::compare {
+namespace {
+
+/// For the content of an element. A log of CI is read on a terminal, too.
+std::string xml(std::string_view text) {
+  std::string out;
+  for (const char c : core::printableLines(text)) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// For an attribute, in which an end of line would become a blank.
+std::string attribute(std::string_view text) {
+  std::string out;
+  for (const char c : xml(text)) out += c == '\n' ? std::string("&#10;") : std::string(1, c);
+  return out;
+}
+
+std::string line(const char* term, const std::string& text) {
+  return text.empty() ? "" : fmt::format("{:<10} {}\n", term, text);
+}
+
+/// The reason, where the pictures are, and what to do. GitLab shows this text only and leaves the message out.
+std::string bodyOf(const Outcome& outcome, const OutcomeReport& report) {
+  return reasonOf(outcome) + "\n" + line("approved", outcome.reference.native()) +
+         line("new", outcome.actual.native()) + line("map", outcome.map.native()) +
+         line("page", report.page.native()) + line("approve by", approveCommand({outcome}, report));
+}
+
+/// Path of an attachment: relative to the root if the file is below it, else absolute.
+std::filesystem::path attachmentPath(const std::filesystem::path& file, const std::filesystem::path& root) {
+  const auto path = std::filesystem::absolute(file).lexically_normal();
+  if (root.empty()) return path;
+  const auto below = path.lexically_relative(std::filesystem::absolute(root).lexically_normal());
+  return below.empty() || *below.begin() == ".." ? path : below;
+}
+
+/// The new picture comes first, because GitLab shows the first attachment only.
+std::string attachmentsOf(const Outcome& outcome, const std::filesystem::path& root) {
+  std::string text;
+  for (const auto* file : {&outcome.actual, &outcome.map, &outcome.reference})
+    if (!file->empty()) text += fmt::format("[[ATTACHMENT|{}]]\n", attachmentPath(*file, root).native());
+  return text;
+}
+
+/// The end of a test that passed. A near picture has the reason as output, because only failures have a message.
+std::string passedEnd(const Outcome& outcome) {
+  if (outcome.message.empty()) return "/>\n";
+  return fmt::format(">\n    <system-out>{}: {}</system-out>\n  </testcase>\n", toString(outcome.status),
+                     xml(outcome.message));
+}
+
+std::string caseXml(const Outcome& outcome, const OutcomeReport& report) {
+  const std::string head = fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
+                                       attribute(report.suite), attribute(outcome.name), outcome.seconds);
+  if (outcome.passes(report.exact)) return head + passedEnd(outcome);
+  const char* kind = outcome.status == OutcomeStatus::kError ? "error" : "failure";
+  const std::string attachments = attachmentsOf(outcome, report.attachmentRoot);
+  return fmt::format(
+      "{}>\n    <{} type=\"{}\" message=\"{}\">{}</{}>\n{}  </testcase>\n", head, kind, toString(outcome.status),
+      attribute(reasonOf(outcome)), xml(bodyOf(outcome, report)), kind,
+      attachments.empty() ? "" : fmt::format("    <system-out>{}</system-out>\n", xml(attachments)));
+}
+
+constexpr const char* kJunitMark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- poinsot";
+
+}  // namespace
+
+output::FileKind junitKind() { return output::textKind("a JUnit report", kJunitMark); }
+
+std::string junitXml(const std::vector<Outcome>& outcomes, const OutcomeReport& report) {
+  const auto count = [&](bool errors) {
+    return std::ranges::count_if(outcomes, [&](const Outcome& o) {
+      return !o.passes(report.exact) && (o.status == OutcomeStatus::kError) == errors;
+    });
+  };
+  double seconds = 0;
+  std::string cases;
+  for (const Outcome& outcome : outcomes) {
+    seconds += outcome.seconds;
+    cases += caseXml(outcome, report);
+  }
+  return fmt::format(
+      "{} -->\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
+      "errors=\"{}\" time=\"{:.3f}\">\n{}</testsuite>\n",
+      kJunitMark, attribute(report.suite), outcomes.size(), count(false), count(true), seconds, cases);
+}
+
+}  // namespace poinsot::compare

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compare/flip.h"
+#include "image/image.h"
+
+namespace poinsot::compare {
+
+/// A map as a picture in the colours of "magma", from black for 0 over red to pale yellow for 1: index
+/// round(255 error).
+image::Image magmaPicture(const FlipMap& map);
+
+}  // namespace poinsot::compare

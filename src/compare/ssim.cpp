@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/ssim.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compare/kernel.h"
+#include "core/expect.h"
+
+namespace poinsot::compare {
+namespace {
+
+constexpr int kRadius = 5;
+
+/// Sums to 1 over two dimensions.
+Kernel windowProfile() {
+  constexpr double kSigma = 1.5;
+  std::vector<double> half;
+  for (int i = 0; i <= kRadius; ++i) half.push_back(std::exp(-i * i / (2 * kSigma * kSigma)));
+  const Kernel bell(Kernel::Parity::kEven, half);
+  return bell.scaled(1 / bell.sum());
+}
+
+/// In [0, 1].
+template <typename Sample>
+double luma(const Sample* p) {
+  return (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / image::BasicImage<Sample>::kMost;
+}
+
+enum Plane { kA, kB, kAA, kBB, kAB, kPlanes };
+
+template <typename Sample>
+RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b) {
+  return {a.size, kPlanes, kRadius, [&a, &b](int y, const std::vector<double*>& rows) {
+            double* const* const planes = rows.data();  // an index that is checked takes longer than the sum
+            const Sample *p = a.at(0, y), *q = b.at(0, y);
+            for (int x = 0; x < a.size.width; ++x, p += a.channels, q += b.channels) {
+              const double va = luma(p), vb = luma(q);
+              planes[kA][x] = va;
+              planes[kB][x] = vb;
+              planes[kAA][x] = va * va;
+              planes[kBB][x] = vb * vb;
+              planes[kAB][x] = va * vb;
+            }
+          }};
+}
+
+/// Of the means of a, b, a², b² and ab over a window.
+double similarity(double a, double b, double aa, double bb, double ab) {
+  constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
+  const double varianceA = aa - a * a, varianceB = bb - b * b, covariance = ab - a * b;
+  return (2 * a * b + kC1) * (2 * covariance + kC2) / ((a * a + b * b + kC1) * (varianceA + varianceB + kC2));
+}
+
+template <typename Sample>
+std::optional<SsimFigures> ssimOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
+                                  const IgnoreMask* ignored) {
+  POINSOT_EXPECT(a.size == b.size);
+  const int width = a.size.width, height = a.size.height;
+  if (std::min(width, height) < 2 * kRadius + 1) return std::nullopt;
+  const Kernel profile = windowProfile();
+  RowWindow window = lumaWindow(a, b);
+  std::vector<double> column(static_cast<std::size_t>(width));
+  std::array<std::vector<double>, kPlanes> means;
+  means.fill(column);
+  SsimFigures figures;
+  double sum = 0;
+  std::int64_t windows = 0;
+  for (int y = kRadius; y < height - kRadius; ++y) {
+    window.moveTo(y);
+    for (int k = 0; k < kPlanes; ++k) {
+      profile.alongColumns(window, k, column.data());
+      profile.alongRow(column.data(), width, means[static_cast<std::size_t>(k)].data());
+    }
+    for (int x = kRadius; x < width - kRadius; ++x) {
+      if (ignored && ignored->ignores(x, y)) continue;
+      const auto i = static_cast<std::size_t>(x);
+      const double s = similarity(means[kA][i], means[kB][i], means[kAA][i], means[kBB][i], means[kAB][i]);
+      sum += s;
+      ++windows;
+      if (s < figures.worst) figures = {0, s, x, y};
+    }
+  }
+  if (windows == 0) return std::nullopt;
+  figures.mean = sum / static_cast<double>(windows);
+  return figures;
+}
+
+}  // namespace
+
+std::optional<SsimFigures> ssim(const image::Image& a, const image::Image& b, const IgnoreMask* ignored) {
+  return ssimOf(a, b, ignored);
+}
+std::optional<SsimFigures> ssim(const image::DeepImage& a, const image::DeepImage& b, const IgnoreMask* ignored) {
+  return ssimOf(a, b, ignored);
+}
+
+}  // namespace poinsot::compare

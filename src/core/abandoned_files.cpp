@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/abandoned_files.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "core/kernel_start.h"
+
+namespace poinsot::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Takes the last part of a name, which follows `mark`, from its end. Nothing if there is no mark.
+std::optional<std::string_view> takeLast(std::string_view& name, char mark) {
+  const auto at = name.rfind(mark);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view part = name.substr(at + 1);
+  name = name.substr(0, at);
+  return part;
+}
+
+std::optional<pid_t> numberOf(std::optional<std::string_view> digits) {
+  pid_t number = 0;
+  if (!digits || digits->empty()) return std::nullopt;
+  const char* end = digits->data() + digits->size();
+  const auto read = std::from_chars(digits->data(), end, number);
+  return read.ec == std::errc() && read.ptr == end && number >= 0 ? std::optional(number) : std::nullopt;
+}
+
+/// Returns the process that writes a file of this name; nothing if the name is not one of temporaryName(), or the
+/// number is not one of this machine's and container's.
+std::optional<pid_t> writerOf(std::string_view name) {
+  const std::string& space = processSpace();
+  if (space.empty() || !name.starts_with('.')) return std::nullopt;
+  if (takeLast(name, '.') != "tmp" || takeLast(name, '.') != space || !numberOf(takeLast(name, '-')))
+    return std::nullopt;
+  const std::optional<pid_t> writer = numberOf(takeLast(name, '.'));
+  return name.size() > 1 && writer && *writer > 0 ? writer : std::nullopt;
+}
+
+bool hasEnded(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+void removeAbandonedFiles(const fs::path& folder) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+    const auto writer = writerOf(entry->path().filename().native());
+    struct stat facts {};
+    if (!writer || !hasEnded(*writer) || ::lstat(entry->path().c_str(), &facts) != 0) continue;
+    if (S_ISREG(facts.st_mode) && facts.st_uid == ::geteuid()) ::unlink(entry->path().c_str());
+  }
+}
+
+/// Whether no thread of this process was told so of the folder before.
+bool isFirst(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> seen;
+  const std::lock_guard lock(mutex);
+  return seen.insert(folder).second;
+}
+
+}  // namespace
+
+fs::path temporaryName(const fs::path& folder, const fs::path& target, int attempt) {
+  constexpr std::size_t kLongestStem = 200;  // 255 bytes are all a name may have
+  const std::string stem = target.filename().native().substr(0, kLongestStem);
+  const std::string& space = processSpace();
+  return folder / fmt::format(".{}.{}-{}{}{}.tmp", stem, ::getpid(), attempt, space.empty() ? "" : ".", space);
+}
+
+void removeAbandonedFilesOnce(const fs::path& folder) noexcept {
+  try {
+    if (isFirst(fs::absolute(folder))) removeAbandonedFiles(folder);
+  } catch (const std::exception&) {  // out of memory: the next run removes them
+  }
+}
+
+}  // namespace poinsot::core

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <utility>
+
+namespace poinsot::core {
+
+/// A value that is made, used and destroyed on one thread, as an OpenGL context must be. Others hand that thread
+/// work, which is done in the order it comes; what was not begun when this is destroyed is not done.
+template <class Value>
+class OwningThread {
+ public:
+  explicit OwningThread(std::function<std::unique_ptr<Value>()> make)
+      : thread_([this, make = std::move(make)](const std::stop_token& stop) { work(stop, make); }) {}
+  OwningThread(const OwningThread&) = delete;
+  OwningThread& operator=(const OwningThread&) = delete;
+
+  /// Does the work and waits for it. @returns what it returns @throws what it throws
+  template <class Work>
+  std::invoke_result_t<Work, Value&> with(Work work) {
+    return begin(std::move(work)).get();
+  }
+
+  /// Lets the work be done. It must own what it uses: the caller need not wait for the result.
+  template <class Work>
+  std::future<std::invoke_result_t<Work, Value&>> begin(Work work) {
+    std::packaged_task<std::invoke_result_t<Work, Value&>(Value&)> task(std::move(work));
+    auto result = task.get_future();
+    {
+      const std::scoped_lock lock(mutex_);
+      jobs_.emplace_back([task = std::move(task)](Value& value) mutable { task(value); });
+    }
+    waiting_.notify_one();
+    return result;
+  }
+
+ private:
+  using Job = std::packaged_task<void(Value&)>;
+
+  void work(const std::stop_token& stop, const std::function<std::unique_ptr<Value>()>& make) {
+    const std::unique_ptr<Value> value = make();
+    while (true) {
+      std::unique_lock lock(mutex_);
+      if (!waiting_.wait(lock, stop, [&] { return !jobs_.empty(); })) break;
+      Job job = std::move(jobs_.front());
+      jobs_.pop_front();
+      lock.unlock();
+      job(*value);
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any waiting_;
+  std::deque<Job> jobs_;
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace poinsot::core

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "describe/picture_words.h"
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "describe/alt_sections.h"
+#include "describe/alt_text.h"
+#include "describe/alt_words.h"
+#include "request/sweep_cells.h"
+#include "stage/stability_map.h"
+#include "stage/sweep_label.h"
+#include "text/math_setter.h"
+
+namespace poinsot::describe {
+namespace {
+
+/// "omega 1 from 0.01 rad/s to 0.05 rad/s"
+std::string rangeWords(const stage::SweepLabels& labels) {
+  const auto plain = [](const std::string& tex) { return text::setTex(tex).plainText; };
+  return fmt::format("{} from {} to {}", plain(labels.name), plain(labels.values.front()),
+                     plain(labels.values.back()));
+}
+
+std::string gridWords(const request::SceneRequest& request, const scene::Scene& scene) {
+  const request::SweepGrid grid(request);
+  const auto labels = stage::sweepLabels(grid.axes, request.sweep->labels, scene);
+  const std::string ranges = labels.size() == 1 ? rangeWords(labels[0])
+                                                : fmt::format("{} from left to right, {} from top to bottom",
+                                                              rangeWords(labels[0]), rangeWords(labels[1]));
+  return fmt::format("{} pictures of one scene side by side, at one instant: {}. The first: {}", grid.cells,
+                     ranges, altText(scene));
+}
+
+std::string mapWords(const scene::Scene& scene) {
+  const stage::StabilityMap map(scene);
+  const auto& axes = map.scale().separatrix();
+  return fmt::format(
+      "A map of how long the body takes from flip to flip, for every direction of L in it: a sphere of "
+      "directions, from {} in dark colours at the axes {} and {}, the stable ones, to {} and more in pale "
+      "ones near {}, the unstable one. Two circles through that one, the separatrix, part the two kinds of "
+      "motion; on them the time is infinite. The scene's own L is marked; it flips every {}.",
+      timeWords(map.scale().least_s()), axisName(axes.smallest), axisName(axes.largest),
+      timeWords(map.scale().most_s()), axisName(axes.middle), timeWords(map.sceneTime_s()));
+}
+
+std::string description(const request::SceneRequest& request, const scene::Scene& scene) {
+  if (!request.sweep) return altText(scene);
+  return request.sweep->map ? mapWords(scene) : gridWords(request, scene);
+}
+
+}  // namespace
+
+PictureWords pictureWords(const request::SceneRequest& request, const scene::Scene& scene) {
+  const std::string& title = scene.show.title;
+  return {title.empty() ? core::printable(scene.name) : text::setTex(title).plainText,
+          description(request, scene)};
+}
+
+}  // namespace poinsot::describe

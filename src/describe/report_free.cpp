@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include "describe/report_sections.h"
+#include "physics/binet.h"
+#include "physics/herpolhode.h"
+#include "physics/poinsot_construction.h"
+#include "physics/polhode.h"
+#include "physics/precession_cones.h"
+#include "physics/stability.h"
+
+namespace poinsot::describe {
+namespace {
+
+using physics::PrecessionCones;
+
+constexpr int kLongestClosure = 1000;       // radial periods
+constexpr double kClosureTolerance = 1e-9;  // rad: a hundredth of a pixel on a circle of a million
+
+Eigen::Vector3d omega_P(const scene::Scene& scene) { return scene.body.axes.toP(scene.motion.omega_B); }
+
+bool turnsFreely(const scene::Scene& scene) {
+  return scene.motion.forcing.none() && !scene.motion.omega_B.isZero(0);
+}
+
+std::string regimeWord(physics::PolhodeRegime regime) {
+  switch (regime) {
+    case physics::PolhodeRegime::kSteady:
+      return "steady";
+    case physics::PolhodeRegime::kAboutLargest:
+      return "about_largest";
+    case physics::PolhodeRegime::kAboutSmallest:
+      return "about_smallest";
+    case physics::PolhodeRegime::kSeparatrix:
+      return "separatrix";
+  }
+  return "";
+}
+
+std::string steadyWords(physics::Stability kind) {
+  return kind == physics::Stability::kUnstable ? "steady, but unstable: the middle axis" : "steady: omega stays";
+}
+
+std::string inWords(physics::PolhodeRegime regime, const scene::Scene& scene) {
+  switch (regime) {
+    case physics::PolhodeRegime::kSteady:
+      return steadyWords(physics::spinStability(scene.body.axes.moments(), omega_P(scene)).kind);
+    case physics::PolhodeRegime::kAboutLargest:
+      return "round the axis of largest moment";
+    case physics::PolhodeRegime::kAboutSmallest:
+      return "round the axis of smallest moment";
+    case physics::PolhodeRegime::kSeparatrix:
+      return "on the separatrix, to the middle axis";
+  }
+  return "";
+}
+
+std::optional<PrecessionCones> conesOf(const scene::Scene& scene) {
+  return physics::precessionCones(scene.body.axes.moments(), omega_P(scene));
+}
+
+void addEllipsoids(Section& section, const scene::Scene& scene) {
+  const auto& moments = scene.body.axes.moments();
+  const physics::PoinsotConstruction poinsot(moments, omega_P(scene));
+  const physics::BinetConstruction binet(moments, omega_P(scene));
+  section.add("plane_height", "height of the invariable plane 2T/|L|", poinsot.planeHeight(), "rad/s", "eq 40");
+  section.add("ellipsoid_semi_axes", "semi-axes sqrt(2T/I_i) of the ellipsoid", poinsot.semiAxes_P(), "rad/s",
+              "eq 38");
+  section.add("momentum_ellipsoid_semi_axes", "semi-axes sqrt(2T I_i) in L space", binet.semiAxes_P(), "kg m^2/s",
+              "Binet");
+}
+
+/// Facts about the axis of middle moment, which a symmetric top does not have.
+void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
+  section.add("flip_interval", flips.turnsOver ? "time from flip to flip 2K/lambda" : "half a period 2K/lambda",
+              flips.interval_s, "s", "omega_mid changes sign");
+  section.add("least_angle_to_middle", "least angle between L and the middle axis", flips.nearestToMiddle_rad,
+              "rad", "");
+  section.add("largest_tilt", "largest angle between L and the axis circled",
+              std::numbers::pi / 2 - flips.nearestToMiddle_rad, "rad", "");
+}
+
+void addPolhode(Section& section, const scene::Scene& scene) {
+  const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
+  section.add("regime", "polhode", regimeWord(polhode.regime()), "", "sign of L^2 - 2 T I_mid").inWords =
+      inWords(polhode.regime(), scene);
+  if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
+  section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
+  if (polhode.period() > physics::kSolarDay_s && std::isfinite(polhode.period()))
+    section.add("polhode_period_days", "  in days", polhode.period() / physics::kSolarDay_s, "d", "86 400 s each");
+  const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
+  section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
+  section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
+  const bool symmetric = conesOf(scene).has_value();
+  section.add("body_flips", "the body flips", flips.turnsOver, "",
+              symmetric ? "two moments are equal" : "yes with L within 20 deg of the middle axis");
+  if (!symmetric) addMiddleAxis(section, flips);
+}
+
+/// A symmetric top's herpolhode: a circle, closed after one turn of omega about L.
+void addCircle(Section& section, const PrecessionCones& cones) {
+  section.add("herpolhode_closes", "the herpolhode closes", true, "", "a circle");
+  section.add("closure_turns", "  in turns about L", 1, "", "");
+  section.add("closure_time", "  that is", 2 * std::numbers::pi / cones.precessionRate, "s", "2 pi I1/L");
+}
+
+void addHerpolhode(Section& section, const scene::Scene& scene) {
+  const physics::Herpolhode curve(scene.body.axes.moments(), omega_P(scene));
+  if (curve.regime() == physics::PolhodeRegime::kSteady) return;
+  section.add("herpolhode_smallest_radius", "least radius of the herpolhode", curve.smallestRadius(), "rad/s", "");
+  section.add("herpolhode_largest_radius", "largest radius of the herpolhode", curve.largestRadius(), "rad/s", "");
+  if (const auto cones = conesOf(scene)) return addCircle(section, *cones);
+  section.add("radial_period", "from a largest radius to the next", curve.radialPeriod(), "s",
+              "half the polhode's");
+  section.add("angle_per_radial_period", "angle about L in that time", curve.anglePerRadialPeriod(), "rad", "");
+  const auto closure = curve.closure(kLongestClosure, kClosureTolerance);
+  section.add("herpolhode_closes", "the herpolhode closes", closure.has_value(), "", "to 1e-9 rad");
+  if (!closure) return;
+  section.add("closure_radial_periods", "  after radial periods", closure->radialPeriods, "", "");
+  section.add("closure_turns", "  in turns about L", closure->turns, "", "");
+  section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
+}
+
+/// True of a top within 2 % of the Earth's (C - A)/A and 1 % of its spin, whatever the unit of its moments. Rigid
+/// models of the Earth differ by 1 % (0.0033 and 1/306), a turn a solar day from one a sidereal day by 0.3 %.
+bool isEarth(const PrecessionCones& cones) {
+  constexpr double kEllipticity = 0.0032845, kSpin = 7.292115e-5;  // (C - A)/A and rad/s; IERS Conventions (2010)
+  const double ellipticity = cones.bodyRate / cones.spinRate;      // eq 29
+  return std::abs(ellipticity / kEllipticity - 1) < 0.02 && std::abs(cones.spinRate / kSpin - 1) < 0.01;
+}
+
+void addChandler(Section& section, const PrecessionCones& cones) {
+  const double period_s = cones.wobblePeriod();
+  section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
+              "eq 29; observed, not rigid: 433 d");
+  section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
+              "sidereal d", "86 164.09 s each; the Earth turns once in one");
+}
+
+/// A steady spin rolls no cone.
+std::string senseWord(const PrecessionCones& cones) {
+  const physics::RollingSense sense = cones.steady() ? physics::RollingSense::kNone : cones.sense;
+  if (sense == physics::RollingSense::kOutside) return "outside";
+  return sense == physics::RollingSense::kInside ? "inside" : "none";
+}
+
+std::string stabilityWord(physics::Stability kind) {
+  if (kind == physics::Stability::kStable) return "stable";
+  return kind == physics::Stability::kUnstable ? "unstable" : "neutral";
+}
+
+std::string rateMeaning(physics::Stability kind) {
+  if (kind == physics::Stability::kUnstable) return "a disturbance grows at this rate";
+  return kind == physics::Stability::kStable ? "a disturbance circles at this rate" : "another moment is equal";
+}
+
+}  // namespace
+
+Section constructionSection(const scene::Scene& scene) {
+  Section section{"Poinsot's construction (axes e1, e2, e3)", {}};
+  if (!turnsFreely(scene)) return section;
+  addEllipsoids(section, scene);
+  addPolhode(section, scene);
+  addHerpolhode(section, scene);
+  return section;
+}
+
+Section symmetricSection(const scene::Scene& scene) {
+  Section section{"Symmetric top (k: its axis)", {}};
+  if (!turnsFreely(scene)) return section;
+  const auto cones = conesOf(scene);
+  if (!cones) return section;
+  section.add("symmetry_axis_B", "symmetry axis k, in B", scene.body.axes.toB(cones->k_P), "",
+              "the end with omega_3 >= 0");
+  section.add("tilt", "angle theta between k and L", cones->tilt_rad, "rad", "eq 20");
+  section.add("body_cone_half_angle", "body cone, half-angle (omega, k)", cones->bodyCone_rad, "rad", "eq 30");
+  section.add("space_cone_half_angle", "space cone, half-angle (omega, L)", cones->spaceCone_rad, "rad", "eq 35");
+  section.add("rolling", "the body cone rolls on the other's", senseWord(*cones), "",
+              "outside if prolate, inside if oblate");
+  section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
+  section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; >= 0 by the choice of k");
+  section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");
+  section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21");
+  section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29");
+  if (isEarth(*cones)) addChandler(section, *cones);
+  return section;
+}
+
+Section stabilitySection(const scene::Scene& scene) {
+  const bool free = scene.motion.forcing.none();
+  Section section{free ? "Spin about each principal axis, at the present |omega|"
+                       : "Spin about each principal axis, at the present |omega|, if nothing acted on the body",
+                  {}};
+  const double spin = scene.motion.omega_B.norm();
+  if (spin == 0) return section;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto found = physics::spinStability(scene.body.axes.moments(), axis, spin);
+    const std::string name = "axis_" + std::to_string(axis + 1), label = "e" + std::to_string(axis + 1);
+    section.add(name + "_stability", "spin about " + label, stabilityWord(found.kind), "", "eq 24 to 26");
+    section.add(name + "_rate", "  rate", found.rate, "1/s", rateMeaning(found.kind));
+  }
+  return section;
+}
+
+}  // namespace poinsot::describe

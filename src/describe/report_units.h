@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "describe/report.h"
+#include "request/user_defaults.h"
+
+namespace poinsot::describe {
+
+/// The report for people who think in other units.
+Report inUnits(Report report, const request::UnitChoice& units);
+
+}  // namespace poinsot::describe

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "figure/ink.h"
+#include "figure/mark.h"
+#include "figure/parts.h"
+#include "figure/tex.h"
+#include "figure/writers.h"
+
+namespace poinsot::figure {
+namespace {
+
+constexpr std::string_view kHead =
+    R"(% The picture is {image}; LaTeX sets its labels in the fonts of the document.
+% In the preamble: \usepackage{{tikz}} \usepackage{{amsmath}}. The labels' \boldsymbol is of amsmath; the package bm,
+% loaded after it, sets bold Greek in more fonts.
+% By itself: \documentclass{{standalone}} \usepackage{{tikz,amsmath}} \begin{{document}} \input{{NAME}} \end{{document}}
+% From another folder: \graphicspath{{{{folder/}}}}. For larger or smaller labels: \newcommand*\poinsotscale{{1.2}}
+)";
+
+/// Makes the signs of ASCII ordinary characters until the group ends, but for TeX's own. Babel makes some of them
+/// commands: " in German, : and ; in French, = in Turkish, which spoil labels and the options of nodes.
+std::string ordinarySigns() {
+  constexpr std::string_view kSigns[] = {"!\"'()*+,-./", ":;<=>?@[]`|"};
+  std::string codes;
+  for (const std::string_view line : kSigns) {
+    for (const char sign : line) codes += fmt::format("\\catcode{} 12", static_cast<int>(sign));
+    codes += "\\relax\n";
+  }
+  return codes + "\\catcode94 7\\catcode95 8\\relax\n";
+}
+
+/// Each line of a text as a comment.
+std::string comment(std::string_view text) {
+  std::string lines;
+  for (bool more = !text.empty(); more;) {
+    const std::size_t end = text.find('\n');
+    more = end != text.npos;
+    lines += fmt::format("% {}\n", text.substr(0, end));
+    if (more) text.remove_prefix(end + 1);
+  }
+  std::erase(lines, '\r');
+  return lines;
+}
+
+std::string colorOf(const Ink& ink) {
+  const auto byte = [](double v) { return static_cast<int>(std::lround(255 * v)); };
+  return fmt::format("{{rgb,255:red,{};green,{};blue,{}}}", byte(ink.srgb.r), byte(ink.srgb.g), byte(ink.srgb.b));
+}
+
+std::string node(const draw::Text& label, const std::string& latex, glm::dvec2 at_bp, const Figure& figure) {
+  const Ink ink = inkOver(figure.picture.background, label.color, label.opacity);
+  const std::string opacity = ink.alpha < 1 ? fmt::format(", text opacity={:.3f}", ink.alpha) : "";
+  // The font's 10 pt design scaled, as in the picture: small designs are wider, and not every font has all sizes.
+  const double scale = figure.pointsPerPixel() * static_cast<double>(label.size_px) / (10 * 72 / 72.27);
+  return fmt::format(
+      "  \\node[anchor=base west, inner sep=0pt, outer sep=0pt, scale={:.4f}*\\poinsotscale, "
+      "font=\\fontsize{{10}}{{12}}\\selectfont,\n    text={}{}] at ({:.3f}bp, {:.3f}bp) {{{}}};\n",
+      scale, colorOf(ink), opacity, at_bp.x, at_bp.y, latex);
+}
+
+}  // namespace
+
+std::string tikzOf(const Figure& figure, const std::string& imageName) {
+  const glm::dvec2 size_bp = figure.pointsPerPixel() * glm::dvec2(figure.picture.size_px);
+  const auto anchors = labelAnchors(figure.picture, FigureMedium::kTikz, figure.options);
+  std::string nodes, all;
+  std::size_t k = 0;
+  for (const draw::Text& label : labelsOf(figure.picture)) {
+    const std::string latex = latexOf(label.tex);
+    nodes += node(label, latex, anchors[k++], figure);
+    all += latex;
+  }
+  const std::string text = fmt::format(fmt::runtime(kHead), fmt::arg("image", imageName)) +
+                           comment(figure.options.title) + comment(figure.options.description) + "\\begingroup\n" +
+                           ordinarySigns() + "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
+                           fmt::format(
+                               "\\begin{{tikzpicture}}\n"
+                               "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"
+                               "  \\node[anchor=south west, inner sep=0pt, outer sep=0pt] at (0, 0)\n"
+                               "    {{\\includegraphics[width={0:.3f}bp, height={1:.3f}bp]{{{2}}}}};\n",
+                               size_bp.x, size_bp.y, imageName) +
+                           nodes + "\\end{tikzpicture}%\n\\endgroup\n";
+  return marked(kTexMark, text);
+}
+
+}  // namespace poinsot::figure

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace poinsot::figure {
+
+/// An upright box, from its lowest to its highest corner.
+struct Bounds {
+  glm::dvec3 low{1e300};
+  glm::dvec3 high{-1e300};
+
+  void include(glm::dvec3 p);
+  void include(const Bounds& other);
+};
+
+/// The straight line origin + t direction.
+struct Line {
+  glm::dvec3 origin{0};
+  glm::dvec3 direction{0};
+};
+
+/// Things in boxes in boxes, so that a line looks only at the few things near it.
+class BoundsTree {
+ public:
+  explicit BoundsTree(const std::vector<Bounds>& things);
+
+  /// Calls meets(thing) for the things whose box the line enters before `t`, until one answers true.
+  template <typename Meets>
+  bool any(const Line& line, double t, const Meets& meets) const {
+    std::vector<std::size_t> open;
+    if (!nodes_.empty()) open.push_back(0);
+    while (!open.empty()) {
+      const Node& node = nodes_[open.back()];
+      open.pop_back();
+      if (!enters(node.bounds, line, t)) continue;
+      for (std::size_t i = node.first; i < node.first + node.count; ++i)
+        if (meets(order_[i])) return true;
+      if (node.count == 0) open.insert(open.end(), {node.left, node.right});
+    }
+    return false;
+  }
+
+ private:
+  /// A leaf holds `count` things from order_[first]; an inner node (count 0) two nodes.
+  struct Node {
+    Bounds bounds;
+    std::size_t first = 0, count = 0;
+    std::size_t left = 0, right = 0;
+  };
+
+  static bool enters(const Bounds& bounds, const Line& line, double t);
+  std::size_t build(const std::vector<Bounds>& things, std::size_t first, std::size_t count);
+
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace poinsot::figure

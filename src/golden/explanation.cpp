@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "golden/explanation.h"
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+
+namespace poinsot::golden {
+namespace {
+
+using scene::Explanation;
+
+/// A table of a golden.toml.
+struct Table {
+  const char* name;   ///< as GoldenKey has it
+  const char* path;   ///< by which it is explained
+  const char* title;  ///< as a manifest has it
+  const char* help;
+};
+
+constexpr Table kTables[] = {
+    {"", "golden", "golden.toml", "The pictures that poinsot golden makes and compares."},
+    {"test", "golden.test", "[[test]]",
+     "Pictures of a scene, or images that other programs made; one table or more."},
+    {"rule", "golden.rule", "[rule]",
+     "How far pictures may be from their references: in all tests; [test.rule] is for one."},
+};
+
+const Table& tableOf(const GoldenKey& key) {
+  for (const Table& table : kTables)
+    if (std::string_view(table.name) == key.table) return table;
+  return kTables[0];
+}
+
+/// Returns "rule.max" for "[test.rule.max]", "golden.test.rule.max" and "golden.toml.rule.max".
+std::string_view plainPath(std::string_view word) {
+  while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
+  if (word == "golden.toml") return "golden";
+  for (const std::string_view prefix : {"golden.toml.", "golden."})
+    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  if (word.starts_with("test.rule.")) word.remove_prefix(5);
+  return word;
+}
+
+Explanation ofKey(const GoldenKey& key) {
+  Explanation explanation{pathOf(key), key.help, {{"takes", key.value}}};
+  explanation.rows.push_back({"default", *key.fallback ? key.fallback : "none"});
+  const std::string header = *key.table ? std::string(tableOf(key).title) + '\n' : "";
+  explanation.rows.push_back(
+      {"example", *key.example ? fmt::format("{}{} = {}", header, key.name, key.example) : key.value});
+  return explanation;
+}
+
+Explanation ofTable(const Table& table) {
+  Explanation explanation{
+      *table.name ? fmt::format("{} of golden.toml", table.title) : table.title, table.help, {}};
+  for (const GoldenKey& key : goldenKeys())
+    if (std::string_view(table.name) == key.table) explanation.rows.push_back({key.name, key.help});
+  return explanation;
+}
+
+std::string markdownCell(std::string_view text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' || c == '*' ? std::string{'\\', c} : std::string{c};
+  return cell;
+}
+
+/// A form, "[width, height]", as code; words as words.
+std::string markdownForm(std::string_view value) {
+  const bool isForm = value.find_first_of("[\"=") != std::string_view::npos;
+  return isForm ? fmt::format("`{}`", value) : std::string(value);
+}
+
+}  // namespace
+
+std::string pathInFile(const GoldenKey& key) {
+  return *key.table ? fmt::format("{}.{}", key.table, key.name) : key.name;
+}
+
+std::string pathOf(const GoldenKey& key) { return "golden." + pathInFile(key); }
+
+std::vector<Explanation> explainGolden(std::string_view word) {
+  const std::string_view path = plainPath(word);
+  std::vector<Explanation> found;
+  for (const Table& table : kTables) {
+    const std::string_view own = *table.name ? table.name : "golden";
+    if (path == own || (own == "rule" && path == "test.rule")) found.push_back(ofTable(table));
+  }
+  const bool isWhole = word != path;  // a path from the file, not a name alone
+  for (const GoldenKey& key : goldenKeys()) {
+    if (pathInFile(key) == path || (key.name == path && !isWhole)) found.push_back(ofKey(key));
+  }
+  return found;
+}
+
+std::vector<std::string> goldenWords() {
+  std::vector<std::string> words;
+  for (const Table& table : kTables) words.emplace_back(table.path);
+  for (const GoldenKey& key : goldenKeys()) {
+    words.push_back(pathOf(key));
+    words.emplace_back(key.name);
+  }
+  return words;
+}
+
+std::string goldenKeysMarkdown() {
+  std::string text;
+  for (const Table& table : kTables) {
+    text += fmt::format("\n`{}`: {}\n\n| key | takes | default | meaning |\n| --- | --- | --- | --- |\n",
+                        table.title, table.help);
+    for (const GoldenKey& key : goldenKeys())
+      if (std::string_view(table.name) == key.table)
+        text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, markdownForm(key.value),
+                            markdownCell(key.fallback), markdownCell(key.help));
+  }
+  return text + "\n";
+}
+
+}  // namespace poinsot::golden

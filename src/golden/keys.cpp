@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "golden/keys.h"
+
+#include <algorithm>
+
+namespace poinsot::golden {
+namespace {
+
+constexpr GoldenKey kKeys[] = {
+    {"", "references", "text", "folder of the approved pictures, from the folder of this file", "golden",
+     "\"approved\""},
+    {"", "size", "[width, height]", "size in pixels of the scenes' pictures; a test may have another", "",
+     "[256, 144]"},
+    {"", "height", "pixels", "in place of size: the width keeps each scene's proportion", "", "144"},
+    {"", "variant", "text", "variant of the pictures that other programs make; --variant comes before it", "",
+     "\"mesa\""},
+    {"", "rule", "table or text", "rule of all tests that have none of their own", "near", "\"other_driver\""},
+    {"", "test", "[[test]]", "pictures to compare; there must be at least one", "", ""},
+    {"test", "scene", "text", "scene to draw; with * (names) and ** (folders) a test for each file", "",
+     "\"scenes/*.toml\""},
+    {"test", "image", "text",
+     "in place of scene: PNG or film that another program makes before; with * and ** a test for each file", "",
+     "\"plots/*.png\""},
+    {"test", "name", "text", "name of the test and of its reference; * stands for the file's",
+     "the file's, from the folder of the first *", "\"lesson_*\""},
+    {"test", "times", "film times", "0, 1.5 or \"90 ms\"; several make a picture each", "the scene's time.still",
+     "[0, \"1.5 s\"]"},
+    {"test", "size", "[width, height]", "size in pixels of the scene's picture", "the file's, or the scene's",
+     "[640, 360]"},
+    {"test", "height", "pixels", "in place of size: the width keeps the scene's proportion", "the file's", "360"},
+    {"test", "set", "\"KEY=VALUE\"", "other values for keys of the scene, one or a list; a range makes a sheet",
+     "", "[\"style.theme=dark\"]"},
+    {"test", "variant", "text", "name of the driver or machine that made the image, where references differ by it",
+     "the file's", "\"softpipe\""},
+    {"test", "rule", "table or text", "how far the picture may be from its reference", "the file's", "\"same\""},
+    {"rule", "like", "text", "limits by name: same, near or other_driver; the other keys change them", "near",
+     "\"other_driver\""},
+    {"rule", "max", "\"0-N\"", "largest difference of a channel, of 255", "0-2", "\"0-255\""},
+    {"rule", "pixels", "\"0-N\"", "differing pixels, a number or a share", "0-0.5%", "\"0-20\""},
+    {"rule", "flip_mean", "\"0-N\"", "mean of FLIP", "0-1e-3", "\"0-0.01\""},
+    {"rule", "flip_max", "\"0-N\"", "largest FLIP of a pixel", "0-0.05", "\"0-1\""},
+    {"rule", "level", "N", "pixels that differ by at most N of 255 do not count in pixels", "0", "8"},
+    {"rule", "ignore", "[[x, y, w, h], ...]", "boxes of pixels that are not compared", "", "[[0, 0, 120, 20]]"},
+    {"rule", "mask", "text", "PNG of the picture's size; where it is painted, pixels are not compared", "",
+     "\"mask.png\""},
+    {"rule", "reason", "text", "why the picture may differ; a table of limits needs one", "",
+     "\"nearest-texel lookups flip on other processors\""},
+};
+
+}  // namespace
+
+std::span<const GoldenKey> goldenKeys() { return kKeys; }
+
+std::vector<std::string> goldenKeysOf(std::string_view table) {
+  std::vector<std::string> names;
+  for (const GoldenKey& key : kKeys)
+    if (key.table == table) names.emplace_back(key.name);
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace poinsot::golden

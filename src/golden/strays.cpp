@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "golden/strays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+#include "core/folder.h"
+#include "core/error.h"
+#include "core/json_file.h"
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "core/wildcard.h"
+#include "golden/files.h"
+#include "golden/values.h"
+#include "output/film_reader.h"
+
+namespace poinsot::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file in the folder of references that is nobody's reference.
+struct StrayFile {
+  fs::path file;
+  std::string why;         ///< and what to do
+  bool isMissing = false;  ///< a pattern of images would make it, if its image were there
+};
+
+/// Finds the files of one folder that no test refers to.
+class StrayFinder {
+ public:
+  StrayFinder(const fs::path& root, std::vector<fs::path> usual, std::vector<const GoldenTest*> patterns, bool all)
+      : root_(root), usual_(std::move(usual)), patterns_(std::move(patterns)), all_(all) {}
+
+  void search(const fs::path& folder) {
+    const std::vector<fs::path> files = core::filesIn(folder), links = core::filesIn(folder, true);
+    std::set<std::string> stems;
+    for (const fs::path& file : files)
+      if (output::isPictureOrFilmName(file)) stems.insert(file.stem());
+    for (const fs::path& file : files)
+      if (output::isPictureOrFilmName(file))
+        examine(file);
+      else if (all_ && file.extension() == ".json" && !stems.contains(file.stem()) && isDescription(file))
+        strays_.push_back({file, whyAlone(file, links)});
+  }
+
+  std::vector<StrayFile> strays() { return std::move(strays_); }
+
+ private:
+  /// Says why a description has no picture.
+  static std::string whyAlone(const fs::path& description, const std::vector<fs::path>& links) {
+    for (const fs::path& link : links)
+      if (link.stem() == description.stem() && output::isPictureOrFilmName(link))
+        return fmt::format("{} is a link; links are no references: put the picture itself there",
+                           core::printable(link.native()));
+    return "describes a picture that is not there: remove " + core::printable(description.native());
+  }
+
+  void examine(const fs::path& file) {
+    if (std::ranges::find(usual_, file) != usual_.end()) return;
+    const ReferenceStem stem = splitStem(file.stem());
+    const fs::path besides = file.parent_path() / (stem.name + file.extension().native());
+    const bool ofATest = !stem.renderer.empty() && std::ranges::find(usual_, besides) != usual_.end();
+    if (ofATest && isApprovedBeside(file, besides)) return;
+    if (ofATest)
+      strays_.push_back(
+          {file, fmt::format("lies beside {} but was not approved: approve it by --update --beside, or "
+                             "remove {}",
+                             core::printable(besides.filename().native()), withDescription(file))});
+    else if (const GoldenTest* const pattern = patternOf(file))
+      strays_.push_back(
+          {file,
+           fmt::format("approved, and {} has no such image: run the program that makes it; if it is gone "
+                       "for good, remove {}",
+                       core::printable(pattern->file), withDescription(file)),
+           true});
+    else if (all_)
+      strays_.push_back({file, "approved, and no test makes it: remove " + withDescription(file)});
+  }
+
+  /// The pattern of images that would make a reference; null if none would.
+  const GoldenTest* patternOf(const fs::path& file) const {
+    const fs::path relative = file.lexically_relative(root_);
+    const std::string name = (relative.parent_path() / relative.stem()).native();
+    for (const GoldenTest* test : patterns_) {
+      const std::string extension = fs::path(test->file).extension();
+      const bool inFolder = test->file.find("**") != std::string::npos ||
+                            relative.parent_path() == fs::path(test->namePattern).parent_path();
+      if (inFolder && core::matchesWildcard(test->namePattern, name) &&
+          (extension.empty() || isPattern(extension) || extension == file.extension()))
+        return test;
+    }
+    return nullptr;
+  }
+
+  /// Returns a picture, and its description if there is one that is not also of a test's reference.
+  std::string withDescription(const fs::path& file) const {
+    std::error_code ignored;
+    const fs::path json = descriptionOf(file);
+    const std::string picture = core::printable(file.native());
+    const bool isShared = std::ranges::find(usual_, json, descriptionOf) != usual_.end();
+    return !isShared && fs::exists(json, ignored)
+               ? fmt::format("{} and {}", picture, core::printable(json.native()))
+               : picture;
+  }
+
+  fs::path root_;
+  std::vector<fs::path> usual_;
+  std::vector<const GoldenTest*> patterns_;
+  bool all_;
+  std::vector<StrayFile> strays_;
+};
+
+/// Adds a folder and all below it; links are not followed.
+void addTree(const fs::path& root, std::set<fs::path>& folders) {
+  folders.insert(root);
+  std::error_code ignored;  // no folder has no files
+  for (const auto& entry : fs::directory_iterator(root, ignored))
+    if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) addTree(entry.path(), folders);
+}
+
+/// Returns the path of a folder without a slash at its end.
+fs::path plain(const fs::path& folder) { return (folder / ".").parent_path(); }
+
+/// Adds the folders in which references of a pattern lie, whether it matches a file now or not.
+void addPlaces(const GoldenManifest& manifest, const GoldenTest& pattern, std::set<fs::path>& folders) {
+  const fs::path folder = plain(manifest.references / fs::path(pattern.namePattern).parent_path());
+  if (!isBeneath(folder, manifest.references)) return;
+  if (pattern.file.find("**") == std::string::npos)
+    folders.insert(folder);
+  else
+    addTree(folder, folders);
+}
+
+/// The patterns of images that were asked for as a whole: all, or those that `only` has as the manifest does.
+std::vector<const GoldenTest*> imagePatterns(const GoldenManifest& manifest,
+                                             const std::vector<std::string>& only) {
+  std::vector<const GoldenTest*> patterns;
+  for (const GoldenTest& test : manifest.tests) {
+    const bool wanted = only.empty() || std::ranges::find(only, test.file) != only.end();
+    const bool isNew = std::ranges::find(patterns, test.file, &GoldenTest::file) == patterns.end();
+    if (test.scene.empty() && isPattern(test.file) && wanted && isNew) patterns.push_back(&test);
+  }
+  return patterns;
+}
+
+/// Returns pictures and descriptions that belong to no test, and those whose image is missing.
+/// @param only  tests that were asked for; empty for all: then every file is looked at
+std::vector<StrayFile> strayFiles(const GoldenManifest& manifest, const std::vector<GoldenName>& names,
+                                  const std::vector<std::string>& only) {
+  std::vector<fs::path> usual;
+  std::set<fs::path> folders;
+  if (only.empty()) folders.insert(plain(manifest.references));
+  const std::vector<const GoldenTest*> patterns = imagePatterns(manifest, only);
+  for (const GoldenTest* const pattern : patterns) addPlaces(manifest, *pattern, folders);
+  for (const GoldenTest& test : manifest.tests)
+    if (only.empty() && isPattern(test.file)) addPlaces(manifest, test, folders);
+  for (const GoldenName& name : names) {
+    usual.push_back(usualFile(manifest.references, name));
+    folders.insert(usual.back().parent_path());
+  }
+  StrayFinder finder(plain(manifest.references), std::move(usual), patterns, only.empty());
+  for (const fs::path& folder : folders)
+    if (isBeneath(folder, manifest.references)) finder.search(folder);
+  return finder.strays();
+}
+
+}  // namespace
+
+compare::Outcome unmatchedOutcome(const GoldenCase& pattern) {
+  compare::Outcome outcome;
+  outcome.name = pattern.name;
+  outcome.status = compare::OutcomeStatus::kError;
+  outcome.rule = pattern.test.rule;
+  outcome.message = fmt::format("{} matches no PNG and no film; run the program that makes them first",
+                                core::printable(pattern.test.image.native()));
+  return outcome;
+}
+
+std::vector<compare::Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
+                                            const std::vector<std::string>& only, bool allMade) {
+  std::vector<GoldenName> names;
+  for (const GoldenCase& one : cases)
+    if (!one.test.isUnmatched) names.push_back(one.reference());
+  std::vector<compare::Outcome> outcomes;
+  for (const StrayFile& stray : strayFiles(manifest, names, only)) {
+    compare::Outcome& outcome = outcomes.emplace_back();
+    outcome.name = stray.file.lexically_relative(manifest.references).replace_extension();
+    outcome.status = stray.isMissing ? compare::OutcomeStatus::kMissing : compare::OutcomeStatus::kUnused;
+    outcome.message =
+        allMade || stray.isMissing ? stray.why : "approved, and no test makes it: first mend what is in error";
+    if (output::isPictureOrFilmName(stray.file)) outcome.reference = stray.file;
+  }
+  return outcomes;
+}
+
+std::vector<compare::Outcome> unusedReferences(const GoldenManifest& manifest) {
+  const std::vector<GoldenCase> cases = casesOf(manifest, {});
+  std::vector<compare::Outcome> outcomes;
+  for (const GoldenCase& one : cases)
+    if (one.test.isUnmatched) outcomes.push_back(unmatchedOutcome(one));
+  const bool allMade = outcomes.empty();
+  for (compare::Outcome& stray : strayOutcomes(manifest, cases, {}, allMade)) outcomes.push_back(std::move(stray));
+  return outcomes;
+}
+
+}  // namespace poinsot::golden

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job/checkup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "core/frame_clock.h"
+#include "core/temporary_folder.h"
+#include "core/text.h"
+#include "gl/offscreen_context.h"
+#include "gl/shader_cache.h"
+#include "job/job_identity.h"
+#include "job/render_job.h"
+#include "output/film_format.h"
+#include "process/landlock.h"
+#include "request/memory.h"
+#include "request/scene_request.h"
+
+namespace poinsot::job {
+namespace {
+
+using State = Finding::State;
+
+constexpr const char* kScene =
+    "[body]\n"
+    "shape = \"racket\"\n"
+    "size = [0.68, 0.26, 0.02]\n"
+    "mass = 0.33\n"
+    "[motion]\n"
+    "omega_body = [0.04, 4.2, 0.04]\n"
+    "[time]\n"
+    "duration = 1\n"
+    "[output]\n"
+    "size = [1280, 720]\n";
+
+/// What `work` returns; what it throws is a finding of state `failed`.
+template <class Work>
+Finding finding(const std::string& subject, State failed, const Work& work) {
+  try {
+    return {State::kGood, subject, work()};
+  } catch (const core::Error& error) {
+    return {failed, subject, error.message()};
+  }
+}
+
+Finding machine() {
+  const request::FreeMemory memory = request::freeMemory();
+  const std::string free =
+      std::isfinite(memory.machine_bytes) ? request::memoryText(memory.machine_bytes) : "an unknown amount";
+  return {State::kGood, "machine",
+          fmt::format("{} CPU{}, {} of free memory", availableCpus(), availableCpus() == 1 ? "" : "s", free)};
+}
+
+Finding shaderCache() {
+  const std::filesystem::path folder = gl::shaderCacheFolder(false);
+  if (!folder.empty()) return {State::kGood, "shader cache", core::printable(folder.string())};
+  return {
+      State::kAbsent, "shader cache",
+      "there is none, so that each process compiles its shaders, 0.5 to 3 s; set POINSOT_CACHE to a folder that "
+      "is yours alone to write"};
+}
+
+/// Each codec in the first container that has it.
+std::vector<Finding> films() {
+  using enum output::FilmContainer;
+  std::vector<Finding> found;
+  for (const auto container : {kMp4, kMov, kWebm, kGif, kApng})
+    for (const output::FilmCodec codec : output::codecsOf(container)) {
+      const std::string subject = fmt::format("film {}", output::nameOf(codec));
+      if (std::ranges::find(found, subject, &Finding::subject) != found.end()) continue;
+      const State failed = codec == output::codecsOf(kMp4).front() ? State::kBad : State::kAbsent;
+      found.push_back(finding(subject, failed, [&] {
+        output::FilmFormat format{.container = container, .codec = codec};
+        output::checkFormat(format, {640, 360}, {30, 1});
+        return fmt::format("NAME.{}", output::nameOf(container));
+      }));
+    }
+  return found;
+}
+
+Finding sandbox() {
+  return finding("sandbox", State::kAbsent, [] {
+    const process::Landlock landlock;
+    return std::string("--untrusted works");
+  });
+}
+
+std::vector<Finding> backends() {
+  std::vector<Finding> found;
+  bool any = false;
+  for (const gl::BackendReport& report : gl::probeBackends()) {
+    found.push_back(
+        {report.works ? State::kGood : State::kAbsent, "OpenGL " + report.name, core::printable(report.detail)});
+    any |= report.works;
+  }
+  for (Finding& backend : found)
+    if (!any) backend.state = State::kBad;
+  return found;
+}
+
+/// Through the workers, as every film is made.
+Finding film() {
+  return finding("test film", State::kBad, [] {
+    const core::TemporaryFolder folder;
+    const request::SceneRequest request{.fileName = "doctor.toml", .text = kScene, .overrides = {}, .size = {}};
+    const scene::Scene scene = request::loadRequested(request);
+    RenderRequest render;
+    render.scene = request;
+    render.target = request::parseTarget((folder.path() / "doctor.mp4").string());
+    render.frames = request::selectFrames(core::frameCount(scene.time.duration_s, scene.time.fps), {});
+    render.jobs = availableCpus();
+    render.segmentFrames = 10;
+    render.worker_bytes = request::workerMemory_bytes(render.target, scene, render.form);
+    render.job = jobFileOf(render, scene);
+    RenderJob job(std::move(render), [](std::int64_t, std::int64_t, double) {});
+    return fmt::format("a second of {}x{} in {:.1f} s", scene.output.width, scene.output.height, job.run().wall_s);
+  });
+}
+
+}  // namespace
+
+std::vector<Finding> checkup() {
+  gl::pinEnvironment(false);
+  // Workers are forks: the film comes before this process opens GL.
+  std::vector<Finding> all{machine(), shaderCache(), sandbox(), film()};
+  for (auto& more : {films(), backends()}) all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+}  // namespace poinsot::job

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job/scene_frames.h"
+
+#include <utility>
+
+#include "core/frame_clock.h"
+#include "figure/alpha.h"
+#include "request/scene_composer.h"
+
+namespace poinsot::job {
+
+SceneFrames::SceneFrames(const scene::Scene& scene, std::unique_ptr<const stage::Composer> composer,
+                         gl::OffscreenContext& context, std::optional<double> time_s,
+                         const request::PictureForm& form, std::optional<figure::FigureMedium> medium,
+                         const std::string& settings, core::StepLedger* steps)
+    : size_{scene.output.width, scene.output.height},
+      fps_(scene.time.fps),
+      time_s_(time_s),
+      form_(form),
+      medium_(medium),
+      composer_(std::move(composer)),
+      renderer_(context, steps),
+      rendererName_(context.renderer()),
+      digestOf_(settings, rendererName_),
+      steps_(steps) {}
+
+core::Digest SceneFrames::digest(std::int64_t k) {
+  compose(k);
+  return digestOf_(picture_);
+}
+
+image::Frame SceneFrames::frame(std::int64_t k) {
+  compose(k);
+  render::RenderOptions options;
+  options.transparent = form_.transparent;
+  const image::Frame drawn =
+      renderer_.frame(medium_ ? figure::imagePartOf(picture_, *medium_) : picture_, form_.bits, options);
+  if (!form_.transparent) return drawn;
+  fitted_ = drawn.picture;
+  std::visit([&](auto& image) { figure::fitAlpha(image, picture_.background); }, fitted_);
+  return fitted_;
+}
+
+void SceneFrames::compose(std::int64_t k) {
+  if (composed_ == k) return;
+  const core::StepScope timing(steps_, core::Step::kCompose);
+  const stage::Moment moment(time_s_.value_or(core::filmTime_s(k, fps_)), time_s_.has_value());
+  const glm::ivec2 size_px(size_.width, size_.height);
+  picture_ = composer_->compose(moment, size_px, request::sizingOf(form_, size_px));
+  composed_ = k;
+}
+
+}  // namespace poinsot::job

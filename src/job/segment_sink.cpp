@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job/segment_sink.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "describe/picture_words.h"
+#include "figure/figure.h"
+#include "job/job_file.h"
+#include "output/png_sequence.h"
+#include "output/video_segment.h"
+#include "request/film_choice.h"
+
+namespace poinsot::job {
+namespace {
+
+/// The one file of a single picture.
+class SinglePicture : public output::FrameSink {
+ public:
+  SinglePicture(std::filesystem::path place, std::vector<image::PngText> texts, double dpi,
+                output::FrameDigestText digestOf, core::StepLedger& steps)
+      : place_(std::move(place)),
+        texts_(std::move(texts)),
+        dpi_(dpi),
+        digestOf_(std::move(digestOf)),
+        steps_(steps) {}
+  void write(const image::Frame& frame, std::int64_t k) override {
+    std::vector<image::PngText> texts = texts_;
+    texts.push_back(output::digestText(digestOf_(k)));
+    output::writePng(place_, frame.picture, texts, dpi_, &steps_, core::Durability::kRenamed);
+  }
+  void finish() override {}
+
+ private:
+  std::filesystem::path place_;
+  std::vector<image::PngText> texts_;
+  double dpi_;
+  output::FrameDigestText digestOf_;
+  core::StepLedger& steps_;
+};
+
+/// A picture that is more than its pixels.
+class SingleFigure : public output::FrameSink {
+ public:
+  SingleFigure(std::filesystem::path target, std::vector<std::filesystem::path> places,
+               figure::FigureOptions options, const SceneFrames& frames, core::StepLedger& steps)
+      : target_(std::move(target)),
+        places_(std::move(places)),
+        options_(std::move(options)),
+        frames_(frames),
+        steps_(steps) {}
+  void write(const image::Frame& imagePart, std::int64_t) override {
+    const core::StepScope timing(&steps_, core::Step::kEncode);
+    const auto contents =
+        figure::figureContents(target_, frames_.picture(), std::get<image::Image>(imagePart.picture), options_);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      core::writeFileAtomically(places_[i], contents[i], core::Durability::kRenamed);
+  }
+  void finish() override {}
+
+ private:
+  std::filesystem::path target_;
+  std::vector<std::filesystem::path> places_;
+  figure::FigureOptions options_;
+  const SceneFrames& frames_;
+  core::StepLedger& steps_;
+};
+
+std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene::Scene& scene,
+                                               SceneFrames& frames, core::StepLedger& steps) {
+  const auto& path = job.target.path;
+  const auto [title, description] = describe::pictureWords(job.scene, scene);
+  const request::PrintSize print = job.form.print.value_or(request::PrintSize{});
+  if (job.target.kind == request::OutputKind::kFigure)
+    return std::make_unique<SingleFigure>(path, stagedFiles(job.workFolder, job.target),
+                                          figure::FigureOptions{print.width_mm, title, description}, frames,
+                                          steps);
+  auto texts = figure::pngTexts(title, description);
+  auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
+  if (job.target.kind == request::OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});
+  if (job.target.kind == request::OutputKind::kPicture)
+    return std::make_unique<SinglePicture>(stagedFiles(job.workFolder, job.target).front(), std::move(texts),
+                                           job.form.print ? print.dpi : 0, digestOf, steps);
+  // What is said of the whole film is not said by its frames: they stay as they are when it changes.
+  return std::make_unique<output::PngSequence>(
+      output::FramePattern(path.string()),
+      output::SequenceOptions{{}, digestOf, job.resume, job.workFolder, &steps});
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& workFolder,
+                                               const request::OutputTarget& target) {
+  std::vector<std::filesystem::path> places;
+  for (std::size_t i = 0; i < figure::figureFiles(target.path).size(); ++i)
+    places.push_back(workFolder / fmt::format("picture-{}.tmp", i));
+  return places;
+}
+
+SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames,
+                    core::StepLedger& steps) {
+  return [&](const request::FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
+    if (job.target.kind != request::OutputKind::kFilm) return pictureSink(job, scene, frames, steps);
+    const output::FilmFormat format = request::filmFormat(job.target, scene.output, job.form);
+    const image::PixelSize size{scene.output.width, scene.output.height};
+    return std::make_unique<output::VideoSegmentWriter>(segmentFile(job.workFolder, format.container, segment),
+                                                        size, scene.time.fps, format, segment.first, &steps);
+  };
+}
+
+}  // namespace poinsot::job

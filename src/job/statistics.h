@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/step_times.h"
+
+namespace poinsot::job {
+
+/// What a worker, or all of them together, spent.
+struct Statistics {
+  std::int64_t frames = 0;
+  std::int64_t workers = 0;
+  double first_s = 0;           ///< CPU: making each worker's first frame, in which the driver compiles shaders
+  core::StepTimes steps;        ///< of all else; those that make pictures, of all other frames
+  double cpu_s = 0;             ///< CPU of the processes in all, start-up included
+  double peakMemory_bytes = 0;  ///< summed over processes, each at its own peak
+
+  Statistics& operator+=(const Statistics& other);
+};
+
+/// Of this process so far.
+double processPeakMemory_bytes();
+
+/// A table of CPU milliseconds per frame by step, frames per second and memory; lines end with a newline.
+std::string statisticsText(const Statistics& sum, double wall_s);
+
+}  // namespace poinsot::job

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job/worker.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "core/file_error.h"
+#include "core/text.h"
+#include "image/pixel_digest.h"
+#include "job/job_identity.h"
+#include "job/scene_frames.h"
+#include "job/segment_sink.h"
+#include "job/worker_heap.h"
+#include "job/worker_protocol.h"
+#include "process/interrupt.h"
+#include "process/sandbox.h"
+#include "request/scene_composer.h"
+
+namespace poinsot::job {
+namespace {
+
+/// The parent is gone when nobody reads the reports; then there is nothing left to do.
+void report(int reports, const WorkerReport& what) {
+  if (!process::writeLine(reports, toLine(what))) throw process::Interrupted(SIGHUP);
+}
+
+void reportReused(const request::FrameRange& segment, int reports) {
+  for (std::int64_t k = segment.first; k <= segment.last; ++k) report(reports, FrameDone{k, true});
+}
+
+void reportSpans(core::StepLedger& steps, int reports) {
+  auto spans = steps.takeSpans();
+  if (!spans.empty()) report(reports, SpansDone{std::move(spans)});
+}
+
+/// Makes segments, and keeps the account of it.
+class SegmentMaker {
+ public:
+  SegmentMaker(int reports, FrameSource& source, core::StepLedger& steps, const SegmentKeeper* keeper,
+               bool digestsPixels)
+      : reports_(reports), source_(source), steps_(steps), keeper_(keeper), digestsPixels_(digestsPixels) {}
+
+  void make(const request::FrameRange& segment, output::FrameSink& sink) {
+    std::vector<std::string> digests;
+    for (std::int64_t k = segment.first; k <= segment.last; ++k) {
+      process::throwIfInterrupted();
+      steps_.setFrame(k);
+      if (keeper_) digests.push_back(core::toHex(source_.digest(k)));
+      const bool there = sink.has(k);
+      FrameDone done{k, there};
+      if (!there) done.pixels = makeFrame(k, sink);
+      reportSpans(steps_, reports_);
+      report(reports_, done);
+    }
+    steps_.setFrame(std::nullopt);
+    sink.finish();
+    if (keeper_) keeper_->keep(segment, std::move(digests));
+  }
+
+  Statistics spent() const {
+    Statistics spent;
+    spent.frames = frames_;
+    spent.workers = 1;
+    spent.first_s = first_.sum_s();
+    spent.steps = steps_.times();
+    spent.steps -= first_;
+    return spent;
+  }
+
+ private:
+  /// Returns the digest of its pixels, if it is asked for.
+  std::string makeFrame(std::int64_t k, output::FrameSink& sink) {
+    const image::Frame frame = source_.frame(k);
+    if (frames_++ == 0) first_ = steps_.times();  // told apart from the other frames
+    sink.write(frame, k);
+    return digestsPixels_ ? image::pixelDigest(frame.picture) : "";
+  }
+
+  int reports_;
+  FrameSource& source_;
+  core::StepLedger& steps_;
+  const SegmentKeeper* keeper_;
+  bool digestsPixels_;
+  core::StepTimes first_;
+  std::int64_t frames_ = 0;
+};
+
+/// The scene's text came with the job; the files that it names are read again here.
+void expectSameScene(const WorkerJob& job, const scene::Scene& scene, const std::string& settings) {
+  if (job.job.empty() || core::toHex(jobDigest(sceneDigest(job.scene, scene), settings)) == job.job) return;
+  throw core::Error(core::ErrorKind::kIo,
+                    fmt::format("{}: a file that the scene names has changed since the render began",
+                                core::printable(job.scene.fileName)));
+}
+
+void work(process::LineReader& jobs, int reports) {
+  process::forbidProcessesInSandbox();
+  const auto line = jobs.wait();
+  if (!line) return;
+  const WorkerJob job = jobFromLine(*line);
+  gl::pinEnvironment(job.reproducible, job.rasterThreads);
+  unsetenv("HOME");  // its .drirc may change what EGL's driver does; nothing else reads it from here on
+  beginHeap(job.expected_bytes);
+  const scene::Scene scene = request::loadRequested(job.scene);
+  const std::string settings = renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, scene);
+  expectSameScene(job, scene, settings);
+  const auto context = gl::openContext(job.backend);
+  core::StepLedger steps;
+  if (job.trace) steps.trace();
+  SceneFrames frames(scene, request::composerOf(job.scene, scene, &steps), *context, job.time_s, job.form,
+                     figure::figureMedium(job.target.path), settings, &steps);
+  const bool keeps = !job.job.empty();
+  const SegmentKeeper keeper(job, context->renderer());
+  Statistics spent = makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, steps), steps,
+                                  keeps ? &keeper : nullptr, job.digestsPixels);
+  spent.cpu_s = core::processCpu_s();
+  spent.peakMemory_bytes = processPeakMemory_bytes();
+  report(reports, WorkerFinished{spent, context->renderer(), context->driver()});
+}
+
+int failed(int reports, const WorkerFailed& failure) {
+  process::writeLine(reports, toLine(failure));
+  return EXIT_FAILURE;
+}
+
+/// @throws std::bad_alloc
+int workTellingFailures(int jobs, int reports) {
+  process::LineReader lines(jobs);
+  try {
+    work(lines, reports);
+    return EXIT_SUCCESS;
+  } catch (const process::Interrupted& interrupted) {
+    return 128 + interrupted.signal();
+  } catch (const core::FileError& error) {
+    return failed(reports, {error.kind(), error.what(), error.file(), error.code()});
+  } catch (const core::Error& error) {
+    return failed(reports, {error.kind(), error.what()});
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return failed(reports, {core::ErrorKind::kGraphics, error.what()});
+  }
+}
+
+}  // namespace
+
+Statistics makeSegments(process::LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
+                        core::StepLedger& steps, const SegmentKeeper* keeper, bool digestsPixels) {
+  SegmentMaker maker(reports, source, steps, keeper, digestsPixels);
+  while (const auto line = jobs.wait()) {
+    const request::FrameRange segment = segmentFromLine(*line);
+    const std::int64_t begin_ns = core::monotonic_ns();
+    if (keeper && keeper->has(segment, source))
+      reportReused(segment, reports);
+    else
+      maker.make(segment, *sinkOf(segment));
+    steps.add({"segment", begin_ns, core::monotonic_ns(), segment.first});
+    reportSpans(steps, reports);
+    report(reports, SegmentDone{segment});
+  }
+  return maker.spent();
+}
+
+int runWorker(int jobs, int reports) {
+  process::watchInterruptsAsWorker();
+  const std::string outOfMemory = toLine(WorkerFailed{core::ErrorKind::kGraphics, "out of memory"}) + '\n';
+  try {
+    return workTellingFailures(jobs, reports);
+  } catch (const std::bad_alloc&) {  // perhaps while something else was told
+    process::writeText(reports, outOfMemory);
+    return EXIT_FAILURE;
+  }
+}
+
+}  // namespace poinsot::job

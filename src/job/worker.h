@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "job/frame_source.h"
+#include "job/segment_keeper.h"
+#include "job/statistics.h"
+#include "output/frame_sink.h"
+#include "process/line_channel.h"
+#include "request/frame_plan.h"
+
+namespace poinsot::job {
+
+/// Makes the sink of one segment.
+using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const request::FrameRange& segment)>;
+
+/// Makes segments as they come in, one after the other, and reports each frame and segment, until no more come.
+/// Those that the keeper has, and frames that a sink has, are not made again; without a keeper nothing is taken
+/// down. With `digestsPixels` each report of a frame has its pixelDigest(). `steps` is what the source and the
+/// sinks enter their time into; its spans are reported as they come.
+/// @throws core::Error of the source or a sink; Interrupted.
+Statistics makeSegments(process::LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
+                        core::StepLedger& steps, const SegmentKeeper* keeper = nullptr,
+                        bool digestsPixels = false);
+
+/// The life of a worker process: reads its job and segments from `jobs`, reports to `reports`. Opens the one GL
+/// context of this process.
+/// @returns the exit status; a failure was reported before it returns.
+int runWorker(int jobs, int reports);
+
+}  // namespace poinsot::job

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job/worker_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+#include "core/error.h"
+#include "job/worker.h"
+#include "process/interrupt.h"
+#include "process/parent_death.h"
+
+namespace poinsot::job {
+namespace {
+
+struct Pipe {
+  core::FileHandle read, write;
+};
+
+[[noreturn]] void cannotStart(const char* what) {
+  throw core::Error(core::ErrorKind::kGraphics, fmt::format("cannot start a worker process: {}: {}", what,
+                                                            std::generic_category().message(errno)));
+}
+
+Pipe makePipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) cannotStart("pipe");
+  return {core::FileHandle(ends[0]), core::FileHandle(ends[1])};
+}
+
+/// What the parent has open is not the worker's: with it, it would keep the pipes of other workers open.
+void closeAllButStandardStreams() {
+  constexpr unsigned kFirst = STDERR_FILENO + 1;
+  if (close_range(kFirst, ~0U, 0) == 0) return;
+  rlimit limit{};  // a kernel before 5.9
+  getrlimit(RLIMIT_NOFILE, &limit);
+  for (auto fd = static_cast<int>(kFirst); fd < static_cast<int>(limit.rlim_cur); ++fd) close(fd);
+}
+
+/// In the new process.
+[[noreturn]] void becomeWorker(int jobs, int reports, pid_t parent) {
+  process::dieWith(parent);
+  dup2(jobs, STDIN_FILENO);
+  dup2(reports, STDOUT_FILENO);
+  closeAllButStandardStreams();
+  // Not a return: what the parent keeps on its stack is the parent's to clean up. But Mesa ends its work at exit.
+  std::exit(runWorker(STDIN_FILENO, STDOUT_FILENO));
+}
+
+std::string inWords(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  return fmt::format("ended with status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const WorkerJob& job, int number) : number_(number) {
+  Pipe jobs = makePipe(), reports = makePipe();
+  const pid_t parent = getpid();
+  std::fflush(nullptr);  // or both would write it
+  const process::SignalsHeld held;
+  pid_ = fork();
+  if (pid_ < 0) cannotStart("fork");
+  if (pid_ == 0) becomeWorker(jobs.read.get(), reports.write.get(), parent);
+  jobs_ = std::move(jobs.write);
+  reports_ = std::move(reports.read);
+  reader_ = process::LineReader(reports_.get());
+  tell(toLine(job));
+}
+
+WorkerProcess::~WorkerProcess() {
+  kill();
+  awaitEnd(1);
+}
+
+void WorkerProcess::give(const request::FrameRange& segment) {
+  segment_ = segment;
+  tell(toLine(segment));
+}
+
+/// A worker that did not hear would wait for ever. Where it is gone, the end of its reports says so.
+void WorkerProcess::tell(const std::string& line) const {
+  const int code = process::writeText(jobs_.get(), line + '\n');
+  if (code != 0 && code != EPIPE)
+    throw core::Error(core::ErrorKind::kGraphics,
+                      "a message to a worker process could not be sent: " + std::generic_category().message(code));
+}
+
+void WorkerProcess::giveNoMore() {
+  segment_.reset();
+  jobs_.reset();
+}
+
+std::optional<WorkerReport> WorkerProcess::takeReport() {
+  const auto line = reader_.take();
+  return line ? std::optional(reportFromLine(*line)) : std::nullopt;
+}
+
+void WorkerProcess::askToStop() {
+  jobs_.reset();
+  if (pid_ > 0) ::kill(pid_, SIGTERM);
+}
+
+std::optional<std::string> WorkerProcess::ended(double wait_s) {
+  awaitEnd(wait_s);
+  return pid_ < 0 ? std::optional(inWords(status_)) : std::nullopt;
+}
+
+void WorkerProcess::awaitEnd(double wait_s) noexcept {
+  constexpr int kPause_us = 2000;
+  for (double waited_s = 0; pid_ > 0; waited_s += 1e-6 * kPause_us) {
+    if (waitpid(pid_, &status_, WNOHANG) == pid_) {
+      pid_ = -1;
+      return;
+    }
+    if (waited_s >= wait_s) return;
+    usleep(kPause_us);
+  }
+}
+
+void WorkerProcess::kill() {
+  if (pid_ > 0) ::kill(pid_, SIGKILL);
+}
+
+}  // namespace poinsot::job

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/interrupt.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/interruption.h"
+#include "process/time_limit.h"
+
+namespace poinsot::process {
+namespace {
+
+// `timeout` signals its child and then the child's whole group, so one wish to end may arrive twice within
+// microseconds; a person who presses Ctrl-C again out of impatience takes longer than this.
+constexpr std::int64_t kSameWish_ms = 500;
+
+constexpr int kNoted[] = {SIGINT, SIGTERM, SIGHUP};
+
+std::atomic<int> firstSignal = 0;  // threads of the preview look at it, too
+static_assert(std::atomic<int>::is_always_lock_free, "a handler may touch no other");
+std::int64_t firstAt_ms = 0;  // touched only in the handler, which the signals never interrupt
+int wakePipe[2] = {-1, -1};
+volatile std::sig_atomic_t watching = 0;
+std::int64_t allowed_s = 0;  // by the clock
+char tooLong[80] = "";       // what is said where nobody can throw
+
+/// Safe in a handler, as clock_gettime is.
+std::int64_t now_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
+void noteSignal(int signal) {
+  const int saved = errno;
+  if (firstSignal != 0 && signal == SIGINT && now_ms() - firstAt_ms > kSameWish_ms) _exit(128 + signal);
+  if (firstSignal != 0) return;
+  firstAt_ms = now_ms();
+  firstSignal = signal;
+  // One byte into an empty pipe cannot fail; the flag is what counts.
+  [[maybe_unused]] const auto written = write(wakePipe[1], "!", 1);
+  errno = saved;
+}
+
+void noteAlarm(int signal) {
+  if (watching != 0 && firstSignal != signal) return noteSignal(signal);
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, tooLong, std::strlen(tooLong));
+  constexpr int kLimitExceeded = 2;  // as the command line has it (cli/exit_code.h)
+  _exit(kLimitExceeded);
+}
+
+sigset_t notedSignals() {
+  sigset_t all{};
+  sigemptyset(&all);
+  for (const int signal : kNoted) sigaddset(&all, signal);
+  return all;
+}
+
+void watch(int signal) {
+  struct sigaction before {};
+  sigaction(signal, nullptr, &before);
+  if (before.sa_handler == SIG_IGN) return;
+  struct sigaction action {};
+  action.sa_handler = noteSignal;
+  action.sa_mask = notedSignals();
+  sigaction(signal, &action, nullptr);
+}
+
+/// Lets signals end long computations of this thread.
+void interruptComputations() { static const core::InterruptionCheck check(throwIfInterrupted); }
+
+void openWakePipe() {
+  if (wakePipe[0] < 0 && pipe2(wakePipe, O_CLOEXEC | O_NONBLOCK) != 0)
+    throw core::Error(core::ErrorKind::kIo, "cannot open a pipe");
+}
+
+}  // namespace
+
+void watchInterrupts() {
+  openWakePipe();
+  for (const int signal : kNoted) watch(signal);
+  watching = 1;
+  interruptComputations();
+}
+
+void watchInterruptsAsWorker() {
+  firstSignal = 0;
+  wakePipe[0] = wakePipe[1] = -1;  // the parent's
+  openWakePipe();
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGHUP, SIG_IGN);
+  watch(SIGTERM);
+  interruptComputations();
+  const sigset_t held = notedSignals();  // since the fork
+  sigprocmask(SIG_UNBLOCK, &held, nullptr);
+}
+
+SignalsHeld::SignalsHeld() {
+  const sigset_t held = notedSignals();
+  sigprocmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+int interruptSignal() { return firstSignal; }
+
+int interruptFd() { return wakePipe[0]; }
+
+void throwIfInterrupted() {
+  if (firstSignal == SIGALRM)
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("stopped after {} s, as --max-seconds says", allowed_s));
+  if (firstSignal != 0) throw Interrupted(firstSignal);
+}
+
+void limitTime(std::int64_t seconds) {
+  POINSOT_EXPECT(seconds > 0);
+  allowed_s = seconds;
+  *fmt::format_to_n(tooLong, sizeof tooLong - 1, "poinsot: error: stopped after {} s, as --max-seconds says\n",
+                    seconds)
+       .out = '\0';
+  struct sigaction action {};
+  action.sa_handler = noteAlarm;
+  action.sa_mask = notedSignals();
+  sigaction(SIGALRM, &action, nullptr);
+  constexpr std::int64_t kPatience_s = 5;  // for whoever looks only now and then, and for putting things away
+  const itimerval times{{kPatience_s, 0}, {seconds, 0}};
+  setitimer(ITIMER_REAL, &times, nullptr);
+}
+
+}  // namespace poinsot::process

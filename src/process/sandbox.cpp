@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/sandbox.h"
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "core/error.h"
+#include "process/call_filter.h"
+#include "process/landlock.h"
+
+namespace poinsot::process {
+namespace {
+
+bool inside = false;
+
+/// Where Debian and others keep libraries, and what says which there are; the processors, for thread counts; the
+/// memory that there is. None of it is anybody's in particular.
+constexpr const char* kOfTheSystem[] = {"/usr/lib",
+                                        "/usr/lib64",
+                                        "/usr/local/lib",
+                                        "/lib",
+                                        "/lib64",
+                                        "/etc/ld.so.cache",
+                                        "/usr/share/glvnd",
+                                        "/usr/share/drirc.d",
+                                        "/sys/devices/system",
+                                        "/sys/fs/cgroup",
+                                        "/proc/meminfo",
+                                        "/proc/cpuinfo",
+                                        "/proc/filesystems",
+                                        "/proc/self/cgroup"};
+
+[[noreturn]] void fail(const char* what) {
+  throw core::Error(core::ErrorKind::kGraphics,
+                    std::string("--untrusted: ") + what + ": " + std::generic_category().message(errno));
+}
+
+/// Never above what is allowed already. The last `warned` of it are told by a signal first.
+void limit(__rlimit_resource resource, std::uint64_t most, std::uint64_t warned = 0) {
+  rlimit now{};
+  if (getrlimit(resource, &now) != 0) fail("getrlimit");
+  now.rlim_max = std::min<rlim_t>(now.rlim_max, most + warned);
+  now.rlim_cur = std::min<rlim_t>({now.rlim_cur, now.rlim_max, most});
+  if (setrlimit(resource, &now) != 0) fail("setrlimit");
+}
+
+void limitResources(const Sandbox& sandbox) {
+  constexpr std::uint64_t kMostFiles = 1024, kMostTasks = 4096;  // tasks: of the user; root is not counted
+  limit(RLIMIT_AS, sandbox.mostMemory_bytes);
+  limit(RLIMIT_FSIZE, sandbox.mostFile_bytes);
+  limit(RLIMIT_NOFILE, kMostFiles);
+  limit(RLIMIT_NPROC, kMostTasks);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, sandbox.mostCpu_s, 5);
+}
+
+}  // namespace
+
+void enterSandbox(const Sandbox& sandbox) {
+  Landlock files;
+  for (const char* path : kOfTheSystem) files.mayRead(path);
+  for (const auto& path : sandbox.read) files.mayRead(path);
+  for (const auto& path : sandbox.write) files.mayWrite(path);
+  files.mayWrite("/dev/null");
+  limitResources(sandbox);
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail("no-new-privileges");
+  files.enforce();
+  forbidCalls();
+  inside = true;
+}
+
+void forbidProcessesInSandbox() {
+  if (inside) forbidProcesses();
+}
+
+}  // namespace poinsot::process

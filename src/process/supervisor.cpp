@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/supervisor.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/temporary_folder.h"
+#include "process/interrupt.h"
+#include "process/parent_death.h"
+
+namespace poinsot::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile sig_atomic_t confined = 0;  // the process that signals are passed on to
+
+void passOn(int signal) { kill(static_cast<pid_t>(confined), signal); }
+
+/// Passes signals to end on while it lives. One that is ignored (nohup) stays so.
+class SignalsPassedOn {
+ public:
+  explicit SignalsPassedOn(pid_t to) {
+    confined = to;
+    struct sigaction action {};
+    action.sa_handler = passOn;
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction before {};
+      sigaction(signal, nullptr, &before);
+      if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+    }
+  }
+  ~SignalsPassedOn() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);  // it is over
+  }
+  SignalsPassedOn(const SignalsPassedOn&) = delete;
+};
+
+/// Copies it into a folder, which setEnvironment() names as the cache.
+void copyShaderCache(const fs::path& cache, const fs::path& folder) {
+  std::error_code ignored;  // without it shaders are compiled anew
+  if (!cache.empty()) fs::copy(cache, folder / cache.filename(), fs::copy_options::recursive, ignored);
+}
+
+void setEnvironment(const fs::path& folder, const fs::path& shaders) {
+  setenv("TMPDIR", folder.c_str(), 1);
+  setenv("POINSOT_CACHE", shaders.c_str(), 1);
+  unsetenv("POINSOT_SHADERS");
+}
+
+int statusOf(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) != process)
+    if (errno != EINTR) return EXIT_FAILURE;
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+int runConfined(Confinement confinement, const std::function<int(const std::function<int()>&)>& guard,
+                const std::function<int()>& work) {
+  const core::TemporaryFolder folder, shaders = core::TemporaryFolder::inMemory();
+  copyShaderCache(confinement.shaderCache, shaders.path());
+  confinement.sandbox.write.insert(confinement.sandbox.write.end(), {folder.path(), shaders.path()});
+  const pid_t supervisor = getpid();
+  std::fflush(nullptr);  // or both would write it
+  std::optional<SignalsHeld> held(std::in_place);
+  const pid_t process = fork();
+  if (process < 0)
+    throw core::Error(core::ErrorKind::kGraphics,
+                      "--untrusted: no process can be started: " + std::generic_category().message(errno));
+  if (process == 0) {
+    held.reset();
+    dieWith(supervisor);
+    setEnvironment(folder.path(), shaders.path());
+    // Not a return: what lies on the stack is the supervisor's to clean up.
+    std::exit(guard([&] {
+      enterSandbox(confinement.sandbox);
+      return work();
+    }));
+  }
+  const SignalsPassedOn passing(process);
+  held.reset();
+  return statusOf(process);
+}
+
+}  // namespace poinsot::process

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/grade_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/expect.h"
+#include "core/file_error.h"
+#include "core/number.h"
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "reference/grade_columns.h"
+
+namespace poinsot::reference {
+namespace {
+
+constexpr std::ptrdiff_t kFewestNames = 2;  // that make a comment a header
+
+struct Field {
+  std::string_view text;
+  int column = 1;  ///< of its first byte, from 1
+};
+
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// Returns the end of the field that starts at `from`: a separator outside quotes, or the end of the line.
+std::size_t endOfField(std::string_view line, std::size_t from, std::string_view separators) {
+  bool quoted = false;
+  for (std::size_t i = from; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (!quoted && separators.find(line[i]) != std::string_view::npos) return i;
+  }
+  return line.size();
+}
+
+/// Splits a line at commas or, where it has none, at blanks: numpy.savetxt separates numbers by a blank, and
+/// writes the header as it is given.
+void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t start = 0) {
+  fields.clear();
+  const bool commas = endOfField(line, start, ",") < line.size();
+  for (std::size_t from = start; from <= line.size();) {
+    if (!commas) from = std::min(line.find_first_not_of(kBlanks, from), line.size());
+    const std::size_t end = endOfField(line, from, commas ? "," : kBlanks);
+    std::string_view text = trimmed(line.substr(from, end - from));
+    const auto column = text.empty() ? from : static_cast<std::size_t>(text.data() - line.data());
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    if (commas || from < line.size()) fields.push_back({text, static_cast<int>(column) + 1});
+    from = end + 1;
+  }
+}
+
+/// A reader's position in a file.
+struct Cursor {
+  std::string_view rest;  ///< lines that are still to be read
+  std::string_view line;
+  int number = 0;  ///< of the line, from 1
+};
+
+/// Goes through the lines of one file.
+class Reader {
+ public:
+  Reader(std::string_view csv, const std::string& fileName) : cursor_{csv, {}, 0}, fileName_(fileName) {}
+
+  TrajectoryTable table() {
+    readHeader();
+    TrajectoryTable table(columns_.known(), core::printable(fileName_));
+    while (nextLine()) {
+      if (table.rows() == kMostTableRows) refuse(fmt::format("more than {} rows", kMostTableRows));
+      readRow();
+      table.append(row_, {cursor_.number, timeColumn()});
+    }
+    if (table.rows() == 0) fail("has a header and no rows");
+    return table;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what, int line = 0, int column = 0) const {
+    throw core::Error(core::ErrorKind::kIo, what, core::SourceLocation{core::printable(fileName_), line, column});
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw core::Error(core::ErrorKind::kLimit, what,
+                      core::SourceLocation{core::printable(fileName_), cursor_.number, 0});
+  }
+
+  /// Goes to the next line that is neither blank nor a comment; comments above the header may be it.
+  bool nextLine() {
+    while (!cursor_.rest.empty()) {
+      std::string_view& line = cursor_.line;
+      line = cursor_.rest.substr(0, cursor_.rest.find('\n'));
+      cursor_.rest.remove_prefix(std::min(line.size() + 1, cursor_.rest.size()));
+      if (++cursor_.number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+      if (line.size() > kLongestTableLine) refuse(fmt::format("a line of more than {} bytes", kLongestTableLine));
+      const std::string_view text = trimmed(line);
+      if (text.empty()) continue;
+      if (text.front() != '#') return true;
+      if (columns_.empty()) readComment();
+    }
+    return false;
+  }
+
+  /// Remembers the first comment that names columns.
+  void readComment() {
+    hasComments_ = true;
+    if (names_) return;
+    splitFields(cursor_.line, fields_, cursor_.line.find('#') + 1);
+    const auto known = [](const Field& field) {
+      return GradeColumns::columnNamed(field.text) != GradeColumns::kForeign;
+    };
+    if (std::ranges::count_if(fields_, known) >= kFewestNames) names_ = cursor_;
+  }
+
+  /// The first line names the columns, or where it holds numbers, a comment above it, as numpy.savetxt writes it.
+  void findHeader() {
+    const bool found = nextLine();
+    if (found) splitFields(cursor_.line, fields_);
+    if (found && !core::parseNumber(fields_[0].text)) return;
+    if (!found && !names_) fail("is empty; its first line names the columns");
+    if (!names_) return;
+    cursor_ = *names_;
+    splitFields(cursor_.line, fields_, cursor_.line.find('#') + 1);
+  }
+
+  void readHeader() {
+    findHeader();
+    std::vector<std::string> names;
+    for (const Field& field : fields_) names.emplace_back(field.text);
+    columns_ = GradeColumns(names);
+    if (const auto twice = columns_.repeated())
+      fail(fmt::format("column {} is there twice", names[*twice]), cursor_.number, fields_[*twice].column);
+    if (!columns_.hasTime()) fail(withoutTime(), cursor_.number);
+    if (const std::string lack = columns_.lack(); !lack.empty()) fail(lack, cursor_.number);
+    row_.resize(columns_.known().size());
+  }
+
+  /// What to say of a first line without t.
+  std::string withoutTime() const {
+    if (std::ranges::any_of(fields_, [](const Field& f) { return f.text.find(';') != std::string_view::npos; }))
+      return "semicolons: columns are separated by commas or blanks here, and numbers have a decimal point";
+    if (core::parseNumber(fields_[0].text))
+      return hasComments_
+                 ? "no line names the columns: this one holds numbers, and no comment above has names that "
+                   "are known here; name them as in t,q_w,q_x,q_y,q_z,..., with or without a # before"
+                 : "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
+    const std::string meant = columns_.timeHint();
+    return "no column t" +
+           (meant.empty() ? "; the first line names the columns, separated by commas or blanks" : meant);
+  }
+
+  void readRow() {
+    splitFields(cursor_.line, fields_);
+    if (fields_.size() != columns_.size())
+      fail(fmt::format("{} values in a row, where the header has {} columns", fields_.size(), columns_.size()),
+           cursor_.number);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+      if (columns_[i] != GradeColumns::kForeign) row_[next++] = number(fields_[i], columns_[i]);
+  }
+
+  int timeColumn() const { return fields_[columns_.timeAt().value()].column; }
+
+  double number(const Field& field, std::size_t column) const {
+    const auto value = core::parseNumber(field.text);
+    const std::string_view name = kTrajectoryColumns[column].name;
+    if (!value)
+      fail(fmt::format("{}: no number: '{}'", name, core::printable(field.text)), cursor_.number, field.column);
+    if (column == kTimeAt && !std::isfinite(*value))
+      fail(fmt::format("t: no time: {}", *value), cursor_.number, field.column);
+    return *value;
+  }
+
+  Cursor cursor_;
+  std::optional<Cursor> names_;  // at a comment that names columns
+  bool hasComments_ = false;
+  std::string fileName_;
+  std::vector<Field> fields_;
+  GradeColumns columns_;
+  std::vector<double> row_;
+};
+
+}  // namespace
+
+TrajectoryTable::TrajectoryTable(const std::vector<std::size_t>& columns, std::string fileName)
+    : width_(columns.size()), fileName_(std::move(fileName)) {
+  stored_.fill(kAbsent);
+  for (std::size_t i = 0; i < columns.size(); ++i) stored_[columns[i]] = i;
+}
+
+void TrajectoryTable::append(const std::vector<double>& values, const Place& ofTime) {
+  POINSOT_EXPECT(values.size() == width_);
+  values_.insert(values_.end(), values.begin(), values.end());
+  timePlaces_.push_back(ofTime);
+}
+
+TrajectoryTable parseTrajectoryTable(std::string_view csv, const std::string& fileName) {
+  return Reader(csv, fileName).table();
+}
+
+TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& named) {
+  const auto refuse = [](core::ErrorKind kind, const std::string& what) { throw core::Error(kind, what); };
+  std::vector<std::string> names;
+  for (const NamedColumn& one : named) names.push_back(one.name);
+  const GradeColumns columns(names);
+  if (const auto twice = columns.repeated())
+    refuse(core::ErrorKind::kUsage, fmt::format("column {} is there twice", names[*twice]));
+  if (!columns.hasTime()) refuse(core::ErrorKind::kUsage, "no column t" + columns.timeHint());
+  if (const std::string lack = columns.lack(); !lack.empty()) refuse(core::ErrorKind::kUsage, lack);
+
+  const std::span<const double> times_s = named[*columns.timeAt()].values;
+  if (times_s.empty()) refuse(core::ErrorKind::kUsage, "no rows");
+  if (times_s.size() > kMostTableRows)
+    refuse(core::ErrorKind::kLimit, fmt::format("{} rows; at most {} are graded", times_s.size(), kMostTableRows));
+  std::vector<std::span<const double>> known;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (columns[i] == GradeColumns::kForeign) continue;
+    known.push_back(named[i].values);
+    if (known.back().size() != times_s.size())
+      refuse(core::ErrorKind::kUsage,
+             fmt::format("{} has {} rows, t has {}", names[i], known.back().size(), times_s.size()));
+  }
+
+  TrajectoryTable table(columns.known(), "");
+  std::vector<double> row(known.size());
+  for (std::size_t k = 0; k < times_s.size(); ++k) {
+    if (!std::isfinite(times_s[k]))
+      refuse(core::ErrorKind::kUsage, fmt::format("t[{}]: no time: {}", k, times_s[k]));
+    for (std::size_t i = 0; i < known.size(); ++i) row[i] = known[i][k];
+    table.append(row, {});
+  }
+  return table;
+}
+
+TrajectoryTable readTrajectoryTable(const std::string& fileName) {
+  const core::SourceLocation place{core::printable(fileName), 0, 0};
+  std::string csv;
+  try {
+    csv = core::bytesOf(core::openForReading(fileName), kMostTableBytes, core::ErrorKind::kIo);
+  } catch (const core::Error& error) {
+    throw core::FileError(core::ErrorKind::kIo, "cannot be read: " + error.message(), fileName,
+                          core::codeOf(error), place);
+  }
+  if (csv.size() > kMostTableBytes)
+    throw core::Error(core::ErrorKind::kLimit,
+                      fmt::format("has more than {} MiB, the most that are read", kMostTableBytes >> 20), place);
+  return parseTrajectoryTable(csv, fileName);
+}
+
+}  // namespace poinsot::reference

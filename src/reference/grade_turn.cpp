@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/grade_turn.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "reference/grade_turn_words.h"
+
+namespace poinsot::reference {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+using physics::Quaternion;
+
+constexpr double kTurned_rad = 0.001;  // less is no choice of axes
+
+const double kExchangeAllowance = std::log(20.);  // a score of exchanged axes may be worse by as much
+
+/// Takes components along the log's axes to those along the scene's.
+struct Turn {
+  Quaternion body = Quaternion::Identity(), space = Quaternion::Identity();
+};
+
+/// Which columns are turned.
+enum class Columns { kAll, kAttitude, kOmega };
+
+LoggedState turned(LoggedState s, const Turn& turn, Columns columns) {
+  const auto apply = [](std::optional<Vector3d>& v, const Quaternion& q) {
+    if (v) v = q * *v;
+  };
+  if (s.q_WB && columns != Columns::kOmega) s.q_WB = turn.space * *s.q_WB * turn.body.conjugate();
+  if (columns == Columns::kAttitude) return s;
+  apply(s.omega_B, turn.body);
+  apply(s.rate_B, turn.body);
+  apply(s.omega_W, turn.space);
+  apply(s.rate_W, turn.space);
+  if (columns == Columns::kAll) apply(s.L_W, turn.space);
+  return s;
+}
+
+/// The rotations that take coordinate axes to coordinate axes; those by half a turn first, without the identity.
+std::vector<Quaternion> makeExchanges() {
+  std::vector<Quaternion> turns;
+  std::array<int, 3> axes{0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      Matrix3d m = Matrix3d::Zero();
+      for (int i = 0; i < 3; ++i) m(i, axes[static_cast<std::size_t>(i)]) = (signs >> i & 1) != 0 ? -1 : 1;
+      if (m.determinant() > 0 && !m.isIdentity()) turns.emplace_back(m);
+    }
+  } while (std::ranges::next_permutation(axes).found);
+  std::ranges::stable_sort(turns, std::ranges::greater(),
+                           [](const Quaternion& q) { return std::round(1e3 * angleOf(q)); });
+  return turns;
+}
+
+const std::vector<Quaternion>& exchanges() {
+  static const std::vector<Quaternion> turns = makeExchanges();
+  return turns;
+}
+
+/// Pairs of vectors, or of rotations, that one turn should take from theirs to ours.
+class TurnFit {
+ public:
+  void add(const Vector3d& ours, const Vector3d& theirs) { vectors_ += ours * theirs.transpose(); }
+  void add(const Quaternion& turn) { turns_ += turn.coeffs() * turn.coeffs().transpose(); }
+
+  /// Least squares over vectors (W. Kabsch, Acta Cryst. A32 (1976) 922).
+  Quaternion ofVectors() const {
+    const Eigen::JacobiSVD<Matrix3d> svd(vectors_, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+    const Vector3d proper(1, 1, turn.determinant() < 0 ? -1 : 1);
+    return Quaternion(svd.matrixU() * proper.asDiagonal() * svd.matrixV().transpose());
+  }
+
+  /// Mean of rotations of either sign (F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
+  Quaternion ofTurns() const {
+    const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(turns_);
+    return Quaternion(Eigen::Vector4d(solver.eigenvectors().col(3)));
+  }
+
+ private:
+  Matrix3d vectors_ = Matrix3d::Zero();
+  Matrix4d turns_ = Matrix4d::Zero();
+};
+
+/// A vector of the rotation that turns with its axes: its axis times the sine of its angle.
+Vector3d axialOf(const Quaternion& q) { return 2 * q.w() * q.vec(); }
+
+template <class Add>
+TurnFit fitOver(const LogSample& sample, const Add& add) {
+  TurnFit fit;
+  for (std::size_t i = 0; i < sample.theirs.size(); ++i) add(fit, sample.ours[i], sample.theirs[i]);
+  return fit;
+}
+
+/// Returns the unit of omega in which it weighs as much as a rotation.
+double scaleOf(const LogSample& sample) {
+  const double largest = largestOmega(sample);
+  return largest > 0 ? largest : 1;
+}
+
+/// Fits the body's axes to omega_B and to the turns since the first row.
+Quaternion fittedBody(const LogSample& sample) {
+  const double scale = scaleOf(sample);
+  const Quaternion ours0 = sample.ours.front().q_WB.conjugate();
+  const Quaternion theirs0 = sample.theirs.front().q_WB->conjugate();
+  return fitOver(sample,
+                 [&](TurnFit& fit, const physics::RigidBodyState& ours, const LoggedState& theirs) {
+                   if (theirs.omega_B) fit.add(ours.omega_B / scale, *theirs.omega_B / scale);
+                   fit.add(axialOf(ours0 * ours.q_WB), axialOf(theirs0 * *theirs.q_WB));
+                 })
+      .ofVectors();
+}
+
+/// Fits one turn of both frames to all vectors and attitudes.
+Quaternion fittedCommon(const LogSample& sample) {
+  const double scale = scaleOf(sample);
+  return fitOver(sample,
+                 [&](TurnFit& fit, const physics::RigidBodyState& ours, const LoggedState& theirs) {
+                   if (theirs.omega_B) fit.add(ours.omega_B / scale, *theirs.omega_B / scale);
+                   if (theirs.omega_W) fit.add(ours.omega_W / scale, *theirs.omega_W / scale);
+                   fit.add(axialOf(ours.q_WB), axialOf(*theirs.q_WB));
+                 })
+      .ofVectors();
+}
+
+Quaternion fittedBodyAlone(const LogSample& sample) {
+  return fitOver(sample, [](TurnFit& fit, const physics::RigidBodyState& ours,
+                            const LoggedState& theirs) { fit.add(ours.q_WB.conjugate() * *theirs.q_WB); })
+      .ofTurns();
+}
+
+Quaternion fittedSpaceAlone(const LogSample& sample) {
+  return fitOver(sample, [](TurnFit& fit, const physics::RigidBodyState& ours,
+                            const LoggedState& theirs) { fit.add(ours.q_WB * theirs.q_WB->conjugate()); })
+      .ofTurns();
+}
+
+Quaternion fittedOmega(const LogSample& sample) {
+  return fitOver(sample,
+                 [](TurnFit& fit, const physics::RigidBodyState& ours, const LoggedState& theirs) {
+                   if (theirs.omega_B)
+                     fit.add(ours.omega_B, *theirs.omega_B);
+                   else
+                     fit.add(ours.omega_W, *theirs.omega_W);
+                 })
+      .ofVectors();
+}
+
+LogSample turned(LogSample sample, const Turn& turn, Columns columns) {
+  for (LoggedState& theirs : sample.theirs) theirs = turned(std::move(theirs), turn, columns);
+  return sample;
+}
+
+/// The fitted turn, or an exchange of axes where that fits about as well.
+Quaternion chosenTurn(const Quaternion& fitted, const std::function<double(const Quaternion&)>& score) {
+  const auto best = std::ranges::min_element(exchanges(), {}, score);
+  return score(*best) <= score(fitted) + kExchangeAllowance ? *best : fitted;
+}
+
+/// One kind of turned axes: what it needs, how it is fitted, what it turns.
+struct TurnKind {
+  bool (*applies)(const LoggedState&);
+  Quaternion (*fit)(const LogSample&);
+  Turn (*turn)(const Quaternion&);
+  Columns columns;
+  TurnedAxes axes;
+};
+
+Reading turnReading(TurnedAxes axes, const Quaternion& q, const Turn& turn, Columns columns) {
+  return {Aspect::kAxes, turnCause(axes, q),
+          [turn, columns](LoggedState s) { return turned(std::move(s), turn, columns); }};
+}
+
+std::optional<Reading> readingOf(const TurnKind& kind, const LogSample& sample) {
+  if (!kind.applies(sample.theirs.front())) return std::nullopt;
+  const Quaternion q = chosenTurn(kind.fit(sample), [&](const Quaternion& candidate) {
+    return scoreOf(turned(sample, kind.turn(candidate), kind.columns));
+  });
+  if (!(angleOf(q) > kTurned_rad)) return std::nullopt;
+  return turnReading(kind.axes, q, kind.turn(q), kind.columns);
+}
+
+bool hasBoth(const LoggedState& s) { return s.q_WB && (s.omega_B || s.omega_W); }
+bool hasOneOmega(const LoggedState& s) { return s.omega_B.has_value() != s.omega_W.has_value(); }
+
+Turn both(const Quaternion& q) { return {q, q}; }
+Turn body(const Quaternion& q) { return {q, Quaternion::Identity()}; }
+Turn space(const Quaternion& q) { return {Quaternion::Identity(), q}; }
+
+/// The space axes that fit once the body's are turned.
+Quaternion spaceBeside(const LogSample& sample, const Quaternion& bodyTurn) {
+  const LogSample half = turned(sample, body(bodyTurn), Columns::kAll);
+  return chosenTurn(fittedSpaceAlone(half), [&](const Quaternion& candidate) {
+    return scoreOf(turned(half, space(candidate), Columns::kAll));
+  });
+}
+
+std::optional<Reading> twoTurns(const LogSample& sample) {
+  if (!hasAttitude(sample.theirs.front())) return std::nullopt;
+  const Quaternion bodyTurn = chosenTurn(fittedBody(sample), [&](const Quaternion& candidate) {
+    const LogSample half = turned(sample, body(candidate), Columns::kAll);
+    return scoreOf(turned(half, space(fittedSpaceAlone(half)), Columns::kAll));
+  });
+  const Turn turn{bodyTurn, spaceBeside(sample, bodyTurn)};
+  const FitCause ofBody = turnCause(TurnedAxes::kBody, turn.body),
+                 ofSpace = turnCause(TurnedAxes::kSpace, turn.space);
+  const FitCause cause{fmt::format("{} ({}) and {}", ofBody.condition, ofBody.remark, ofSpace.condition),
+                       ofSpace.remark};
+  return Reading{Aspect::kAxes, cause,
+                 [turn](LoggedState s) { return turned(std::move(s), turn, Columns::kAll); }};
+}
+
+}  // namespace
+
+std::vector<Hypothesis> turnHypotheses() {
+  const TurnKind kinds[] = {
+      {hasAttitude, fittedCommon, both, Columns::kAll, TurnedAxes::kBoth},
+      {hasAttitude, fittedBodyAlone, body, Columns::kAll, TurnedAxes::kBody},
+      {hasAttitude, fittedSpaceAlone, space, Columns::kAll, TurnedAxes::kSpace},
+      {hasBoth, fittedBodyAlone, body, Columns::kAttitude, TurnedAxes::kBodyOfAttitude},
+      {hasBoth, fittedSpaceAlone, space, Columns::kAttitude, TurnedAxes::kSpaceOfAttitude},
+      {hasOneOmega, fittedOmega, both, Columns::kOmega, TurnedAxes::kOmega},
+  };
+  std::vector<Hypothesis> hypotheses;
+  for (const TurnKind& kind : kinds)
+    hypotheses.push_back({Aspect::kAxes, [kind](const LogSample& sample) { return readingOf(kind, sample); }});
+  return hypotheses;
+}
+
+std::vector<Hypothesis> exchangeHypotheses() {
+  std::vector<Hypothesis> hypotheses;
+  for (const Quaternion& q : exchanges())
+    hypotheses.push_back({Aspect::kAxes, [q](const LogSample&) {
+                            return std::optional(turnReading(TurnedAxes::kBoth, q, both(q), Columns::kAll));
+                          }});
+  return hypotheses;
+}
+
+Hypothesis twoTurnsHypothesis() { return {Aspect::kAxes, twoTurns}; }
+
+}  // namespace poinsot::reference

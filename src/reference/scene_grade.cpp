@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/scene_grade.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "core/number.h"
+#include "core/text.h"
+#include "scene/make_motion.h"
+#include "scene/units.h"
+
+namespace poinsot::reference {
+namespace {
+
+bool isFarOff(const Grade& grade) {
+  constexpr double kFarOff = 0.1;  // rad, or of omega
+  return std::ranges::any_of(grade.quantities, [](const GradedQuantity& quantity) {
+    return quantity.errors && quantity.errors->rms > kFarOff;
+  });
+}
+
+/// Somebody else's times far beyond the film's may be milliseconds, or another clock's.
+std::string timeNote(const Grade& grade, const scene::Scene& scene, const physics::TimeSpan& span) {
+  constexpr double kFar = 20;
+  const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
+  const double theirs_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
+  if (grade.fit || !isFarOff(grade) || !(std::abs(end_s) > 0) || theirs_s < kFar * std::abs(end_s)) return "";
+  return fmt::format(
+      "their times go to {:.4g} s, the film's motion to {:.4g} s; t is the motion's time in seconds", theirs_s,
+      end_s);
+}
+
+/// Returns the errors of a log whose first row is taken at motion time 0; empty if the motion is too long from
+/// there, too.
+std::string noteFromFirstRow(const MotionMaker& maker, const TrajectoryTable& theirs) {
+  try {
+    return firstRowNote(gradeFromZero(maker, theirs));
+  } catch (const core::Error&) {
+    return "";  // what is wrong with the log as it is written is reported instead
+  }
+}
+
+/// Returns the row whose time is farthest from 0.
+std::size_t farthestRow(const TrajectoryTable& theirs) {
+  std::size_t farthest = 0;
+  for (std::size_t row = 1; row < theirs.rows(); ++row)
+    if (std::abs(theirs.t_s(row)) > std::abs(theirs.t_s(farthest))) farthest = row;
+  return farthest;
+}
+
+/// Makes the motion over their times. @throws core::Error(kLimit) if a driven motion is too long; for a log on a
+/// clock's time, far from 0, the message also gives its errors from the first row on. The place is that of the
+/// farthest time.
+std::unique_ptr<const physics::Motion> motionOver(const MotionMaker& maker, const TrajectoryTable& theirs) {
+  const physics::TimeSpan span = spanOf(theirs);
+  try {
+    return maker(span);
+  } catch (const core::Error& error) {
+    if (error.kind() != core::ErrorKind::kLimit) throw;
+    const bool onClock = span.from_s > span.to_s - span.from_s;
+    const std::string note = onClock ? noteFromFirstRow(maker, theirs) : "";
+    throw core::Error(error.kind(),
+                      note.empty()
+                          ? error.message()
+                          : fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s, note),
+                      theirs.placeOfTime(farthestRow(theirs)));
+  }
+}
+
+}  // namespace
+
+Grade gradeAgainst(const scene::Scene& scene, const TrajectoryTable& theirs) {
+  const MotionMaker maker = [&](const physics::TimeSpan& wanted) {
+    return scene::makeMotion(scene, wanted.from_s, wanted.to_s);
+  };
+  const auto motion = motionOver(maker, theirs);
+  Grade made = grade(*motion, theirs, maker);
+  if (std::string note = timeNote(made, scene, spanOf(theirs)); !note.empty())
+    made.notes.push_back(std::move(note));
+  return made;
+}
+
+double attitudeLimit_rad(std::string_view name, std::string_view word) {
+  const std::string text(word);
+  const auto number = core::parseNumber(text);
+  const auto quantity =
+      number ? scene::Quantity{*number, ""} : scene::parseQuantity(text, scene::Dimension::kAngle);
+  if (quantity.ok() && quantity.value >= 0) return quantity.value;
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("{} '{}': an angle that is not negative, such as 1e-6 (rad) or '0.1 deg'", name,
+                                core::printable(text)));
+}
+
+}  // namespace poinsot::reference

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/trajectory_target.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/text.h"
+
+namespace poinsot::reference {
+TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
+  if (name == "-") return {};
+  const std::filesystem::path path(name);
+  if (path.extension() == ".csv") return {TrajectoryFormat::kCsv, path};
+  if (path.extension() == ".json") return {TrajectoryFormat::kJson, path};
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("output '{}': works: NAME.csv, NAME.json, - (CSV on standard output){}",
+                                core::printable(name), core::smallLettersHint(name, {".csv", ".json"})));
+}
+
+output::FileKind trajectoryKind(TrajectoryFormat format) {
+  return output::textKind("a trajectory", trajectoryMark(format));
+}
+
+}  // namespace poinsot::reference

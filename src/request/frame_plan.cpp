@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/frame_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+
+namespace poinsot::request {
+namespace {
+
+std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
+  std::int64_t k = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), k);
+  const bool whole = status == std::errc() && end == text.data() + text.size();
+  return whole && !text.empty() && text.front() != '-' ? std::optional(k) : std::nullopt;
+}
+
+[[noreturn]] void refuse(std::string_view frames, std::string_view why) {
+  throw core::Error(core::ErrorKind::kUsage, fmt::format("--frames '{}': {}", core::printable(frames), why));
+}
+
+}  // namespace
+
+FrameRange parseFrameRange(std::string_view text) {
+  const auto dash = text.find('-');
+  const auto first = parseFrameNumber(text.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parseFrameNumber(text.substr(dash + 1));
+  if (!first || !last) refuse(text, "frames are A-B, both included, such as 0-59, or one number");
+  if (*last < *first) refuse(text, fmt::format("the first frame, {}, comes after the last, {}", *first, *last));
+  return FrameRange{*first, *last};
+}
+
+FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>& asked) {
+  POINSOT_EXPECT(frameCount > 0);
+  const FrameRange frames = asked.value_or(FrameRange{0, frameCount - 1});
+  if (frames.last >= frameCount)
+    throw core::Error(core::ErrorKind::kUsage, fmt::format("--frames {}-{}: the film has frames 0 to {}",
+                                                           frames.first, frames.last, frameCount - 1));
+  return frames;
+}
+
+std::vector<FrameRange> segmentsOf(const FrameRange& frames, std::int64_t segmentFrames) {
+  POINSOT_EXPECT(segmentFrames > 0);
+  std::vector<FrameRange> segments;
+  for (std::int64_t first = frames.first; first <= frames.last;) {
+    const std::int64_t border = (first / segmentFrames + 1) * segmentFrames;
+    segments.push_back({first, std::min(border - 1, frames.last)});
+    first = border;
+  }
+  return segments;
+}
+
+std::int64_t framesIn(const std::vector<FrameRange>& ranges) {
+  std::int64_t frames = 0;
+  for (const FrameRange& range : ranges) frames += range.count();
+  return frames;
+}
+
+Shard parseShard(std::string_view text) {
+  const auto slash = text.find('/');
+  const auto k = parseFrameNumber(text.substr(0, slash));
+  const auto n = slash == std::string_view::npos ? std::nullopt : parseFrameNumber(text.substr(slash + 1));
+  if (!k || !n || *k < 1 || *k > *n || *n > kMostShards)
+    throw core::Error(
+        core::ErrorKind::kUsage,
+        fmt::format("--shard '{}': a shard is k/n, such as 2/7: the k-th of n, from 1/n to n/n, at most {}",
+                    core::printable(text), kMostShards));
+  return {static_cast<int>(*k), static_cast<int>(*n)};
+}
+
+std::vector<FrameRange> segmentsOf(const Shard& shard, const std::vector<FrameRange>& segments) {
+  std::vector<FrameRange> own;
+  for (auto i = static_cast<std::size_t>(shard.k - 1); i < segments.size(); i += static_cast<std::size_t>(shard.n))
+    own.push_back(segments[i]);
+  return own;
+}
+
+}  // namespace poinsot::request

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/memory.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "request/film_choice.h"
+
+namespace poinsot::request {
+namespace {
+
+using std::filesystem::path;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Empty where it cannot be read. Files of the kernel have no size, so it is read to its end.
+std::string textOf(const path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::optional<double> numberAt(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  double value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return status == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+/// Of the line that begins with this word.
+std::optional<double> field(const std::string& text, const std::string& word) {
+  const auto at = ("\n" + text).find("\n" + word);
+  return at == std::string::npos ? std::nullopt : numberAt(std::string_view(text).substr(at + word.size()));
+}
+
+double ofMachine(const path& root) {
+  const std::string text = textOf(root / "proc/meminfo");
+  const auto available_kB = field(text, "MemAvailable:");
+  return available_kB ? 1024 * (*available_kB + field(text, "SwapFree:").value_or(0)) : kInfinite;
+}
+
+/// Of one control group. Cached files count as used and are given up when memory is wanted.
+double ofGroup(const path& group) {
+  const auto most = numberAt(textOf(group / "memory.max"));  // or "max"
+  if (!most) return kInfinite;
+  const std::string text = textOf(group / "memory.stat");
+  const double files = field(text, "file ").value_or(0) - field(text, "shmem ").value_or(0);
+  return *most - numberAt(textOf(group / "memory.current")).value_or(0) + files;
+}
+
+/// Of this process's control group and those above it (version 2), as containers and Slurm set them.
+double ofGroups(const path& root) {
+  const std::string text = "\n" + textOf(root / "proc/self/cgroup");
+  const auto at = text.find("\n0::/");
+  if (at == std::string::npos) return kInfinite;
+  const std::string name = text.substr(at + 5, text.find('\n', at + 1) - at - 5);
+  const path top = root / "sys/fs/cgroup";
+  double least = ofGroup(top);
+  path group = top;
+  for (const path& part : path(name)) least = std::min(least, ofGroup(group /= part));
+  return least;
+}
+
+double ofProcess() {
+  rlimit limit{};
+  const bool known = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return known ? static_cast<double>(limit.rlim_cur) : kInfinite;
+}
+
+/// For each pixel.
+double encoderMemory_bytes(const output::FilmFormat& format) {
+  constexpr std::array kOfCodec_bytes{48.0, 128.0, 12.0, 135.0, 130.0, 172.0, 172.0};  // in the order of FilmCodec
+  double bytes = kOfCodec_bytes[static_cast<std::size_t>(format.codec)];
+  if (format.chroma == output::Chroma::k444 || format.transparent) bytes *= 2;
+  if (format.codec == output::FilmCodec::kH264 && format.effort == output::Effort::kSlow) bytes *= 1.6;
+  return bytes;
+}
+
+}  // namespace
+
+// Peak memory of a worker over the size of its pictures is a straight line: at nothing are the libraries and the
+// driver's shaders; each pixel then takes 4 bytes of what pictures are drawn in, 8 for 16 bits (renderer.cpp), up
+// to 36 and 60 of layers, where solids fill the picture (solid_layers.h), its picture, and what the encoder keeps
+// of the frames it looks at. Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
+double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
+  const double start_bytes = film ? 148e6 : 115e6;  // FFmpeg's libraries are opened for films only
+  const double picture_bytes = bits == 8 ? 46 : 80;
+  const double encoder_bytes = film ? encoderMemory_bytes(*film) : 0;
+  return start_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
+}
+
+double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form) {
+  std::optional<output::FilmFormat> film;
+  if (target.kind == OutputKind::kFilm) film = filmFormat(target, asked, form);
+  return workerMemory_bytes({asked.width, asked.height}, film, form.bits);
+}
+
+// Measured, see tests/faults/memory_nightly_test.cpp: the scene's own copy in doubles, the edges by which its
+// outline is found, and the triangles in floats, here and in the driver.
+double meshMemory_bytes(const scene::Scene& scene) {
+  constexpr double kTriangle_bytes = 200;
+  std::set<const geometry::Mesh*> meshes;
+  for (const auto* parts : {&scene.body.parts, &scene.show.body.parts})
+    for (const scene::Part& part : *parts)
+      if (const auto* mesh = std::get_if<std::shared_ptr<const geometry::Mesh>>(&part.figure))
+        meshes.insert(mesh->get());
+  double bytes = 0;
+  for (const geometry::Mesh* mesh : meshes) bytes += kTriangle_bytes * static_cast<double>(mesh->triangles.size());
+  return bytes;
+}
+
+double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
+                          int cells) {
+  return workerMemory_bytes(target, scene.output, form) + cells * meshMemory_bytes(scene);
+}
+
+namespace {
+
+constexpr double kFilmsStart_bytes = 56e6;  // the libraries of FFmpeg 7 are opened for films
+constexpr double kLeastReading_bytes = 9;   // for each pixel: two films, each with two pictures of 4:2:0
+constexpr double kGaps = 1.1;               // frames that come and go leave gaps in the heap
+
+/// Bytes for each pixel of two pictures that differ everywhere. Transparent ones are looked at upon two papers.
+double comparePixel_bytes(PixelKind kind) {
+  // Measured with noise of 2560x1440 pixels: 28.4, 41, 45, 69.
+  if (kind.deep) return kind.transparent ? 70 : 42;
+  return kind.transparent ? 48 : 29;
+}
+
+}  // namespace
+
+double compareMemory_bytes(image::PixelSize size, PixelKind kind) {
+  constexpr double kStart_bytes = 16e6;
+  return kStart_bytes + comparePixel_bytes(kind) * size.width * size.height;
+}
+
+// Measured, see tests/faults/film_memory_test.cpp.
+double compareFilmsMemory_bytes(image::PixelSize size, PixelKind kind, std::optional<double> reading_bytes,
+                                int jobs) {
+  const double pixels = 1.0 * size.width * size.height;
+  return kFilmsStart_bytes + reading_bytes.value_or(kLeastReading_bytes * pixels) +
+         kGaps * jobs * comparePixel_bytes(kind) * pixels;
+}
+
+double largestFilmPicture_pixels(double bytes) {
+  return std::max(0.0, bytes - kFilmsStart_bytes) / (kLeastReading_bytes + kGaps * comparePixel_bytes({}));
+}
+
+std::string pictureText(image::PixelSize size) {
+  return fmt::format("a worker that makes pictures of {}x{}", size.width, size.height);
+}
+
+std::string memoryText(double bytes) { return fmt::format("{:.1f} GiB", bytes / (1 << 30)); }
+
+void expectWithinMemory(double bytes, const std::string& what, const scene::Limits& limits) {
+  constexpr auto kMemory = scene::Limit::kMemory;
+  if (bytes <= static_cast<double>(limits[kMemory])) return;
+  throw core::Error(core::ErrorKind::kLimit,
+                    fmt::format("{}: about {} of memory, more than the {} that it may take; {}", what,
+                                memoryText(bytes), limitText(kMemory, limits[kMemory]), howToRaise(kMemory)));
+}
+
+FreeMemory freeMemory(const path& root) { return {std::min(ofMachine(root), ofGroups(root)), ofProcess()}; }
+
+int workersThatFit(int wanted, double each_bytes, const FreeMemory& free) {
+  if (each_bytes > free.process_bytes) return 0;
+  return static_cast<int>(std::clamp(free.machine_bytes / each_bytes, 0.0, static_cast<double>(wanted)));
+}
+
+}  // namespace poinsot::request

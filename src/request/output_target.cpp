@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/output_target.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "figure/figure.h"
+#include "output/film_format.h"
+#include "output/frame_pattern.h"
+
+namespace poinsot::request {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, std::string_view why) {
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("output '{}': {}; works: {} (a film), NAME.png (one frame), "
+                                "NAME_{{frame:05}}.png (a numbered picture per frame)",
+                                core::printable(name), why, output::filmFormatsText()));
+}
+
+std::vector<std::string> filmAndPictureEndings() {
+  std::vector<std::string> endings{".png"};
+  for (const output::FilmContainer container : output::filmContainers())
+    endings.push_back(fmt::format(".{}", output::nameOf(container)));
+  return endings;
+}
+
+bool isStandardOutput(const std::filesystem::path& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+}  // namespace
+
+bool takesDeepPictures(const OutputTarget& target) {
+  return target.kind == OutputKind::kPicture || target.kind == OutputKind::kSequence;
+}
+
+OutputTarget parseTarget(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (name.empty() || !path.has_filename()) refuse(name, "not a file name");
+  const bool film = output::filmContainer(path).has_value();
+  const auto figure = path.extension();
+  if (figure == ".pdf" || figure == ".svg" || figure == ".tex")
+    refuse(name, "a figure is made by `poinsot still`");
+  if (isStandardOutput(path)) refuse(name, "for standard output give -o - with --format png or --format mp4");
+  if (path.extension() != ".png" && !film)
+    refuse(name, "this kind of file is not written" + core::smallLettersHint(name, filmAndPictureEndings()));
+  const bool pattern = output::FramePattern::isPattern(name);
+  if (film) {
+    if (pattern) refuse(name, "a film is one file and has no {frame}");
+    return {OutputKind::kFilm, path};
+  }
+  if (!pattern) return {OutputKind::kPicture, path};
+  static_cast<void>(output::FramePattern(name));  // throws unless it is a good one
+  return {OutputKind::kSequence, path};
+}
+
+OutputTarget streamTarget(const std::string& format) {
+  if (format == "mp4") return {OutputKind::kFilm, "-.mp4", true};
+  if (format == "png") return {OutputKind::kSequence, "-{frame:09}.png", true};
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("-o - writes to standard output: say what, with --format png or --format mp4{}",
+                                format.empty() ? "" : fmt::format("; got '{}'", core::printable(format))));
+}
+
+OutputTarget parseStillTarget(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (figure::figureMedium(path)) return {OutputKind::kFigure, path};
+  if (path.extension() == ".png" && !output::FramePattern::isPattern(name)) return {OutputKind::kPicture, path};
+  const std::string hint =
+      isStandardOutput(path)
+          ? "; for standard output use poinsot render --format png -o - --frames K, where K is the frame's number"
+          : core::smallLettersHint(name, {".png", ".pdf", ".svg", ".tex"});
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex{}",
+                                core::printable(name), hint));
+}
+
+}  // namespace poinsot::request

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/scene_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.h"
+#include "request/sweep_cells.h"
+#include "scene/scene_file.h"
+#include "text/math_setter.h"
+
+namespace poinsot::request {
+namespace {
+
+std::string texProblem(std::string_view tex) {
+  try {
+    text::setTex(tex);
+    return "";
+  } catch (const core::Error& error) {
+    return error.message();
+  }
+}
+
+void showOnly(std::size_t which, scene::Scene& scene) {
+  const std::size_t count = scene.views.size();
+  if (which >= count)
+    throw core::Error(core::ErrorKind::kUsage,
+                      count == 0
+                          ? "--view: the scene has no view; leave it out"
+                          : fmt::format("--view {}: the scene has {} view{}; give {}", which + 1, count,
+                                        count == 1 ? "" : "s", count == 1 ? "1" : fmt::format("1 to {}", count)));
+  scene::View view = std::move(scene.views[which]);
+  view.place = {};
+  scene.views = {std::move(view)};
+  scene.plots.clear();
+}
+
+/// A range of a key that there is not is none: the scene says what is wrong before the grid does.
+SceneRequest firstCell(const SceneRequest& request) {
+  if (!request.sweep->map && std::ranges::none_of(request.overrides, [](const std::string& word) {
+        return scene::sweepAxis(word).has_value();
+      })) {
+    SceneRequest plain = request;
+    plain.sweep.reset();
+    loadRequested(plain);
+  }
+  return cellRequest(request, SweepGrid(request), 0);
+}
+
+}  // namespace
+
+SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
+                              const scene::Allowance& allowance) {
+  return {fileName, scene::readSceneText(fileName, allowance.limits), std::move(overrides), std::nullopt,
+          allowance};
+}
+
+scene::Scene loadRequested(const SceneRequest& request) {
+  if (request.sweep) return loadRequested(firstCell(request));
+  scene::Scene scene =
+      scene::parseScene(request.text, request.fileName, request.overrides, texProblem, request.allowance);
+  if (request.view) showOnly(*request.view, scene);
+  if (request.size) {
+    scene.output.width = request.size->width;
+    scene.output.height = request.size->height;
+  }
+  return scene;
+}
+
+}  // namespace poinsot::request

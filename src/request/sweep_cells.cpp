@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/sweep_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/text.h"
+#include "request/memory.h"
+#include "scene/make_motion.h"
+
+namespace poinsot::request {
+namespace {
+
+using scene::Limit;
+
+constexpr std::size_t kMostAxes = 2;  // rows and columns
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+/// What belongs to the film as a whole: its cells are one.
+void expectOneFilm(const scene::SweepAxis& axis) {
+  if (axis.key == "time.duration" || axis.key.starts_with("output."))
+    refuse(fmt::format("a sweep of {}: its cells would differ in length, rate, size or paper, and are one film",
+                       axis.key));
+}
+
+void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
+  const std::size_t ranges = grid.axes.size();
+  if (request.sweep->map) {
+    if (ranges > 0) refuse(fmt::format("--map is of one body; leave out the range of {}", grid.axes[0].key));
+    return;
+  }
+  if (ranges == 0)
+    refuse(
+        "a sweep has one range or two: -D KEY=FROM..TO:COUNT, such as -D 'time.start=0..4 s:9'; --map has none");
+  if (ranges > kMostAxes) refuse(fmt::format("a sweep has one range or two, got {}", ranges));
+  if (grid.cells > scene::kMostCells)
+    refuse(fmt::format("{} x {} are {} cells: a sweep has at most {}", grid.axes[0].values.size(),
+                       grid.axes.back().values.size(), grid.cells, scene::kMostCells));
+  for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
+}
+
+/// Of two words for a key the last one wins: the range would count for nothing, or all else would.
+void expectOnce(const std::vector<std::string>& overrides, const std::string& key) {
+  const auto isOfKey = [&](const std::string& word) {
+    const auto from = std::min(word.find_first_not_of(' '), word.size());
+    return word.compare(from, key.size(), key) == 0 &&
+           word.find_first_not_of(' ', from + key.size()) == word.find('=');
+  };
+  if (std::ranges::count_if(overrides, isOfKey) > 1) refuse(fmt::format("-D {}: given more than once", key));
+}
+
+void shareSpeed(std::vector<scene::Scene>& cells) {
+  double least = INFINITY;
+  for (const scene::Scene& cell : cells)
+    if (!cell.time.speed) least = std::min(least, scene::chosenSpeed(cell));
+  for (scene::Scene& cell : cells)
+    if (!cell.time.speed) cell.time.speed = least;
+}
+
+}  // namespace
+
+bool hasRanges(const std::vector<std::string>& overrides) {
+  return std::ranges::any_of(overrides, scene::hasRange);
+}
+
+void askForSweep(SceneRequest& request) {
+  if (hasRanges(request.overrides)) request.sweep.emplace();
+}
+
+SweepGrid::SweepGrid(const SceneRequest& request) {
+  POINSOT_EXPECT(request.sweep.has_value());
+  for (std::size_t i = 0; i < request.overrides.size(); ++i) {
+    auto axis = scene::sweepAxis(request.overrides[i]);
+    if (!axis) continue;
+    expectOnce(request.overrides, axis->key);
+    cells *= static_cast<int>(axis->values.size());
+    axes.push_back(std::move(*axis));
+    overrides_.push_back(i);
+    if (axes.size() > kMostAxes) break;  // so that the product stays small
+  }
+  expectGrid(request, *this);
+}
+
+std::size_t SweepGrid::valueOf(std::size_t axis, int cell) const {
+  const auto inRow = static_cast<int>(axes.at(0).values.size());
+  return static_cast<std::size_t>(axis == 0 ? cell % inRow : cell / inRow);
+}
+
+SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell) {
+  SceneRequest one = request;
+  one.sweep.reset();
+  for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
+    one.overrides.at(grid.overrides_[axis]) = grid.axes[axis].override(grid.valueOf(axis, cell));
+  scene::Limits& limits = one.allowance.limits;
+  for (const Limit limit : {Limit::kFilesBytes, Limit::kTriangles, Limit::kCharacters, Limit::kSteps})
+    limits.set(limit, std::max<std::int64_t>(limits[limit] / grid.cells, 1));
+  return one;
+}
+
+std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid) {
+  std::vector<scene::Scene> cells;
+  for (int i = 0; i < grid.cells; ++i) {
+    cells.push_back(loadRequested(cellRequest(request, grid, i)));
+    if (i == 0)
+      expectWithinMemory(grid.cells * meshMemory_bytes(cells[0]),
+                         fmt::format("the meshes of {} cells", grid.cells), request.allowance.limits);
+  }
+  if (cells[0].time.loop) refuse("a sweep does not repeat: --loop changes each motion by itself");
+  shareSpeed(cells);
+  return cells;
+}
+
+}  // namespace poinsot::request

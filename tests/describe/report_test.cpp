@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table and the JSON of a report; its numbers are held against worked values in
+// tests/cli/info_command_test.cpp.
+#include "describe/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <regex>
+
+#include "describe/report_scene.h"
+#include "request/scene_request.h"
+
+namespace poinsot::describe {
+namespace {
+
+using nlohmann::json;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kSource = POINSOT_SOURCE_DIR;
+
+Report reportOf(const std::string& text) {
+  return sceneReport(request::loadRequested({"made.toml", text, {}, std::nullopt}));
+}
+
+std::string start(const std::string& moments, const std::string& omega) {
+  return "[body]\nprincipal_moments = " + moments + "\n[motion]\nomega_body = " + omega + "\n";
+}
+
+Report oneFact(const std::string& key, const FactValue& value, const std::string& unit = "") {
+  Section section{"Title", {}};
+  section.add(key, "label", value, unit, "eq 7");
+  return {"name", {section}};
+}
+
+// Tables of products of inertia have either sign; a body without products needs no word about it.
+TEST(Report, NamesTheSignOfProductsOfInertia) {
+  const auto sourceFor = [](const std::string& inertia) {
+    const Report report = reportOf("[body]\ninertia = " + inertia + "\n[motion]\nomega_body = [0.1, 0.2, 1]\n");
+    return json::parse(reportJson(report)).at("from").at("inertia_tensor_B").get<std::string>();
+  };
+  EXPECT_EQ(sourceFor("[[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]]"), "eq 7, 13; off the diagonal -(sum of m x y)");
+  EXPECT_EQ(sourceFor("[[2, 0, 0], [0, 3, 0], [0, 0, 4]]"), "eq 7, 13");
+}
+
+TEST(Report, ATableOfOneFact) {
+  EXPECT_EQ(reportTable(oneFact("key", 2.5, "s")), "name\n\nTitle\n  label  2.5 s  eq 7\n");
+  EXPECT_THAT(reportTable(oneFact("key", std::numbers::pi / 6, "rad")), HasSubstr("0.523599 rad (30 deg)"));
+  EXPECT_THAT(reportTable(oneFact("key", true)), HasSubstr("yes"));
+  EXPECT_EQ(reportTable({"name", {{"Empty", {}}}}), "name\n");
+}
+
+TEST(Report, ColumnsAreAsWideAsTheirTexts) {
+  Report report = oneFact("key", Eigen::Matrix3d(Eigen::Vector3d(1, 22, 333).asDiagonal()), "kg m^2");
+  report.sections[0].add("other", "a longer label", 2.5, "", "eq 8");
+  report.sections[0].add("word", "word", std::string("none"), "", "");
+  EXPECT_EQ(reportTable(report),
+            "name\n\nTitle\n"
+            "  label           1   0    0\n"
+            "                  0  22    0\n"
+            "                  0   0  333 kg m^2  eq 7\n"
+            "  a longer label  2.5                eq 8\n"
+            "  word            none\n");
+}
+
+TEST(Report, HasAsManyDigitsAsAsked) {
+  const Report third = oneFact("key", 1.0 / 3, "rad");  // 60/pi degrees are 19.098593171027440
+  EXPECT_THAT(reportTable(third, 1), HasSubstr("0.3 rad (2e+01 deg)"));
+  EXPECT_THAT(reportTable(third), HasSubstr("0.333333 rad (19.0986 deg)"));
+  EXPECT_THAT(reportTable(third, kAllDigits), HasSubstr("0.33333333333333331 rad (19.098593171027"));
+}
+
+TEST(Report, RoundingIsPrintedAsZero) {
+  const Eigen::Vector3d vector(-0.0, 1.2e-17, -4.5);
+  EXPECT_THAT(reportTable(oneFact("L_W", vector)), HasSubstr("(0, 0, -4.5)"));
+  EXPECT_THAT(reportTable(oneFact("moments", vector)), HasSubstr("(0, 1.2e-17, -4.5)"));  // no components
+  EXPECT_THAT(reportTable(oneFact("L_W", Eigen::Vector3d(0, 1e-14, -4.5))),
+              HasSubstr("1e-14"));  // more than rounding
+  EXPECT_THAT(reportTable(oneFact("orientation", std::vector<double>{0.6, 0.8, 0, 3e-19})),
+              HasSubstr("(0.6, 0.8, 0, 0)"));
+  EXPECT_THAT(reportTable(oneFact("x", -0.0)), Not(HasSubstr("-0")));
+  Eigen::Matrix3d tensor = Eigen::Vector3d(1, 2, 3).asDiagonal();
+  tensor(0, 1) = 4e-17;
+  EXPECT_THAT(reportTable(oneFact("inertia_tensor_B", tensor)), Not(HasSubstr("e-17")));
+}
+
+TEST(Report, JsonKeepsEveryDigit) {
+  const json said = json::parse(reportJson(oneFact("L_W", Eigen::Vector3d(-0.0, 1.2e-17, 1.0 / 3), "kg")));
+  EXPECT_EQ(said["scene"], "name");
+  EXPECT_EQ(said["L_W"][1].get<double>(), 1.2e-17);
+  EXPECT_EQ(said["L_W"][2].get<double>(), 1.0 / 3);
+  EXPECT_EQ(said["L_W"].dump().find('-'), said["L_W"].dump().find("-17"));  // the first has no sign
+  EXPECT_EQ(said["units"]["L_W"], "kg");
+  EXPECT_EQ(said["from"]["L_W"], "eq 7");
+  EXPECT_TRUE(json::parse(reportJson(oneFact("x", INFINITY)))["x"].is_null());
+}
+
+TEST(Report, AFlipIsNearTheMiddleAxis) {
+  const auto flips = [](const std::string& moments, const std::string& omega) {
+    return json::parse(reportJson(reportOf(start(moments, omega))));
+  };
+  // L = I omega: from the middle axis by atan(2.5 0.1/2) at the start, where the other component is 0.
+  const json racket = flips("[1, 2, 2.5]", "[0, 1, 0.1]");
+  EXPECT_EQ(racket["body_flips"], true);
+  EXPECT_NEAR(racket["least_angle_to_middle"].get<double>(), std::atan(2.5 * 0.1 / 2), 2e-16);
+  EXPECT_NEAR(racket["largest_tilt"].get<double>(), std::atan(2 / (2.5 * 0.1)), 4e-16);
+  EXPECT_EQ(flips("[1, 2, 2.5]", "[0, 0.1, 1]")["body_flips"], false);
+  EXPECT_EQ(flips("[2, 2, 2.5]", "[0, 1, 0.1]")["body_flips"], false);  // symmetric: no middle axis
+  const std::string words = reportTable(reportOf(start("[1, 2, 2.5]", "[0, 0.1, 1]")));
+  EXPECT_THAT(words, Not(HasSubstr("from flip to flip")));
+  EXPECT_THAT(words, ContainsRegex("half a period 2K/lambda"));
+}
+
+TEST(Report, StabilityIsThatOfAFreeBody) {
+  const std::string free = start("[1, 2, 2.5]", "[0, 1, 0.1]");
+  EXPECT_THAT(reportTable(reportOf(free)), Not(HasSubstr("if nothing acted")));
+  EXPECT_THAT(reportTable(reportOf(free + "[motion.drag]\nrate = 0.1\n")),
+              HasSubstr("if nothing acted on the body"));
+}
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void expectDocumented(const std::string& docs, const std::string& key, const std::string& where) {
+  const bool ofAnyAxis = key.starts_with("axis_");  // axis_1_rate stands for all three
+  EXPECT_THAT(docs, HasSubstr("`" + (ofAnyAxis ? "axis_1" + key.substr(6) : key) + "`")) << where;
+}
+
+TEST(Report, DocumentsKeysOfGalleryScenes) {
+  const std::string docs = textOf(kSource + "/docs/reference_data.md");
+  for (const auto& entry : std::filesystem::directory_iterator(kSource + "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Report report =
+        sceneReport(request::loadRequested(request::readSceneRequest(entry.path().string(), {})));
+    for (const Section& section : report.sections)
+      for (const Fact& fact : section.facts) expectDocumented(docs, fact.key, entry.path());
+  }
+}
+
+// Keys that no scene of the gallery has, as those of a film that repeats, are written out in the sources, too.
+TEST(Report, DocumentsKeysOfAllSections) {
+  const std::string docs = textOf(kSource + "/docs/reference_data.md");
+  const std::regex added(R"re(add\("([A-Za-z0-9_]+)",)re");  // not a part of a key
+  int keys = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource + "/src/describe")) {
+    if (!entry.path().filename().string().starts_with("report_")) continue;
+    const std::string source = textOf(entry.path());
+    for (std::sregex_iterator found(source.begin(), source.end(), added), end; found != end; ++found, ++keys)
+      expectDocumented(docs, (*found)[1], entry.path());
+  }
+  EXPECT_GT(keys, 70);  // guards against a pattern that no longer finds any
+}
+
+}  // namespace
+}  // namespace poinsot::describe

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "figure/figure.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <regex>
+#include <sstream>
+
+#include "compare/flip.h"
+#include "core/error.h"
+#include "figure/figure_testing.h"
+#include "figure/parts.h"
+
+namespace poinsot::figure {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+double flipBetween(const image::Image& a, const image::Image& b) { return compare::flip(a, b).mean(); }
+
+image::Image withoutAlpha(const image::Image& picture) {
+  if (picture.channels == 3) return picture;
+  image::Image rgb(picture.size, 3);
+  for (int y = 0; y < picture.size.height; ++y)
+    for (int x = 0; x < picture.size.width; ++x) std::memcpy(rgb.at(x, y), picture.at(x, y), 3);
+  return rgb;
+}
+
+/// Areas, dashes, half-transparent lines and a formula on plain paper.
+draw::Picture plot() {
+  draw::Picture picture;
+  picture.size_px = {600, 400};
+  picture.areas.push_back({{{40, 40}, {560, 40}, {560, 340}}, {0.1f, 0.2f, 0.6f}, 0.2f});
+  for (int i = 0; i < 4; ++i) {
+    draw::Stroke wave;
+    for (int k = 0; k <= 260; ++k) {
+      const float x = 40 + 2 * static_cast<float>(k);
+      wave.points_px.emplace_back(x, 190 + 100 * std::sin(0.02f * x + static_cast<float>(i)));
+    }
+    wave.width_px = 2 + static_cast<float>(i);
+    wave.dash_px = i % 2 == 0 ? 0.0f : 12.0f;
+    wave.color = {0.6f, 0.02f * static_cast<float>(i), 0.05f};
+    wave.opacity = i < 2 ? 1.0f : 0.4f;
+    picture.strokes.push_back(wave);
+  }
+  draw::Text formula;
+  formula.tex = R"(Precession $\Omega_p = \frac{I_3 \omega_3}{I_1}\sqrt{1 + \hat{k}_2}$)";
+  formula.baseline_px = {60.37f, 375.61f};
+  formula.halo = draw::Color(1);
+  formula.halo_px = 3;
+  picture.texts.push_back(formula);
+  return picture;
+}
+
+// ---- the picture
+// ------------------------------------------------------------------------------------------------
+
+struct Shown {
+  const char* scene;
+  double filmTime_s;
+};
+
+// The bar is a mean FLIP of 0.02. Measured, svg and pdf: 0.0078 and 0.0058, 0.0069 and 0.0061, 0.0035 and 0.0032,
+// 0.0016 and 0.0016; the plot below, all edges, 0.0175 and 0.0181. What remains is that viewers blend soft edges
+// in encoded values, a trace darker.
+const Shown kShown[] = {{"poinsot_rolling", 7}, {"tennis_racket", 5.2},    {"football", 3},
+                        {"explorer_1", 5},      {"football_two_views", 2}, {"cones_prolate", 2}};
+
+TEST_F(FigureTest, SvgIsThePngsPicture) {
+  POINSOT_NEEDS("rsvg-convert");
+  for (const Shown& shown : kShown) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const auto figure = written(picture, std::string(shown.scene) + ".svg");
+    const double flip = flipBetween(withoutAlpha(seen(figure, picture)), rendered(picture));
+    printf("flip %s %.4f\n", figure.c_str(), flip);
+    EXPECT_LT(flip, 0.02) << shown.scene;
+  }
+}
+
+TEST_F(FigureTest, PdfIsThePngsPicture) {
+  POINSOT_NEEDS("pdftocairo");
+  for (const Shown& shown : kShown) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const auto figure = written(picture, std::string(shown.scene) + ".pdf");
+    const double flip = flipBetween(seen(figure, picture), rendered(picture));
+    printf("flip %s %.4f\n", figure.c_str(), flip);
+    EXPECT_LT(flip, 0.02) << shown.scene;
+  }
+}
+
+TEST_F(FigureTest, PlotsAreThePngsPicture) {
+  POINSOT_NEEDS("pdftocairo");
+  POINSOT_NEEDS("rsvg-convert");
+  const draw::Picture picture = plot();
+  const image::Image png = rendered(picture);
+  const double pdf = flipBetween(seen(written(picture, "plot.pdf"), picture), png);
+  const double svg = flipBetween(withoutAlpha(seen(written(picture, "plot.svg"), picture)), png);
+  EXPECT_LT(pdf, 0.02);
+  EXPECT_LT(svg, 0.02);
+}
+
+// ---- text
+// -------------------------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, PdfTextIsFound) {
+  POINSOT_NEEDS("pdftotext");
+  const auto text = spoken("pdftotext '" + written(plot(), "words.pdf").string() + "' -").text;
+  EXPECT_THAT(text, HasSubstr("Precession"));
+  EXPECT_THAT(text, HasSubstr("Ω"));
+  EXPECT_THAT(text, HasSubstr("ω"));
+  EXPECT_THAT(text, HasSubstr("√"));
+  const auto scene =
+      spoken("pdftotext '" + written(sceneAt("poinsot_rolling", 7), "scene.pdf").string() + "' -").text;
+  EXPECT_THAT(scene, HasSubstr("ω"));
+  EXPECT_THAT(scene, HasSubstr("Poinsot’s construction"));
+  EXPECT_THAT(scene, HasSubstr("invariable plane"));
+  EXPECT_THAT(scene, HasSubstr("L"));
+}
+
+// Regular and bold, with letters of three fonts: glyphs are drawn from the font that they are of. Nothing but
+// edges of large type: measured 0.021 and 0.018, and 0.038 of a line in other letters.
+TEST_F(FigureTest, AccentedTypeIsThePngsPicture) {
+  POINSOT_NEEDS("pdftocairo");
+  POINSOT_NEEDS("pdftotext");
+  POINSOT_NEEDS("rsvg-convert");
+  draw::Picture picture = plot();
+  picture.texts.clear(), picture.strokes.clear(), picture.areas.clear();
+  draw::Text text;
+  text.size_px = 60;
+  int line = 0;
+  for (const char* tex : {"\\textbf{Größe Übung řeč}", "Größe řeč đ ẍ", "\\textbf{đ ẍ} $\\sqrt[3]{x}$"}) {
+    text.tex = tex;
+    text.baseline_px = {40, 90 + 90 * line++};
+    picture.texts.push_back(text);
+  }
+  const image::Image png = rendered(picture);
+  const auto pdf = written(picture, "accents.pdf");
+  const double inPdf = flipBetween(seen(pdf, picture), png);
+  const double inSvg = flipBetween(withoutAlpha(seen(written(picture, "accents.svg"), picture)), png);
+  picture.texts.front().tex = "\\textbf{Grosse Ubung rec}";
+  const double wrong = flipBetween(rendered(picture), png);
+  printf("flip accents %.4f %.4f, other letters in one line %.4f\n", inPdf, inSvg, wrong);
+  EXPECT_LT(inPdf, 0.025);
+  EXPECT_LT(inSvg, 0.025);
+  EXPECT_GT(wrong, 0.025);
+  const auto words = spoken("pdftotext '" + pdf.string() + "' -").text;
+  for (const char* word : {"Größe", "Übung", "řeč"}) EXPECT_THAT(words, HasSubstr(word));
+}
+
+// Without regard to where the words stand: as the file has them, for those who have it read to them.
+TEST_F(FigureTest, PdfTextIsReadFromTheTitleOn) {
+  POINSOT_NEEDS("pdftotext");
+  const auto file = written(sceneAt("football_two_views", 2), "order.pdf");
+  const auto text = spoken("pdftotext -raw '" + file.string() + "' -").text;
+  const auto space = text.find("In space"), ball = text.find("On the football"), label = text.find("\nk");
+  ASSERT_NE(label, text.npos) << text;
+  EXPECT_LT(space, ball);
+  EXPECT_LT(ball, label);
+}
+
+TEST_F(FigureTest, PdfFontsAreEmbeddedSubsets) {
+  POINSOT_NEEDS("pdffonts");
+  const std::string fonts = spoken("pdffonts '" + written(plot(), "fonts.pdf").string() + "' | tail -n +3").text;
+  EXPECT_THAT(fonts, HasSubstr("+LatinModernMath-Regular"));
+  // Columns emb, sub, uni of every font say yes.
+  const std::regex line(R"(.*\+LatinModernMath-Regular .* yes yes yes .*)");
+  std::istringstream lines(fonts);
+  for (std::string font; std::getline(lines, font);) EXPECT_TRUE(std::regex_match(font, line)) << font;
+}
+
+TEST_F(FigureTest, SvgTextIsThereToBeSelected) {
+  const std::string svg = content(written(plot(), "words.svg"));
+  EXPECT_THAT(svg, HasSubstr(">Precession Ω_p = I₃ω₃/I₁ √(1 + k̂₂)</text>"));
+  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0\""));
+  EXPECT_THAT(svg, Not(HasSubstr("@font-face")));
+}
+
+// ---- where the labels are
+// -----------------------------------------------------------------------------------------
+
+/// How much darkness there is, and its centre.
+struct Ink {
+  double mass = 0, x = 0, y = 0;
+};
+
+// Where ink covers a pixel in part, the renderer mixes light and a viewer encoded values.
+Ink inkOf(const image::Image& picture, bool mixedAsLight) {
+  Ink ink;
+  for (int y = 0; y < picture.size.height; ++y)
+    for (int x = 0; x < picture.size.width; ++x) {
+      const std::uint8_t value = *picture.at(x, y);
+      const double dark = 1 - (mixedAsLight ? static_cast<double>(draw::linearFromSrgb8(value)) : value / 255.0);
+      ink.mass += dark;
+      ink.x += dark * (x + 0.5);
+      ink.y += dark * (y + 0.5);
+    }
+  ink.x /= ink.mass;
+  ink.y /= ink.mass;
+  return ink;
+}
+
+draw::Picture oneLabel(const std::string& tex, glm::vec2 baseline_px) {
+  draw::Picture picture;
+  picture.size_px = {600, 400};
+  draw::Text label;
+  label.tex = tex;
+  label.baseline_px = baseline_px;
+  picture.texts.push_back(label);
+  return picture;
+}
+
+// The centre of the ink moves with the anchor. Measured: pdf 0.058 px, svg 0.010 px at most. Looked at 8 times as
+// large: viewers put glyphs on whole pixels.
+TEST_F(FigureTest, LabelsAreWhereThePngHasThem) {
+  POINSOT_NEEDS("pdftocairo");
+  POINSOT_NEEDS("rsvg-convert");
+  constexpr int kTimes = 8;
+  for (const char* tex :
+       {R"($\boldsymbol{\omega}$)", R"($\hat{\mathbf e}_3$)", "invariable plane", R"($\frac{2T}{L}$)"}) {
+    const draw::Picture picture = oneLabel(tex, {211.37f, 160.81f});
+    const Ink png = inkOf(rendered(picture), true);
+    for (const char* name : {"label.pdf", "label.svg"}) {
+      const Ink ink = inkOf(seen(written(picture, name), picture, kTimes), false);
+      EXPECT_NEAR(ink.x / kTimes, png.x, 0.1) << tex << ' ' << name;
+      EXPECT_NEAR(ink.y / kTimes, png.y, 0.1) << tex << ' ' << name;
+    }
+  }
+}
+
+std::vector<glm::dvec2> pairsIn(const std::string& text, const char* pattern) {
+  const std::regex expression(pattern);
+  std::vector<glm::dvec2> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+    found.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]));
+  return found;
+}
+
+// The numbers in the files, in pixels, against labelsOf: 0.5 px is asked, three decimals of a unit are kept.
+TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
+  for (const Shown& shown : kShown) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const auto labels = labelsOf(picture);
+    ASSERT_GT(labels.size(), 2u);
+    const auto svg = pairsIn(content(written(picture, "anchors.svg")),
+                             R"re(<g transform="translate\(([\d.-]+) ([\d.-]+)\) scale)re");
+    const auto tikz = pairsIn(content(written(picture, "anchors.tex")),
+                              R"re(base west[\s\S]*? at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
+    ASSERT_EQ(svg.size(), labels.size());
+    ASSERT_EQ(tikz.size(), labels.size());
+    const double pixelsPerPoint = kWidth / (kWidth_mm / 25.4 * 72);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const glm::dvec2 wanted = labels[i].baseline_px;
+      EXPECT_LT(glm::distance(svg[i], wanted), 0.001);
+      EXPECT_LT(glm::distance({tikz[i].x * pixelsPerPoint, kHeight - tikz[i].y * pixelsPerPoint}, wanted), 0.004);
+      EXPECT_LT(glm::distance(labelAnchors(picture, FigureMedium::kPdf, {})[i], tikz[i]), 0.001);
+    }
+  }
+}
+
+// ---- what the files say of themselves
+// -----------------------------------------------------------------------------
+
+TEST_F(FigureTest, TitleAndDescriptionAreInTheFiles) {
+  FigureOptions options;
+  options.title = "Poinsot & <Euler>";
+  options.description = "An ellipsoid rolls on a plane; ω is its axis.";
+  const std::string svg = content(written(plot(), "said.svg", options));
+  EXPECT_THAT(svg, HasSubstr("<title>Poinsot &amp; &lt;Euler&gt;</title>"));
+  EXPECT_THAT(svg, HasSubstr("<desc>An ellipsoid rolls on a plane; ω is its axis.</desc>"));
+  const std::string tex = content(written(plot(), "said.tex", options));
+  EXPECT_THAT(tex, HasSubstr("% An ellipsoid rolls on a plane; ω is its axis.\n"));
+  POINSOT_NEEDS("pdfinfo");
+  const std::string info = spoken("pdfinfo '" + written(plot(), "said.pdf", options).string() + "'").text;
+  EXPECT_THAT(info, testing::ContainsRegex("Title: +Poinsot & <Euler>\n"));
+  EXPECT_THAT(info, testing::ContainsRegex("Subject: +An ellipsoid rolls on a plane; ω is its axis.\n"));
+  EXPECT_THAT(info, testing::ContainsRegex("Creator: +poinsot "));
+  EXPECT_THAT(info, Not(HasSubstr("CreationDate")));
+  EXPECT_THAT(info, testing::ContainsRegex("Page size: +243.78 x 162.52 pts"));  // 86 mm by two thirds of it
+}
+
+// A zone of 5.5 hours is written with four characters more than UTC.
+TEST_F(FigureTest, ThePdfIsTheSameInEveryTimeZone) {
+  const auto bytesIn = [&](const char* zone) {
+    ::setenv("TZ", zone, 1);
+    ::tzset();
+    return core::readRegularFile(written(plot(), "zone.pdf"), std::size_t{1} << 24, core::ErrorKind::kIo);
+  };
+  const std::string inUtc = bytesIn("UTC0");
+  EXPECT_EQ(bytesIn("IST-5:30"), inUtc);
+  ::unsetenv("TZ");
+  ::tzset();
+}
+
+TEST_F(FigureTest, ATransparentFigureHasNoPaper) {
+  POINSOT_NEEDS("rsvg-convert");
+  const auto file = written(plot(), "clear.svg", {}, true);
+  const std::string png = file.string() + ".png";
+  ASSERT_EQ(spoken("rsvg-convert -o '" + png + "' '" + file.string() + "'").status, 0);
+  const image::Image picture = image::readPng(png);
+  ASSERT_EQ(picture.channels, 4);
+  EXPECT_EQ(picture.at(2, 2)[3], 0);
+}
+
+image::Image laidOn(const draw::Color& paper, const image::Image& picture) {
+  image::Image whole(picture.size, 3);
+  for (int y = 0; y < picture.size.height; ++y)
+    for (int x = 0; x < picture.size.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const std::uint8_t* p = picture.at(x, y);
+        const int under = draw::srgb8FromLinear(paper[c]);
+        whole.at(x, y)[c] = static_cast<std::uint8_t>((p[c] * p[3] + under * (255 - p[3]) + 127) / 255);
+      }
+  return whole;
+}
+
+/// The same picture on paper of another colour, halos of labels included.
+draw::Picture onPaper(draw::Picture picture, const draw::Color& paper) {
+  picture.background = paper;
+  for (draw::Panel& panel : picture.panels) {
+    panel.list.background = paper;
+    for (draw::Text& text : panel.list.texts) text.halo = paper;
+  }
+  return picture;
+}
+
+// On its own paper a picture without paper is the opaque one; on other paper, mixed by a program that mixes
+// encoded values, nearly the one that is drawn on it, and no rim or halo of white shows. Measured, of the two:
+// 0.002 and 0.001 on white, 0.050 and 0.010 on yellow.
+TEST_F(FigureTest, WithoutPaperThePictureGoesOnAnyPaper) {
+  for (const Shown& shown : {kShown[0], kShown[4]}) {
+    const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
+    const image::Image clear = rendered(picture, true);
+    const draw::Color yellow = draw::fromSrgb(0xf4d160);
+    const double same = flipBetween(laidOn(picture.background, clear), rendered(picture));
+    const double other = flipBetween(laidOn(yellow, clear), rendered(onPaper(picture, yellow)));
+    printf("clear %s %.4f %.4f\n", shown.scene, same, other);
+    EXPECT_LT(same, 0.02) << shown.scene;
+    EXPECT_LT(other, 0.06) << shown.scene;
+  }
+}
+
+// ---- LaTeX
+// --------------------------------------------------------------------------------------------------------
+
+// TeX takes 218 MB, and the launcher does not install it for one test.
+TEST_F(FigureTest, TikzCompiles) {
+  if (!present("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
+  const auto file = written(sceneAt("poinsot_rolling", 7), "tikz.tex");
+  const auto folder = file.parent_path().string();
+  const Spoken said =
+      spoken("cd '" + folder +
+             "' && pdflatex -interaction=nonstopmode -halt-on-error -jobname tikzdoc "
+             R"('\documentclass{article}\usepackage{tikz,amsmath}\begin{document}\input{tikz}\end{document}')");
+  EXPECT_EQ(said.status, 0) << said.text;
+}
+
+// Babel's active characters: those that its language files declare (grep initiate@active@char *.ldf, TeX Live
+// 2022).
+TEST_F(FigureTest, TikzTakesSignsAsTheyAreInEveryLanguage) {
+  const std::string tex = content(written(plot(), "signs.tex"));
+  const auto begin = tex.find("\\begingroup\n"), picture = tex.find("\\begin{tikzpicture}"),
+             end = tex.find("\\end{tikzpicture}%\n\\endgroup\n");
+  ASSERT_LT(begin, picture);
+  ASSERT_LT(picture, end);
+  for (const char sign : std::string("!\"'-:;<=>?`.")) {
+    const auto code = tex.find("\\catcode" + std::to_string(static_cast<int>(sign)) + " 12");
+    EXPECT_TRUE(begin < code && code < picture) << sign;
+  }
+  EXPECT_EQ(tex.find("catcode126"), tex.npos);  // ~ stays a blank
+}
+
+TEST_F(FigureTest, NamesThatLatexCannotLoadAreRefused) {
+  const draw::Picture picture = plot();
+  const image::Image part = rendered(imagePartOf(picture, FigureMedium::kTikz));
+  try {
+    writeFigure("50%.tex", picture, part, {});
+    FAIL() << "no error";
+  } catch (const core::Error& error) {
+    EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+    EXPECT_THAT(error.what(), HasSubstr("50%-unlabelled.png: LaTeX cannot load"));
+  }
+  FigureOptions flat;
+  flat.width_mm = 0;
+  EXPECT_THROW(writeFigure("a.pdf", picture, part, flat), core::Error);
+  EXPECT_THROW(writeFigure("a.gif", picture, part, {}), std::logic_error);
+}
+
+// ---- the same bytes
+// ---------------------------------------------------------------------------------------------
+
+TEST_F(FigureTest, TheSamePictureIsTheSameBytes) {
+  const draw::Picture picture = sceneAt("poinsot_rolling", 7);
+  for (const std::string name : {"twice.pdf", "twice.svg", "twice.tex"}) {
+    const std::string first = content(written(picture, name));
+    ::sleep(1);                                                     // a date of the clock would show
+    EXPECT_TRUE(content(written(picture, name)) == first) << name;  // not _EQ: it would print them
+  }
+}
+
+}  // namespace
+}  // namespace poinsot::figure

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poinsot {
+
+/// A call that breaks a precondition of an installed header.
+struct Breach {
+  std::string header;            ///< "image/image.h"
+  std::string condition;         ///< part of the text after @pre
+  std::function<void()> commit;  ///< has to throw std::logic_error
+};
+
+std::vector<Breach> breachesOfValues();    ///< of physics, geometry, scene and image
+std::vector<Breach> breachesOfPictures();  ///< of all other layers
+
+}  // namespace poinsot
