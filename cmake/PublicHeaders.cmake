@@ -11,7 +11,7 @@ set(POINSOT_PUBLIC_HEADERS
   geometry/mesh.h geometry/mesh_file.h geometry/mesh_integrals.h geometry/primitives.h
   compare/changes.h compare/difference.h compare/flip.h image/image.h compare/magma.h compare/near_rule.h image/png_file.h
   gl/offscreen_context.h
-  scene/film_clock.h scene/limits.h scene/make_motion.h scene/reference.h scene/scene.h scene/scene_file.h
+  scene/motion/film_clock.h scene/limits.h scene/motion/make_motion.h scene/keys/reference.h scene/scene.h scene/scene_file.h
   scene/units.h
   draw/camera.h draw/color.h draw/draw_list.h draw/picture.h draw/picture_digest.h
   text/coverage.h text/math_setter.h text/plain_text.h

@@ -12,7 +12,7 @@
 #include "grade.h"
 #include "reference/scene_grade.h"
 #include "reference/trajectory_row.h"
-#include "scene/explanation.h"
+#include "scene/keys/explanation.h"
 #include "signals.h"
 #include "stability.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "request/memory.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 #include "stage/stage.h"
 
 namespace poinsot::python {

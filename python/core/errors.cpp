@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/file_error.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 
 namespace poinsot::python {
 namespace {

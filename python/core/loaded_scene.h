@@ -9,7 +9,7 @@
 
 #include "motions.h"
 #include "request/scene_request.h"
-#include "scene/film_clock.h"
+#include "scene/motion/film_clock.h"
 
 namespace poinsot::python {
 

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <mutex>
 
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "signals.h"
 
 namespace poinsot::python {

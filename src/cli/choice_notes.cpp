@@ -10,8 +10,8 @@
 
 #include "describe/loop_text.h"
 #include "request/scene_composer.h"
-#include "scene/heavy_top_start.h"
-#include "scene/make_motion.h"
+#include "scene/motion/heavy_top_start.h"
+#include "scene/motion/make_motion.h"
 #include "stage/palette.h"
 #include "stage/stage.h"
 

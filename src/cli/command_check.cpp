@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "request/scene_request.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 #include "stage/stage.h"
 
 namespace poinsot::cli {

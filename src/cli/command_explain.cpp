@@ -10,7 +10,7 @@
 #include "cli/exit_code.h"
 #include "cli/paragraph.h"
 #include "golden/explanation.h"
-#include "scene/explanation.h"
+#include "scene/keys/explanation.h"
 
 namespace poinsot::cli {
 namespace {

@@ -26,7 +26,7 @@
 #include "output/run_files.h"
 #include "process/interrupt.h"
 #include "request/memory.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 #include "stage/stage.h"
 
 namespace poinsot::cli {

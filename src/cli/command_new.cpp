@@ -21,8 +21,8 @@
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "output/run_files.h"
+#include "scene/keys/reference.h"
 #include "scene/limits.h"
-#include "scene/reference.h"
 
 namespace poinsot::cli {
 namespace {

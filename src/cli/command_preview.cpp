@@ -21,7 +21,7 @@
 #include "process/interrupt.h"
 #include "request/scene_request.h"
 #include "request/sweep_cells.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 
 namespace poinsot::cli {
 namespace {

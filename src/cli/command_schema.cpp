@@ -4,7 +4,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "scene/reference.h"
+#include "scene/keys/reference.h"
 
 namespace poinsot::cli {
 

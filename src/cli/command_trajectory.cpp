@@ -20,7 +20,7 @@
 #include "reference/trajectory_row.h"
 #include "reference/trajectory_target.h"
 #include "reference/trajectory_text.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::cli {

@@ -7,7 +7,7 @@
 
 #include "cli/console.h"
 #include "process/interrupt.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 
 namespace poinsot::cli {
 namespace {

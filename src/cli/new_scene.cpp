@@ -12,7 +12,7 @@
 
 #include "core/text.h"
 #include "request/scene_request.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 
 // Of new_scene.toml.
 extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];

@@ -8,7 +8,7 @@
 
 #include "core/version.h"
 #include "golden/explanation.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 
 namespace poinsot::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "request/scene_composer.h"
+#include "scene/document/problem.h"
 #include "scene/limits.h"
-#include "scene/problem.h"
 
 namespace poinsot::cli {
 namespace {

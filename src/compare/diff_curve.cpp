@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "figure/mark.h"
-#include "stage/plot_ticks.h"
+#include "stage/plot/plot_ticks.h"
 
 namespace poinsot::compare {
 namespace {

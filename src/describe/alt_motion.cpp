@@ -12,7 +12,7 @@
 #include "physics/polhode.h"
 #include "physics/precession_cones.h"
 #include "physics/stability.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot::describe {
 namespace {

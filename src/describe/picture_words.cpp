@@ -9,7 +9,7 @@
 #include "describe/alt_words.h"
 #include "request/sweep_cells.h"
 #include "stage/stability_map.h"
-#include "stage/sweep_label.h"
+#include "stage/type/sweep_label.h"
 #include "text/math_setter.h"
 
 namespace poinsot::describe {

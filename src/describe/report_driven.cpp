@@ -7,9 +7,9 @@
 #include "physics/driven_motion.h"
 #include "physics/polhode.h"
 #include "physics/run_condition.h"
-#include "scene/film_pace.h"
-#include "scene/heavy_top_start.h"
-#include "scene/make_motion.h"
+#include "scene/motion/film_pace.h"
+#include "scene/motion/heavy_top_start.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot::describe {
 namespace {

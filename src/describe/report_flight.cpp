@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "describe/report_sections.h"
 #include "physics/flight.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot::describe {
 namespace {

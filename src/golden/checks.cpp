@@ -13,7 +13,7 @@
 #include "core/text.h"
 #include "golden/files.h"
 #include "output/film_reader.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 
 namespace poinsot::golden {
 namespace {

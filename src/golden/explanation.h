@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "golden/keys.h"
-#include "scene/explanation.h"
+#include "scene/keys/explanation.h"
 
 namespace poinsot::golden {
 

@@ -16,7 +16,7 @@
 #include "golden/keys.h"
 #include "golden/values.h"
 #include "output/film_reader.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 #include "scene/limits.h"
 
 namespace poinsot::golden {

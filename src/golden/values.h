@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 #include "scene/limits.h"
 
 /// Values of a golden.toml. All throw core::Error(kScene) that says what was expected and what there is.

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "scene/units.h"
 
 namespace poinsot::reference {

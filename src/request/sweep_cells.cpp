@@ -10,7 +10,7 @@
 #include "core/expect.h"
 #include "core/text.h"
 #include "request/memory.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot::request {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/text.h"
 #include "request/scene_request.h"
 #include "request/user_file.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 
 namespace poinsot::request {
 namespace {

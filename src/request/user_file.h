@@ -5,7 +5,7 @@
 #include <functional>
 #include <string_view>
 
-#include "scene/document.h"
+#include "scene/document/document.h"
 
 namespace poinsot::request {
 

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "request/user_file.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 
 namespace poinsot::request {
 namespace {

@@ -10,15 +10,15 @@
 #include "core/file_error.h"
 #include "core/regular_file.h"
 #include "core/text.h"
-#include "scene/assemble.h"
-#include "scene/check.h"
-#include "scene/document.h"
-#include "scene/doubtful_values.h"
-#include "scene/film_loop.h"
-#include "scene/film_pace.h"
-#include "scene/style_file.h"
+#include "scene/assembly/assemble.h"
+#include "scene/assembly/doubtful_values.h"
+#include "scene/assembly/style_file.h"
+#include "scene/document/document.h"
+#include "scene/document/text_lines.h"
+#include "scene/keys/check.h"
+#include "scene/motion/film_loop.h"
+#include "scene/motion/film_pace.h"
 #include "scene/sweep.h"
-#include "scene/text_lines.h"
 
 namespace poinsot::scene {
 namespace {

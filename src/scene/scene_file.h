@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/document/problem.h"
 #include "scene/limits.h"
-#include "scene/problem.h"
 #include "scene/scene.h"
 
 namespace poinsot::scene {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "physics/solid.h"
-#include "scene/draft.h"
+#include "scene/keys/draft.h"
 
 /// The words for shapes and which keys describe each.
 namespace poinsot::scene {

@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 #include "scene/trimmed.h"
 
 namespace poinsot::scene {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/timeline.h"
 
-#include "scene/key_tables.h"
+#include "scene/keys/key_tables.h"
 
 namespace poinsot::scene {
 namespace {

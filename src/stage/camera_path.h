@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/eased_track.h"
+#include "scene/motion/eased_track.h"
 #include "scene/scene.h"
 #include "stage/framing.h"
 

@@ -4,8 +4,8 @@
 #include <glm/vec2.hpp>
 
 #include "draw/picture.h"
-#include "stage/lettering.h"
 #include "stage/moment.h"
+#include "stage/type/lettering.h"
 
 namespace poinsot::stage {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "stage/plot_figure.h"
+#include "stage/plot/plot_figure.h"
 #include "stage/quantity_track.h"
 
 namespace poinsot::stage {

@@ -5,8 +5,8 @@
 
 #include "draw/picture.h"
 #include "scene/grid_place.h"
-#include "stage/note_layout.h"
 #include "stage/palette.h"
+#include "stage/type/note_layout.h"
 
 namespace poinsot::stage {
 

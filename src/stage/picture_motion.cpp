@@ -7,7 +7,7 @@
 #include "core/expect.h"
 #include "physics/precession_cones.h"
 #include "physics/torque.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "stage/even_times.h"
 
 namespace poinsot::stage {

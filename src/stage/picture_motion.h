@@ -8,8 +8,8 @@
 
 #include "core/abi.h"
 #include "physics/motion.h"
-#include "scene/film_clock.h"
-#include "scene/make_motion.h"
+#include "scene/motion/film_clock.h"
+#include "scene/motion/make_motion.h"
 #include "scene/scene.h"
 
 namespace poinsot::stage {
@@ -66,8 +66,8 @@ struct Precession {
   double rate = 0;                                     ///< rad per motion second
 };
 
-/// Paths are functions of the played time (scene/film_clock.h), on which changes of speed do not tell: it runs
-/// slower where the motion does, and stands still with it.
+/// Paths are functions of the played time (scene/motion/film_clock.h), on which changes of speed do not tell: it
+/// runs slower where the motion does, and stands still with it.
 class PictureMotion {
  public:
   /// `motion`: drawnMotion() of the scene; its views share it.

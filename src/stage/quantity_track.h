@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/motion.h"
-#include "scene/film_clock.h"
+#include "scene/motion/film_clock.h"
 #include "scene/scene.h"
 #include "scene/state_quantity.h"
 

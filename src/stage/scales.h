@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "stage/body_figure.h"
+#include "stage/body/body_figure.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::stage {

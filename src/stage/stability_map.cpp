@@ -11,9 +11,9 @@
 
 #include "core/error.h"
 #include "physics/binet.h"
-#include "stage/globe.h"
-#include "stage/picture_writing.h"
-#include "stage/plot_frame.h"
+#include "stage/figures/globe.h"
+#include "stage/plot/plot_frame.h"
+#include "stage/type/picture_writing.h"
 #include "text/math_setter.h"
 
 namespace poinsot::stage {

@@ -7,11 +7,11 @@
 
 #include "scene/scene.h"
 #include "stage/composer.h"
-#include "stage/globe.h"
+#include "stage/figures/globe.h"
 #include "stage/palette.h"
-#include "stage/pixel_box.h"
-#include "stage/plot_number.h"
 #include "stage/stability_scale.h"
+#include "stage/type/pixel_box.h"
+#include "stage/type/written_number.h"
 
 namespace poinsot::stage {
 

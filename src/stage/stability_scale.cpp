@@ -10,7 +10,7 @@
 #include "core/expect.h"
 #include "core/magma.h"
 #include "physics/stability.h"
-#include "stage/plot_ticks.h"
+#include "stage/plot/plot_ticks.h"
 
 namespace poinsot::stage {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "core/expect.h"
 #include "stage/common_scale.h"
-#include "stage/note_rows.h"
 #include "stage/picture_motion.h"
 #include "stage/timed_motion.h"
+#include "stage/type/note_rows.h"
 
 namespace poinsot::stage {
 namespace {

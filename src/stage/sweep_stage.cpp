@@ -7,9 +7,9 @@
 
 #include "core/expect.h"
 #include "stage/common_scale.h"
-#include "stage/picture_writing.h"
-#include "stage/plot_frame.h"
+#include "stage/plot/plot_frame.h"
 #include "stage/timed_motion.h"
+#include "stage/type/picture_writing.h"
 #include "text/math_setter.h"
 
 namespace poinsot::stage {

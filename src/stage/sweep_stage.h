@@ -6,13 +6,13 @@
 
 #include "core/step_times.h"
 #include "scene/scene.h"
-#include "stage/caption_strip.h"
 #include "stage/composer.h"
+#include "stage/figures/presence.h"
 #include "stage/palette.h"
 #include "stage/picture_layout.h"
-#include "stage/presence.h"
 #include "stage/stage.h"
-#include "stage/sweep_label.h"
+#include "stage/type/caption_strip.h"
+#include "stage/type/sweep_label.h"
 
 namespace poinsot::stage {
 

@@ -8,19 +8,19 @@
 #include <optional>
 
 #include "core/error.h"
-#include "stage/actors.h"
-#include "stage/body_figure.h"
+#include "stage/body/body_figure.h"
 #include "stage/camera_path.h"
-#include "stage/construction.h"
+#include "stage/figures/actors.h"
+#include "stage/figures/construction.h"
+#include "stage/figures/presence.h"
+#include "stage/figures/principal_axes_figure.h"
 #include "stage/framing.h"
-#include "stage/label_layout.h"
-#include "stage/lettering.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
-#include "stage/presence.h"
-#include "stage/principal_axes_figure.h"
 #include "stage/scales.h"
 #include "stage/to_picture.h"
+#include "stage/type/label_layout.h"
+#include "stage/type/lettering.h"
 
 namespace poinsot::stage {
 namespace {

@@ -10,7 +10,7 @@
 #include "scene/scene.h"
 #include "stage/framing.h"
 #include "stage/moment.h"
-#include "stage/pixel_box.h"
+#include "stage/type/pixel_box.h"
 
 namespace poinsot::stage {
 

@@ -13,7 +13,7 @@
 #include "physics/catalogue.h"
 #include "physics/heavy_top.h"
 #include "request/scene_request.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/input.h"
 #include "golden/manifest.h"
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 
 // Of a folder that is not there.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

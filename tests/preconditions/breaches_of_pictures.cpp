@@ -17,11 +17,11 @@
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "stage/picture_layout.h"
-#include "stage/plot_figure.h"
-#include "stage/plot_number.h"
+#include "stage/plot/plot_figure.h"
 #include "stage/stability_map.h"
 #include "stage/stage.h"
 #include "stage/sweep_stage.h"
+#include "stage/type/written_number.h"
 #include "support/scratch_folder.h"
 #include "text/coverage.h"
 
@@ -112,17 +112,17 @@ std::vector<Breach> ofStage() {
        [=] {
          PictureLayout({wide, second});
        }},
-      {"stage/plot_figure.h", "of one kind", [=] { joined(PlotRanges{}, portrait); }},
-      {"stage/plot_figure.h", "quantities are of one unit",
+      {"stage/plot/plot_figure.h", "of one kind", [=] { joined(PlotRanges{}, portrait); }},
+      {"stage/plot/plot_figure.h", "quantities are of one unit",
        [=] {
          plotOf({indexOf("omega_1"), indexOf("T")}, {});
        }},
-      {"stage/plot_figure.h", "one for a phase portrait",
+      {"stage/plot/plot_figure.h", "one for a phase portrait",
        [=] {
          plotOf({indexOf("omega_1"), indexOf("omega_2")}, indexOf("omega_3"));
        }},
-      {"stage/plot_figure.h", "quantities are of one unit", [=] { plotOf({}, {}); }},
-      {"stage/plot_number.h", "a unit of these",
+      {"stage/plot/plot_figure.h", "quantities are of one unit", [=] { plotOf({}, {}); }},
+      {"stage/type/written_number.h", "a unit of these",
        [] { writtenUnit(scene::QuantityUnit::kRadianPerSecond, 1, "kg"); }},
   };
 }

@@ -11,7 +11,7 @@
 #include "describe/picture_words.h"
 #include "job/job_identity.h"
 #include "job/worker_protocol.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot::request {
 namespace {

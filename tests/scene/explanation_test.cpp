@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of names is what the one table of keys says: looked up here for each of its keys.
-#include "scene/explanation.h"
+#include "scene/keys/explanation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 #include "scene/shapes.h"
 
 namespace poinsot::scene {

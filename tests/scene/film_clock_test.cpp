@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Film time to motion time: against numerical quadrature of the pace, which is checked by its own definition.
-#include "scene/film_clock.h"
+#include "scene/motion/film_clock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films that repeat: what time.loop makes of a scene. That the start is the nearest one is tests/physics'
 // (closed_motion_test.cpp, against theta functions); here it is followed through the scene by the motion itself.
-#include "scene/film_loop.h"
+#include "scene/motion/film_loop.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "scene_testing.h"
 
 namespace poinsot::scene {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pace of a film and what it shows of a heavy top. Expected values: closed forms of steady precession (Landau
 // & Lifshitz, Mechanics, section 35), and the integrated motion, whose axis is followed round the vertical.
-#include "scene/film_pace.h"
+#include "scene/motion/film_pace.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "scene_testing.h"
 
 namespace poinsot::scene {

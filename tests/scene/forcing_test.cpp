@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "scene_testing.h"
 
 namespace poinsot::scene {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 
 /// Scenes in which a key may be given.
 namespace poinsot::scene {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table, the parser, the schema and the reference say the same.
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 
 #include <gmock/gmock.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 
 #include "key_contexts.h"
-#include "scene/check.h"
-#include "scene/reference.h"
+#include "scene/keys/check.h"
+#include "scene/keys/reference.h"
 #include "scene_testing.h"
 #include "schema_testing.h"
 

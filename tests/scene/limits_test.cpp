@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "physics/free_motion.h"
-#include "scene/document.h"
+#include "scene/document/document.h"
 #include "scene/limits.h"
 #include "scene_testing.h"
 

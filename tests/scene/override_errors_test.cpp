@@ -2,7 +2,7 @@
 // What is said of a wrong -D: it has no line, so the message names the override itself.
 #include <gmock/gmock.h>
 
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 #include "scene_testing.h"
 
 namespace poinsot::scene {

@@ -13,8 +13,8 @@
 #include <map>
 #include <sstream>
 
-#include "scene/keys.h"
-#include "scene/make_motion.h"
+#include "scene/keys/keys.h"
+#include "scene/motion/make_motion.h"
 #include "scene/scene_file.h"
 
 namespace poinsot::scene {

@@ -2,7 +2,7 @@
 // One file of tests/scene/data for each way a scene can be wrong; lines and columns were counted by hand.
 #include <gmock/gmock.h>
 
-#include "scene/problem.h"
+#include "scene/document/problem.h"
 #include "scene_testing.h"
 
 namespace poinsot::scene {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene reaches nothing outside its folder.
-#include "scene/scene_folder.h"
+#include "scene/assembly/scene_folder.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>

@@ -6,8 +6,8 @@
 #include <regex>
 #include <set>
 
-#include "scene/check.h"
-#include "scene/reference.h"
+#include "scene/keys/check.h"
+#include "scene/keys/reference.h"
 #include "scene/unit_names.h"
 #include "scene_testing.h"
 #include "schema_testing.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "scene_testing.h"
 
 namespace poinsot::scene {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Themes, colours by meaning, and style files.
-#include "scene/style_file.h"
+#include "scene/assembly/style_file.h"
 
 #include <gmock/gmock.h>
 

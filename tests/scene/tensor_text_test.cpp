@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tensors and moments that a scene cannot have: what is to be written instead is accepted as it stands.
-#include "scene/tensor_text.h"
+#include "scene/keys/tensor_text.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/torque_table.h"
+#include "scene/assembly/torque_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/body_figure.h"
+#include "stage/body/body_figure.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "scene_samples.h"
-#include "stage/caption_strip.h"
+#include "stage/type/caption_strip.h"
 #include "text/math_setter.h"
 
 namespace poinsot::stage {

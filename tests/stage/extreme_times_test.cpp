@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "scene/make_motion.h"
+#include "scene/motion/make_motion.h"
 #include "scene_samples.h"
 
 namespace poinsot::stage {

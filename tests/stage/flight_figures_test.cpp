@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A thrown body, its parabola and momenta: expected values by hand, from the closed form of uniform acceleration
 // and from the sums over five masses in PHYSICS (eq 1 to 10).
-#include "stage/flight_figures.h"
+#include "stage/figures/flight_figures.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 
 #include "scene_samples.h"
 #include "scenery.h"
-#include "stage/ghosts_figure.h"
-#include "stage/named_figures.h"
+#include "stage/figures/ghosts_figure.h"
+#include "stage/figures/named_figures.h"
+#include "stage/figures/trace_figure.h"
 #include "stage/to_picture.h"
-#include "stage/trace_figure.h"
 
 namespace poinsot::stage {
 namespace {

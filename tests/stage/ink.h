@@ -2,7 +2,7 @@
 #pragma once
 
 #include "draw/draw_list.h"
-#include "stage/pixel_box.h"
+#include "stage/type/pixel_box.h"
 #include "text/math_setter.h"
 
 namespace poinsot::stage {

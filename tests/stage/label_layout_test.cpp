@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/label_layout.h"
+#include "stage/type/label_layout.h"
 
 #include <gtest/gtest.h>
 

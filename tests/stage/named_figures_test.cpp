@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/named_figures.h"
+#include "stage/figures/named_figures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "scenery.h"
-#include "stage/ghosts_figure.h"
+#include "stage/figures/ghosts_figure.h"
+#include "stage/figures/plane_of_L_figure.h"
+#include "stage/figures/vector_figures.h"
 #include "stage/palette.h"
-#include "stage/plane_of_L_figure.h"
 #include "stage/stage.h"
-#include "stage/vector_figures.h"
 
 // What a scene adds to its pictures: vectors, angles, the torque, the plane of L, poses at other times. Expected
 // values are the definitions, with the motion's own state.

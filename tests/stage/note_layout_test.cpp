@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks of type at the nine places: where they stand, and that none covers another.
-#include "stage/note_layout.h"
+#include "stage/type/note_layout.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 #include "color_difference.h"
 #include "scene/scene_file.h"
 #include "scene/state_quantity.h"
-#include "stage/plot_tones.h"
+#include "stage/plot/plot_tones.h"
 
 namespace poinsot::stage {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/plot_curve.h"
+#include "stage/plot/plot_curve.h"
 
 #include <gtest/gtest.h>
 

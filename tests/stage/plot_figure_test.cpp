@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plots without pixels: what lies where.
-#include "stage/plot_figure.h"
+#include "stage/plot/plot_figure.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include "scene/state_quantity.h"
 #include "scene_samples.h"
 #include "stage/picture_motion.h"
-#include "stage/plot_tones.h"
-#include "stage/plot_values.h"
+#include "stage/plot/plot_tones.h"
+#include "stage/plot/plot_values.h"
 
 namespace poinsot::stage {
 namespace {

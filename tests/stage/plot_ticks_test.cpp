@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/plot_ticks.h"
+#include "stage/plot/plot_ticks.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "stage/plot_number.h"
+#include "stage/type/written_number.h"
 
 namespace poinsot::stage {
 namespace {

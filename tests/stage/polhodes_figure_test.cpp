@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Families of polhodes, Binet's construction and components, against the quadrics that they must lie on.
-#include "stage/polhodes_figure.h"
+#include "stage/figures/polhodes_figure.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "scene_samples.h"
 #include "scenery.h"
-#include "stage/axes_figure.h"
+#include "stage/figures/axes_figure.h"
 
 namespace poinsot::stage {
 namespace {

@@ -9,9 +9,9 @@
 #include "core/error.h"
 #include "scene_samples.h"
 #include "scenery.h"
-#include "stage/cones_figure.h"
-#include "stage/decomposition_figure.h"
-#include "stage/named_figures.h"
+#include "stage/figures/cones_figure.h"
+#include "stage/figures/decomposition_figure.h"
+#include "stage/figures/named_figures.h"
 
 namespace poinsot::stage {
 namespace {

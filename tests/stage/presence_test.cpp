@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How things come and go: their presence over a film, and what it does to the draw list.
-#include "stage/presence.h"
+#include "stage/figures/presence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Read-outs against numbers worked out by hand from the lecture's formulas.
-#include "stage/readout_board.h"
+#include "stage/type/readout_board.h"
 
 #include <gtest/gtest.h>
 

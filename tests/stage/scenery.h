@@ -5,8 +5,8 @@
 #include <string>
 
 #include "scene/scene_file.h"
-#include "stage/actor.h"
-#include "stage/actors.h"
+#include "stage/figures/actor.h"
+#include "stage/figures/actors.h"
 
 namespace poinsot::stage {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "scene_samples.h"
-#include "stage/body_figure.h"
+#include "stage/body/body_figure.h"
 #include "stage/to_picture.h"
 
 namespace poinsot::stage {

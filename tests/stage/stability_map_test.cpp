@@ -12,7 +12,7 @@
 #include "core/magma.h"
 #include "ink.h"
 #include "scene_samples.h"
-#include "stage/globe.h"
+#include "stage/figures/globe.h"
 
 namespace poinsot::stage {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The trace of a body point, in closed form where there is one: the axis of a free symmetric top goes round L in a
 // circle (lecture, eq 20).
-#include "stage/trace_figure.h"
+#include "stage/figures/trace_figure.h"
 
 #include <gtest/gtest.h>
 

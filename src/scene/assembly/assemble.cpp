@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/assemble.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/assembly/body_assembly.h"
+#include "scene/assembly/forcing_assembly.h"
+#include "scene/assembly/motion_assembly.h"
+#include "scene/assembly/named_assembly.h"
+#include "scene/assembly/plot_assembly.h"
+#include "scene/assembly/show_assembly.h"
+#include "scene/assembly/style_assembly.h"
+#include "scene/assembly/timeline_assembly.h"
+#include "scene/assembly/view_assembly.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr const char* kNothing =
+    "a body and a start are required, for example:\n"
+    "    schema = 1\n"
+    "    [body]\n"
+    "    principal_moments = [1.0, 2.0, 2.5]\n"
+    "    [motion]\n"
+    "    omega_body = [0.01, 3.0, 0.0]";
+
+std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const SceneFolder& folder,
+                                  Scene& scene) {
+  const std::optional<Body> body = assembleBody(draft, findings, folder);
+  scene.motion.forcing = assembleForcing(draft, body ? &*body : nullptr, findings, folder);
+  scene.motion.flight = assembleFlight(draft, findings);
+  auto rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
+  if (body) scene.body = *body;
+  return rest;
+}
+
+/// Frames are all k with k/fps < duration.
+void checkFrames(const Time& time, Findings& findings) {
+  const double count = std::ceil(time.duration_s * time.fps.value());
+  const std::int64_t most = findings.limits()[Limit::kFrames];
+  if (count > static_cast<double>(most))
+    findings.refuse(
+        findings.has("time.duration") ? "time.duration" : "time.fps",
+        fmt::format("{} s at {} frames per second are {} frames; a film may have at most {}; {}", time.duration_s,
+                    core::toString(time.fps), count, most, howToRaise(Limit::kFrames)));
+}
+
+Output assembleOutput(const Draft& draft) {
+  const QualityPreset& preset = qualityPresets()[static_cast<std::size_t>(draft.quality)];
+  const Eigen::Vector2i size = draft.size_px.value_or(Eigen::Vector2i(preset.width, preset.height));
+  const auto word = [](std::span<const std::string_view> words, int i) {
+    return std::string(words[static_cast<std::size_t>(i)]);
+  };
+  return {size[0],
+          size[1],
+          draft.crf.value_or(preset.crf),
+          draft.codec ? word(codecWords(), *draft.codec) : "",
+          word(chromaWords(), draft.chroma),
+          word(effortWords(), draft.effort)};
+}
+
+}  // namespace
+
+Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
+  leaveOutOfFlight(findings, draft.scene.show);
+  askForShown(draft, findings);
+  Scene scene = draft.scene;
+  std::optional<Rest> rest;
+  if (!findings.hasBelow("body") && !findings.hasBelow("motion") && findings.count("body.part") == 0)
+    findings.refuseEmpty(kNothing);
+  else
+    rest = bodyAndMotion(draft, findings, folder, scene);
+  assembleDrawnShape(draft, findings, folder, scene.show);
+  PanelGrid grid(findings);
+  assembleViews(draft, rest, findings, grid, scene);
+  assemblePlots(draft, findings, grid, scene);
+  assembleNotes(draft, findings, scene);
+  assembleNamed(draft, findings, scene);
+  scene.timeline = assembleTimeline(draft, scene.time.duration_s, findings);
+  finishStyle(scene.style);
+  checkFrames(scene.time, findings);
+  if (draft.loop) scene.time.loop.emplace();
+  scene.output = assembleOutput(draft);
+  return scene;
+}
+
+}  // namespace poinsot::scene

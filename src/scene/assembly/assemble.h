@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/assembly/scene_folder.h"
+#include "scene/keys/draft.h"
+#include "scene/keys/findings.h"
+
+namespace poinsot::scene {
+
+/// Makes the scene from keys that passed their own checks: what several keys decide together, what the files say
+/// that it names, and what physics refuses, is checked here, each at the value it is about.
+/// What it returns counts only while nothing was found.
+Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder);
+
+}  // namespace poinsot::scene

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/body_assembly.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "physics/catalogue.h"
+#include "scene/assembly/measured_body.h"
+#include "scene/assembly/piece_reader.h"
+#include "scene/keys/tensor_text.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr const char* kWays = "principal_moments, inertia, shape, catalogue, or parts and point masses";
+
+std::string vectorText(const Vector3d& v) { return fmt::format("({:g}, {:g}, {:g})", v[0], v[1], v[2]); }
+
+/// "I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; ..."
+std::string triangleMessage(const Vector3d& moments) {
+  int largest = 0;
+  moments.maxCoeff(&largest);
+  const int other = largest == 0 ? 2 : 1, another = largest == 2 ? 2 : 3;
+  return fmt::format("I{} must not exceed I{} + I{}, got {} kg·m²; a solid body cannot have these values",
+                     largest + 1, other, another, vectorText(moments));
+}
+
+/// What physics could not solve, or empty. Bare moments were checked for their range before, a shape's were not.
+std::string outOfReach(const Vector3d& moments) {
+  const double least = moments.minCoeff(), most = moments.maxCoeff();
+  if (least < kLeastMoment || most > kMostMoment)
+    return fmt::format("with this mass the moments are {} kg·m²; they must be from {:g} to {:g} kg·m²",
+                       vectorText(moments), kLeastMoment, kMostMoment);
+  if (least * kMostRatioOfMoments < most)
+    return fmt::format("the largest moment may be at most {:g} times the smallest, got {} kg·m²",
+                       kMostRatioOfMoments, vectorText(moments));
+  return "";
+}
+
+class BodyAssembly {
+ public:
+  BodyAssembly(const Draft& draft, Findings& findings, const SceneFolder& folder)
+      : all_(draft), draft_(draft.body), findings_(findings), folder_(folder) {
+    body_.pivot_B = draft.scene.body.pivot_B;
+  }
+
+  std::optional<Body> run() {
+    const std::vector<std::string> ways = waysGiven();
+    if (ways.empty())
+      refuseNone();
+    else if (ways.size() > 1)
+      refuseSecond(ways);
+    else
+      describe(ways[0]);
+    return whole_ ? std::optional(std::move(body_)) : std::nullopt;
+  }
+
+ private:
+  void refuseNone() {
+    for (const char* path : {"body", "body.principal_moments", "body.inertia", "body.shape", "body.catalogue",
+                             "body.part", "body.point_mass"})
+      if (findings_.misspelt(path)) return;
+    findings_.refuse("body", fmt::format("the body is missing; give {}", kWays));
+  }
+
+  /// For each way to describe a body that is used, the key to name it by.
+  std::vector<std::string> waysGiven() const {
+    std::vector<std::string> ways;
+    for (const char* path : {"body.principal_moments", "body.inertia", "body.catalogue"})
+      if (findings_.has(path)) ways.emplace_back(path);
+    if (const std::string path = wholePath(); !path.empty()) ways.push_back(path);
+    for (const char* array : {"body.part", "body.point_mass"})
+      if (findings_.count(array) > 0) {
+        ways.push_back(fmt::format("{}[0]", array));
+        break;
+      }
+    return ways;
+  }
+
+  std::string wholePath() const {
+    if (findings_.has("body.shape")) return "body.shape";
+    for (const std::string_view name : shapeKeyNames())
+      if (std::string path = fmt::format("body.{}", name); findings_.has(path)) return path;
+    for (const char* path : {"body.mass", "body.density"})
+      if (findings_.has(path) && !(isMeasured() && path == std::string_view("body.mass"))) return path;
+    return "";
+  }
+
+  bool isMeasured() const { return findings_.has("body.principal_moments") || findings_.has("body.inertia"); }
+
+  void refuseSecond(const std::vector<std::string>& ways) {
+    if (isMeasured() && ways[1] == "body.density")
+      return findings_.refuse(
+          ways[1], fmt::format("{} is given too, which has no volume; give body.mass in its place", ways[0]));
+    if (ways[0] == "body.principal_moments" && ways[1] == wholePath())
+      return findings_.refuse(
+          ways[1],
+          "body.principal_moments is given too; the moments come from it, or from shape, size and mass, not from "
+          "both (to draw a shape that does not set the moments, use show.body.shape)");
+    findings_.refuse(ways[1], fmt::format("{} is given too; a body is described in one way: {}", ways[0], kWays));
+  }
+
+  void describe(const std::string& way) {
+    if (way == "body.principal_moments") return bareMoments();
+    if (way == "body.inertia") return bareTensor();
+    refuseMeasuredKeys(way, findings_);
+    if (way == "body.catalogue") return fromCatalogue();
+    if (way == wholePath()) return onePiece();
+    pieces();
+  }
+
+  void bareMoments() {
+    if (!draft_.moments) return;
+    try {
+      body_.axes = physics::PrincipalMoments(*draft_.moments);
+    } catch (const core::Error&) {  // the range was checked before
+      return findings_.refuse("body.principal_moments", triangleMessage(*draft_.moments) +
+                                                            nearestMomentsAdvice({draft_.moments->data(), 3}));
+    }
+    finishMeasured(draft_.moments->asDiagonal(), "body.principal_moments");
+  }
+
+  void bareTensor() {
+    if (!draft_.inertia) return;
+    try {
+      body_.axes = physics::PrincipalAxes(*draft_.inertia);
+    } catch (const core::Error& error) {
+      return findings_.refuse("body.inertia", error.message() + nearestTensorAdvice(*draft_.inertia));
+    }
+    finishMeasured(*draft_.inertia, "body.inertia");
+  }
+
+  /// The axes are those of the tensor as it was given.
+  void finishMeasured(const Eigen::Matrix3d& inertia_B, const std::string& path) {
+    MeasuredBody measured(all_, path, findings_);
+    if (!measured.keysFit()) return;
+    body_.mass = measured.massProperties(inertia_B);
+    if (findings_.has("body.mass") && !body_.mass) return;
+    if (measured.aboutFixedPoint())
+      finish(path);
+    else
+      setAxes(body_.mass->inertiaAbout(body_.fixedPoint_B()), path);
+  }
+
+  /// @param inertia_B  about the fixed point, computed from what the scene gives
+  void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
+    try {
+      body_.axes = physics::PrincipalAxes(inertia_B);
+    } catch (const core::Error& error) {
+      return findings_.refuse(path, error.message());
+    }
+    finish(path);
+  }
+
+  void finish(const std::string& path) {
+    const std::string problem = outOfReach(body_.axes.moments().values());
+    if (!problem.empty()) findings_.refuse(path, problem);
+    whole_ = problem.empty();
+  }
+
+  void fromCatalogue() {
+    if (!draft_.catalogue) return;
+    const auto& entry = physics::catalogue()[static_cast<std::size_t>(*draft_.catalogue)];
+    for (const physics::SolidPart& part : entry.parts)
+      body_.parts.push_back({part.solid, part.mass_kg, part.q_BS, part.offset_B});
+    setMass(physics::massProperties(entry), "body.catalogue");
+  }
+
+  void onePiece() {
+    PieceReader reader(draft_.whole, "body", findings_, folder_);
+    if (auto piece = reader.piece()) setPieces({std::move(*piece)}, reader.lengthPath());
+  }
+
+  void pieces() {
+    std::vector<Piece> pieces;
+    const std::size_t parts = findings_.count("body.part"), points = findings_.count("body.point_mass");
+    for (std::size_t i = 0; i < parts; ++i) add(pieces, partPiece(i));
+    for (std::size_t i = 0; i < points; ++i) add(pieces, pointPiece(i));
+    if (pieces.size() == parts + points)
+      setPieces(std::move(pieces), parts > 0 ? "body.part[0]" : "body.point_mass[0]");
+  }
+
+  static void add(std::vector<Piece>& pieces, std::optional<Piece> piece) {
+    if (piece) pieces.push_back(std::move(*piece));
+  }
+
+  std::optional<Piece> partPiece(std::size_t i) {
+    static const PieceDraft nothing;
+    const PieceDraft& draft = i < draft_.parts.size() ? draft_.parts[i] : nothing;
+    return PieceReader(draft, fmt::format("body.part[{}]", i), findings_, folder_).piece();
+  }
+
+  std::optional<Piece> pointPiece(std::size_t i) {
+    static const PointDraft nothing;
+    const PointDraft& draft = i < draft_.points.size() ? draft_.points[i] : nothing;
+    return pointMass(draft, fmt::format("body.point_mass[{}]", i), findings_);
+  }
+
+  void setPieces(std::vector<Piece> pieces, const std::string& path) {
+    std::vector<physics::MassProperties> masses;
+    for (Piece& piece : pieces) {
+      masses.push_back(piece.mass);
+      body_.parts.push_back(std::move(piece.part));
+    }
+    try {
+      setMass(physics::combined(masses), path);
+    } catch (const core::Error& error) {
+      findings_.refuse(path, error.message());
+    }
+  }
+
+  void setMass(const physics::MassProperties& mass, const std::string& path) {
+    if (findings_.failed("body.pivot")) return;
+    body_.mass = mass;
+    const Eigen::Matrix3d inertia_B = body_.mass->inertiaAbout(body_.fixedPoint_B());
+    if (inertia_B.diagonal().minCoeff() == 0)
+      findings_.refuse(path,
+                       "the body lies on a line through the point that stands still, and has no moment about "
+                       "it; give it another part, or an extent");
+    else
+      setAxes(inertia_B, path);
+  }
+
+  const Draft& all_;
+  const BodyDraft& draft_;
+  Body body_;
+  bool whole_ = false;
+  Findings& findings_;
+  const SceneFolder& folder_;
+};
+
+}  // namespace
+
+std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder) {
+  return BodyAssembly(draft, findings, folder).run();
+}
+
+bool massIsUnknown(const Findings& findings) {
+  return (findings.has("body.principal_moments") || findings.has("body.inertia")) && !findings.has("body.mass");
+}
+
+}  // namespace poinsot::scene

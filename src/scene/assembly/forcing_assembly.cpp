@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/forcing_assembly.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "scene/assembly/body_assembly.h"
+#include "scene/assembly/torque_table.h"
+
+namespace poinsot::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+class ForcingAssembly {
+ public:
+  ForcingAssembly(const Draft& draft, const Body* body, Findings& findings, const SceneFolder& folder)
+      : draft_(draft.forcing), body_(body), findings_(findings), folder_(folder) {}
+
+  physics::Forcing run() {
+    forcing_.torque_B = draft_.torque_B.value_or(Vector3d::Zero());
+    forcing_.torque_W = draft_.torque_W.value_or(Vector3d::Zero());
+    forcing_.dragRate_P = draft_.dragRates.value_or(Vector3d::Zero());
+    forcing_.dissipation = draft_.dissipation.value_or(0);
+    emptyTables();
+    gravity();
+    torqueHistory();
+    return std::move(forcing_);
+  }
+
+ private:
+  /// A table without keys would change nothing, which nobody writes one for.
+  void emptyTables() {
+    refuseEmpty("motion.gravity", "mgr_body = [x, y, z], or g for a body with mass and pivot");
+    refuseEmpty("motion.torque", "body = [x, y, z], space = [x, y, z], a file, or steps");
+    refuseEmpty("motion.drag", "rate, one number or three");
+    refuseEmpty("motion.dissipation", "alpha");
+  }
+
+  void refuseEmpty(const char* table, const char* keys) {
+    if (findings_.hasTable(table) && !findings_.hasBelow(table))
+      findings_.refuse(table, fmt::format("is empty; give {}", keys));
+  }
+
+  void gravity() {
+    const bool mgr = findings_.has("motion.gravity.mgr_body"), g = findings_.has("motion.gravity.g");
+    if (mgr && g)
+      findings_.refuse("motion.gravity.g", "motion.gravity.mgr_body is given too; give one of the two");
+    else if (mgr)
+      givenMoment();
+    else if (g)
+      weight();
+  }
+
+  void givenMoment() {
+    if (!draft_.mgr_B) return;
+    forcing_.gravity_B = *draft_.mgr_B;
+    if (!body_ || !body_->mass) return;
+    if (!body_->pivot_B)
+      findings_.refuse(
+          "motion.gravity.mgr_body",
+          "this body turns about its centre of mass, where its weight has no moment; give body.pivot and "
+          "motion.gravity.g, or leave out body.mass if moments about the fixed point are given");
+    else
+      checkDirection(*draft_.mgr_B, lever_B());
+  }
+
+  /// M g r must agree with body.pivot and the centre of mass: it points from the one to the other.
+  void checkDirection(const Vector3d& mgr_B, const Vector3d& lever_B) {
+    constexpr double kRounded = 1e-3;  // sine of the angle between them: three digits
+    const double product = mgr_B.norm() * lever_B.norm();
+    const bool along = mgr_B.cross(lever_B).norm() <= kRounded * product && mgr_B.dot(lever_B) > 0;
+    if (mgr_B.isZero(0) || along) return;
+    findings_.refuse(
+        "motion.gravity.mgr_body",
+        fmt::format("({:g}, {:g}, {:g}) N·m contradicts body.pivot: from there to the centre of mass it "
+                    "is ({:g}, {:g}, {:g}) m, which the weight's moment M g r points along; give "
+                    "motion.gravity.g in its place",
+                    mgr_B[0], mgr_B[1], mgr_B[2], lever_B[0], lever_B[1], lever_B[2]));
+  }
+
+  void weight() {
+    if (!body_ || !draft_.g) return;
+    if (!body_->mass)
+      return findings_.refuse(
+          "motion.gravity.g",
+          fmt::format("{}, and body.pivot; or give motion.gravity.mgr_body in its place", kNeedsMass));
+    if (!body_->pivot_B)
+      return findings_.refuse("motion.gravity.g",
+                              "body.pivot is missing: about its centre of mass a body's weight has no moment");
+    forcing_.gravity_B = body_->mass->mass_kg() * *draft_.g * lever_B();
+  }
+
+  /// From the pivot to the centre of mass. @pre the body has both
+  Vector3d lever_B() const { return body_->mass->centre_B() - *body_->pivot_B; }
+
+  void torqueHistory() {
+    const bool file = findings_.has("motion.torque.file");
+    const std::size_t steps = findings_.count("motion.torque.step");
+    if (!file)
+      for (const char* path : {"motion.torque.file_axes", "motion.torque.interpolation"})
+        if (findings_.has(path)) findings_.refuse(path, "needs motion.torque.file, which it is about");
+    if (file && steps > 0)
+      findings_.refuse("motion.torque.step[0]",
+                       "motion.torque.file is given too; a torque changes by a file or by steps, not by both");
+    else if (file)
+      torqueFile();
+    else if (steps > 0)
+      torqueSteps(steps);
+  }
+
+  void torqueFile() {
+    if (!draft_.torqueFile) return;
+    try {
+      auto& history = draft_.fileAxes == 1 ? forcing_.torqueHistory_W : forcing_.torqueHistory_B;
+      history = readTorqueTable();
+    } catch (const core::Error& error) {
+      findings_.refuse("motion.torque.file", error.message());
+    }
+  }
+
+  physics::TorqueHistory readTorqueTable() const {
+    const std::string csv = folder_.read(*draft_.torqueFile);
+    try {
+      return parseTorqueTable(csv, draft_.interpolation == 0);
+    } catch (const core::Error& error) {
+      throw core::Error(core::ErrorKind::kScene, fmt::format("{}: {}", *draft_.torqueFile, error.message()));
+    }
+  }
+
+  void torqueSteps(std::size_t count) {
+    bool good = true;
+    for (std::size_t i = 0; i < count; ++i) good &= stepFits(i);
+    if (!good) return;
+    for (const TorqueStepDraft& step : draft_.steps) {
+      add(forcing_.torqueHistory_B, *step.from, step.torque_B);
+      add(forcing_.torqueHistory_W, *step.from, step.torque_W);
+    }
+  }
+
+  static void add(physics::TorqueHistory& history, double t_s, const std::optional<Vector3d>& torque) {
+    history.t_s.push_back(t_s);
+    history.torque.push_back(torque.value_or(Vector3d::Zero()));
+  }
+
+  bool stepFits(std::size_t i) {
+    const std::string table = fmt::format("motion.torque.step[{}]", i);
+    const bool from = findings_.has(table + ".from");
+    const bool torque = findings_.has(table + ".body") || findings_.has(table + ".space");
+    if (!from || !torque) {
+      const bool misspelt = findings_.misspelt(table + ".from") || findings_.misspelt(table + ".body") ||
+                            findings_.misspelt(table + ".space");
+      if (!misspelt)
+        findings_.refuse(table, fmt::format("{} missing: a step has a time and a torque",
+                                            from ? "body = [x, y, z] or space = [x, y, z] is" : "from is"));
+      return false;
+    }
+    for (const char* name : {".from", ".body", ".space"})
+      if (findings_.failed(table + name)) return false;
+    return ascends(i, table + ".from");
+  }
+
+  bool ascends(std::size_t i, const std::string& path) {
+    if (i == 0 || i >= draft_.steps.size() || !draft_.steps[i - 1].from) return true;
+    const double before = *draft_.steps[i - 1].from, from = *draft_.steps[i].from;
+    if (from > before) return true;
+    findings_.refuse(path, fmt::format("must be later than the step before, got {} s after {} s", from, before));
+    return false;
+  }
+
+  const ForcingDraft& draft_;
+  const Body* body_;
+  Findings& findings_;
+  const SceneFolder& folder_;
+  physics::Forcing forcing_;
+};
+
+}  // namespace
+
+physics::Forcing assembleForcing(const Draft& draft, const Body* body, Findings& findings,
+                                 const SceneFolder& folder) {
+  return ForcingAssembly(draft, body, findings, folder).run();
+}
+
+std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings) {
+  if (!findings.hasTable("motion.flight")) return std::nullopt;
+  for (const char* held : {"body.pivot", "motion.gravity"})
+    if (findings.has(held) || findings.hasTable(held))
+      findings.refuse(
+          "motion.flight",
+          fmt::format("a thrown body turns about its centre of mass, and {} holds it at a point", held));
+  Flight flight;
+  flight.position_W = draft.flight.position.value_or(flight.position_W);
+  flight.velocity_W = draft.flight.velocity.value_or(flight.velocity_W);
+  flight.gravity_W = draft.flight.gravity.value_or(flight.gravity_W);
+  return flight;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/named_assembly.h"
+
+#include <fmt/format.h>
+
+namespace poinsot::scene {
+namespace {
+
+/// Which of the ways to say a vector are given, valid or not.
+std::vector<std::string> givenWays(const std::string& path, const Findings& findings) {
+  std::vector<std::string> given;
+  for (const char* way : {"components", "position_of", "velocity_of"})
+    if (findings.has(path + "." + way)) given.push_back(path + "." + way);
+  return given;
+}
+
+void checkWays(const std::string& path, const VectorDraft& draft, Findings& findings) {
+  const std::vector<std::string> given = givenWays(path, findings);
+  if (given.empty())
+    return findings.refuse(path + ".components", "required: components, or position_of or velocity_of a point");
+  for (std::size_t i = 1; i < given.size(); ++i)
+    findings.refuse(given[i], fmt::format("given beside {}; give one of them", given[0]));
+  if (draft.components && draft.components->isZero(0))
+    findings.refuse(path + ".components", "must not all be zero: the vector would have no direction");
+  if (findings.has(path + ".frame") && !findings.has(path + ".components"))
+    findings.refuse(path + ".frame", "only components have a frame; leave it out");
+}
+
+NamedVector vectorOf(const VectorDraft& draft) {
+  NamedVector vector{.what = FixedVector(), .name = draft.name, .scale = draft.scale, .color = draft.color};
+  if (draft.position)
+    vector.what = PositionVector{*draft.position};
+  else if (draft.velocity)
+    vector.what = VelocityVector{*draft.velocity};
+  else if (draft.components)
+    vector.what = FixedVector{*draft.components, draft.frame};
+  return vector;
+}
+
+void checkBetween(const std::string& path, const AngleDraft& draft, Findings& findings) {
+  if (!findings.has(path + ".between"))
+    return findings.refuse(path + ".between", "required: two directions, such as [\"L\", \"omega\"]");
+  if (!findings.failed(path + ".between") && draft.between.size() != 2)
+    findings.refuse(path + ".between",
+                    fmt::format("an angle lies between two directions, got {}", draft.between.size()));
+}
+
+NamedAngle angleOf(const AngleDraft& draft) {
+  NamedAngle angle{.name = draft.name, .scale = draft.scale};
+  if (draft.between.size() != 2) return angle;
+  angle.from = draft.between[0];
+  angle.to = draft.between[1];
+  return angle;
+}
+
+template <class T>
+T elementOr(const std::vector<T>& given, std::size_t i) {
+  return i < given.size() ? given[i] : T();
+}
+
+}  // namespace
+
+void assembleNamed(const Draft& draft, Findings& findings, Scene& scene) {
+  for (std::size_t i = 0; i < findings.count("vector"); ++i) {
+    const VectorDraft given = elementOr(draft.vectors, i);
+    checkWays(fmt::format("vector[{}]", i), given, findings);
+    scene.vectors.push_back(vectorOf(given));
+  }
+  for (std::size_t i = 0; i < findings.count("angle"); ++i) {
+    const AngleDraft given = elementOr(draft.angles, i);
+    checkBetween(fmt::format("angle[{}]", i), given, findings);
+    scene.angles.push_back(angleOf(given));
+  }
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "physics/unaligned_types.h"
+#include "scene/assembly/shape_reader.h"
+
+namespace poinsot::scene {
+
+/// A part of the body and its mass properties, in B.
+struct Piece {
+  Part part;
+  physics::MassProperties mass;
+};
+
+/// Makes the piece that the keys of [body] or of one [[body.part]] describe: shape, mass and place.
+class PieceReader {
+ public:
+  /// `table`: "body", "body.part[2]".
+  PieceReader(const PieceDraft& piece, std::string table, Findings& findings, const SceneFolder& folder)
+      : piece_(piece),
+        table_(table),
+        findings_(findings),
+        shape_(piece.shape, std::move(table), findings, folder) {}
+
+  /// Empty where a problem was found.
+  std::optional<Piece> piece();
+
+  std::string lengthPath() const { return shape_.lengthPath(); }
+
+ private:
+  std::string path(std::string_view name) const { return table_ + "." + std::string(name); }
+  bool has(std::string_view name) const { return findings_.has(path(name)); }
+  bool massFits();
+  std::optional<double> mass(double volume_m3);
+  std::optional<Piece> placed(const Figure& figure, const physics::Quaternion& q_BS);
+  std::optional<physics::Quaternion> rotation();
+  std::optional<physics::Quaternion> turnAboutAxis();
+
+  const PieceDraft& piece_;
+  std::string table_;
+  Findings& findings_;
+  ShapeReader shape_;
+};
+
+/// The piece that one [[body.point_mass]] describes; empty where a problem was found.
+std::optional<Piece> pointMass(const PointDraft& point, const std::string& table, Findings& findings);
+
+}  // namespace poinsot::scene

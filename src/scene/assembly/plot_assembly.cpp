@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/plot_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "scene/assembly/body_assembly.h"
+#include "scene/state_quantity.h"
+
+namespace poinsot::scene {
+namespace {
+
+/// The draft has only those elements that gave a key which passed its checks.
+template <class T>
+T elementOrNone(const std::vector<T>& elements, std::size_t i) {
+  return i < elements.size() ? elements[i] : T();
+}
+
+/// Reports a key without which its table says nothing, unless what it says was refused already.
+void require(const std::string& path, const char* example, Findings& findings) {
+  if (!findings.has(path)) findings.refuseMissing(path, path, fmt::format("is required, such as {}", example));
+}
+
+// ---- plots ----
+
+/// A quantity that this motion does not have.
+void checkExists(int quantity, const std::string& path, const Scene& scene, Findings& findings) {
+  const StateQuantity& q = stateQuantity(quantity);
+  if (q.needs == QuantityNeeds::kNothing) return;
+  if (!scene.motion.flight)
+    findings.refuse(path, fmt::format("\"{}\" is of a thrown body; give [motion.flight]", q.name));
+  else if (q.needs == QuantityNeeds::kFlightAndMass && massIsUnknown(findings))
+    findings.refuse(path, fmt::format("\"{}\" {}", q.name, kNeedsMass));
+}
+
+void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {
+  const auto unit = [](int q) { return stateQuantity(q).unit; };
+  const auto other =
+      std::ranges::find_if(plot.quantities, [&](int q) { return unit(q) != unit(plot.quantities.front()); });
+  if (other == plot.quantities.end()) return;
+  const StateQuantity &a = stateQuantity(plot.quantities.front()), &b = stateQuantity(*other);
+  findings.refuse(path + ".quantities",
+                  fmt::format("a plot has one unit, but \"{}\" is {} and \"{}\" {}; give each unit a [[plot]] of "
+                              "its own",
+                              a.name, unitText(a.unit), b.name, unitText(b.unit)));
+}
+
+/// Whether it is a unit, and of what is shown.
+void checkUnit(const std::string& unit, int quantity, const std::string& path, Findings& findings) {
+  if (!findings.has(path) || findings.failed(path)) return;
+  const StateQuantity& q = stateQuantity(quantity);
+  const Dimension dimension = dimensionOf(q.unit);
+  if (dimension == Dimension::kNone)
+    return findings.refuse(path, fmt::format("\"{}\" is a bare number and has no unit; leave it out", q.name));
+  if (!parseQuantity("1 " + unit, dimension).ok())
+    findings.refuse(path, fmt::format("expected a unit of {}, such as {}, got \"{}\"", quantityName(dimension),
+                                      someUnits(dimension), core::printable(unit)));
+}
+
+void checkPortrait(const Plot& plot, const std::string& path, Findings& findings) {
+  if (!plot.x) return;
+  if (plot.quantities.size() > 1)
+    findings.refuse(path + ".quantities",
+                    fmt::format("a phase portrait shows one quantity against x, got {}; give each a [[plot]] of "
+                                "its own, or leave x out to draw them over time",
+                                plot.quantities.size()));
+  if (findings.has(path + ".time"))
+    findings.refuse(path + ".time", "a phase portrait has no axis of time; leave out time or x");
+}
+
+void checkRange(const Plot& plot, const std::string& path, Findings& findings) {
+  if (plot.range && !(plot.range->low < plot.range->high))
+    findings.refuse(path + ".range", fmt::format("must run from a lower number to a higher one, got [{}, {}]",
+                                                 plot.range->low, plot.range->high));
+}
+
+}  // namespace
+
+void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scene& scene) {
+  for (std::size_t i = 0; i < findings.count("plot"); ++i) {
+    const std::string path = fmt::format("plot[{}]", i);
+    const PlotDraft given = elementOrNone(draft.plots, i);
+    Plot plot = given.plot;
+    require(path + ".quantities", "[\"omega_1\", \"omega_2\"]", findings);
+    for (const int quantity : plot.quantities) checkExists(quantity, path + ".quantities", scene, findings);
+    if (plot.x) checkExists(*plot.x, path + ".x", scene, findings);
+    checkUnits(plot, path, findings);
+    if (!plot.quantities.empty()) checkUnit(plot.unit, plot.quantities.front(), path + ".unit", findings);
+    checkPortrait(plot, path, findings);
+    if (given.range) plot.range = PlotRange{(*given.range)[0], (*given.range)[1]};
+    checkRange(plot, path, findings);
+    plot.place = grid.take(path, given.at, given.span);
+    scene.plots.push_back(std::move(plot));
+  }
+}
+
+void assembleNotes(const Draft& draft, Findings& findings, Scene& scene) {
+  for (std::size_t i = 0; i < findings.count("readout"); ++i) {
+    const std::string path = fmt::format("readout[{}]", i), quantity = path + ".quantity";
+    require(quantity, "\"t\"", findings);
+    const Readout& readout = scene.readouts.emplace_back(elementOrNone(draft.readouts, i));
+    checkExists(readout.quantity, quantity, scene, findings);
+    if (findings.has(quantity) && !findings.failed(quantity))
+      checkUnit(readout.unit, readout.quantity, path + ".unit", findings);
+  }
+  for (std::size_t i = 0; i < findings.count("note"); ++i) {
+    require(fmt::format("note[{}].text", i), "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'",
+            findings);
+    scene.notes.push_back(elementOrNone(draft.notes, i));
+  }
+}
+
+}  // namespace poinsot::scene

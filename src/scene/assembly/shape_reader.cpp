@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/shape_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "physics/mass_properties.h"
+
+namespace poinsot::scene {
+namespace {
+
+bool holds(const KeyNames& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string extentsText(const std::vector<double>& size) {
+  if (size.size() == 1) return fmt::format("({0}, {0}, {0})", size[0]);
+  return fmt::format("({}, {}, {})", size[0], size[1], size.at(2));
+}
+
+/// What is wrong with these extents; what physics would say of the lengths they give, in the words of `size`.
+std::string extentsProblem(const NamedShape& kind, const std::vector<double>& size) {
+  if (size.size() != 1 && size.size() != kind.extents)
+    return fmt::format("shape \"{}\" has {} extents, got {}", kind.word, kind.extents, size.size());
+  const double x = size[0], y = size.size() == 1 ? x : size[1];
+  if (kind.word == "cylinder" && x != y)
+    return fmt::format("the x and y extents of a cylinder must be equal, got {} m", extentsText(size));
+  if (kind.word == "racket" && !(x > y))
+    return fmt::format("a racket must be longer (x) than wide (y), got {} m", extentsText(size));
+  return "";
+}
+
+}  // namespace
+
+Part asPart(const Figure& figure) {
+  Part part;
+  std::visit([&](const auto& kind) { part.figure = kind; }, figure);
+  return part;
+}
+
+bool extentsSuit(const NamedShape& kind, const std::vector<double>& size) {
+  return extentsProblem(kind, size).empty();
+}
+
+bool ShapeReader::sized() const {
+  const KeyNames& names = shapeKeyNames();
+  return std::any_of(names.begin(), names.end(), [this](std::string_view name) { return has(name); });
+}
+
+bool ShapeReader::given() const { return has("shape") || sized(); }
+
+std::string ShapeReader::lengthPath() const {
+  for (const std::string_view name : shapeKeyNames())
+    if (has(name)) return path(name);
+  return path("shape");
+}
+
+/// The way that lacks fewest keys; the first of several.
+const KeyNames& ShapeReader::nearestWay() const {
+  const auto lacks = [this](const KeyNames& way) {
+    return std::count_if(way.begin(), way.end(), [this](std::string_view name) { return !has(name); });
+  };
+  return *std::min_element(kind().ways.begin(), kind().ways.end(),
+                           [&](const KeyNames& a, const KeyNames& b) { return lacks(a) < lacks(b); });
+}
+
+bool ShapeReader::refuseForeign(const KeyNames& way) {
+  bool foreign = false;
+  for (const std::string_view name : shapeKeyNames()) {
+    if (!has(name) || holds(way, name) || holds(kind().optional, name)) continue;
+    foreign = true;
+    findings_.refuse(path(name), fmt::format("does not belong to shape \"{}\" here, which takes {}", kind().word,
+                                             described(kind())));
+  }
+  return foreign;
+}
+
+bool ShapeReader::refuseMissing(const KeyNames& way) {
+  KeyNames missing;
+  for (const std::string_view name : way)
+    if (!has(name)) missing.push_back(name);
+  if (missing.empty()) return false;
+  std::erase_if(missing, [this](std::string_view name) { return findings_.misspelt(path(name)); });
+  if (missing.empty()) return true;
+  findings_.refuse(path("shape"), fmt::format("\"{}\" takes {}; {} missing", kind().word, described(kind()),
+                                              listed(missing) + (missing.size() == 1 ? " is" : " are")));
+  return true;
+}
+
+bool ShapeReader::sizeFits() {
+  if (!shape_.size) return true;
+  const std::string problem = extentsProblem(kind(), *shape_.size);
+  if (!problem.empty()) findings_.refuse(path("size"), problem);
+  return problem.empty();
+}
+
+bool ShapeReader::keysFit() {
+  const KeyNames& way = nearestWay();
+  const bool foreign = refuseForeign(way), missing = refuseMissing(way);
+  if (foreign || missing) return false;
+  const auto passed = [this](std::string_view name) { return !findings_.failed(path(name)); };
+  return std::all_of(way.begin(), way.end(), passed) &&
+         std::all_of(kind().optional.begin(), kind().optional.end(), passed) && sizeFits();
+}
+
+/// Where to report that its lengths do not go together: at the last of them, which is the wall, the tube or the
+/// inner radius that must be smaller than the rest.
+std::string ShapeReader::lastPath() const {
+  std::string last = path("shape");
+  for (const KeyNames* names : {&nearestWay(), &kind().optional})
+    for (const std::string_view name : *names)
+      if (has(name)) last = path(name);
+  return last;
+}
+
+std::optional<Figure> ShapeReader::solid() {
+  physics::Solid solid = kind().make(shape_);
+  try {
+    physics::massProperties(solid, 1);
+  } catch (const core::Error& error) {
+    findings_.refuse(lastPath(), error.message());
+    return std::nullopt;
+  }
+  return Figure(std::move(solid));
+}
+
+std::optional<Figure> ShapeReader::mesh() {
+  try {
+    geometry::MeshReading reading = folder_.readMesh(*shape_.file);
+    for (const std::string& note : reading.notes) findings_.doubt(path("file"), note);
+    return Figure(std::make_shared<const geometry::Mesh>(geometry::transformed(
+        std::move(reading.mesh), shape_.fileUnit_m.value_or(1) * Eigen::Matrix3d::Identity())));
+  } catch (const core::Error& error) {
+    findings_.refuse(path("file"), error.what());  // with the mesh's file and line
+    return std::nullopt;
+  }
+}
+
+std::optional<Figure> ShapeReader::figure() {
+  if (!has("shape")) {
+    findings_.refuseMissing(path("shape"), lengthPath(),
+                            fmt::format("{} is missing: it says what this is a length of", path("shape")));
+    return std::nullopt;
+  }
+  if (!shape_.word || !keysFit()) return std::nullopt;
+  return kind().make ? solid() : mesh();
+}
+
+}  // namespace poinsot::scene

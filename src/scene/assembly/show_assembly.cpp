@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/show_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/assembly/body_assembly.h"
+#include "scene/assembly/shape_reader.h"
+#include "scene/assembly/steady_precession.h"
+
+namespace poinsot::scene {
+namespace {
+
+struct Thing {
+  const char* name;
+  bool& visible;
+};
+
+/// What Poinsot's construction consists of.
+std::vector<Thing> construction(Show& show) {
+  return {{"ellipsoid", show.ellipsoid.visible},   {"plane", show.plane.visible},
+          {"contact", show.contact.visible},       {"polhode", show.polhode.visible},
+          {"herpolhode", show.herpolhode.visible}, {"height", show.height.visible}};
+}
+
+/// Whether L stays as it is; energy may be lost.
+bool momentumIsConstant(const physics::Forcing& forcing) {
+  physics::Forcing others = forcing;
+  others.dissipation = 0;
+  return others.none();
+}
+
+void withoutConstruction(const std::string& prefix, Findings& findings, Show& show) {
+  for (const Thing& thing : construction(show)) {
+    const std::string path = fmt::format("{}show.{}.visible", prefix, thing.name);
+    if (findings.has(path) && thing.visible)
+      findings.refuse(path,
+                      "under gravity, torque or drag L is not constant, so Poinsot's construction does not exist; "
+                      "leave it out");
+    thing.visible = false;
+  }
+}
+
+/// "show.L, show.omega": what is visible and does not exist for a body at rest.
+std::string needingRotation(const std::string& prefix, Show& show) {
+  std::vector<Thing> things = {{"L", show.L.visible}, {"omega", show.omega.visible}};
+  for (const Thing& thing : construction(show)) things.push_back(thing);
+  std::string names;
+  for (const Thing& thing : things)
+    if (thing.visible) names += fmt::format("{}{}show.{}", names.empty() ? "" : ", ", prefix, thing.name);
+  return names;
+}
+
+/// Of a shape to draw that says nothing of its size: those of the body where they suit it, else the usual ones.
+physics::Solid proportions(const Draft& draft) {
+  const NamedShape& kind = namedShapes()[static_cast<std::size_t>(*draft.drawn.word)];
+  const ShapeDraft& whole = draft.body.whole.shape;
+  const bool takesSize = std::find(kind.ways.begin(), kind.ways.end(), KeyNames{"size"}) != kind.ways.end();
+  if (!takesSize || !whole.size || !extentsSuit(kind, *whole.size)) return kind.usual;
+  ShapeDraft drawn;
+  drawn.size = whole.size;
+  return kind.make(drawn);
+}
+
+/// What is asked for of a body that is not thrown, or has no mass.
+void checkThrown(const Scene& scene, const std::string& prefix, Findings& findings, const Show& show) {
+  const std::string flight = prefix + "show.flight", total = prefix + "show.total_L";
+  if (!scene.motion.flight && findings.hasBelow(flight) && show.figures.flight.visible)
+    findings.refuse(flight, "nothing is thrown: give [motion.flight], or leave it out");
+  const bool asked = show.figures.totalL.visible && (prefix.empty() || findings.hasBelow(total));
+  if (asked && !scene.motion.flight)
+    findings.refuse(total, "is drawn of a thrown body: give [motion.flight], or leave it out");
+  else if (asked && massIsUnknown(findings))
+    findings.refuse(total, kNeedsMass);
+}
+
+/// Cones and the parallelogram are those of a steady precession.
+void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
+                     Findings& findings, const Show& show) {
+  const bool startKnown = rest || !scene.motion.omega_B.isZero(0);
+  if (!startKnown) return;
+  const auto check = [&](const char* thing, bool visible) {
+    const std::string path = prefix + thing;
+    if (!visible || !(prefix.empty() || findings.hasBelow(path))) return;
+    if (const std::string why = withoutPrecession(scene, rest); !why.empty())
+      findings.refuse(path, why + "; leave it out");
+  };
+  check("show.cones", show.figures.cones.visible);
+  check("show.decomposition", show.figures.decomposition.visible);
+}
+
+}  // namespace
+
+void leaveOutOfFlight(const Findings& findings, Show& show) {
+  if (!findings.hasTable("motion.flight") || !show.figures.flight.visible) return;
+  for (const Thing& thing : construction(show))
+    if (!findings.hasBelow(fmt::format("show.{}", thing.name))) thing.visible = false;
+}
+
+void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show) {
+  ShapeReader reader(draft.drawn, "show.body", findings, folder);
+  if (!reader.given() || findings.failed("show.body.shape")) return;
+  if (!reader.sized() && namedShapes()[static_cast<std::size_t>(*draft.drawn.word)].make)
+    show.body.parts = {asPart(proportions(draft))};
+  else if (const auto figure = reader.figure())
+    show.body.parts = {asPart(*figure)};
+}
+
+void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
+                     Findings& findings, Show& show) {
+  const Motion& motion = scene.motion;
+  checkThrown(scene, prefix, findings, show);
+  checkPrecession(scene, rest, prefix, findings, show);
+  if (!momentumIsConstant(motion.forcing)) withoutConstruction(prefix, findings, show);
+  const std::string shown = rest ? needingRotation(prefix, show) : "";
+  if (!shown.empty())
+    findings.refuse(rest->path,
+                    fmt::format("must not be zero, got {}: without rotation there is nothing to draw for "
+                                "{}; give a rotation, or set these to false",
+                                rest->value, shown));
+  if (prefix.empty() && !motion.forcing.none() && show.exaggerateAngles != 1)
+    findings.refuse(
+        "show.exaggerate_angles",
+        "larger angles are another motion, which is exact only where nothing acts on the body; leave it "
+        "out");
+}
+
+}  // namespace poinsot::scene

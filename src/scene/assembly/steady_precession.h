@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/assembly/motion_assembly.h"
+#include "scene/scene.h"
+
+namespace poinsot::scene {
+
+/// Why the scene's motion has no steady precession; empty where it has. @pre its start is known
+std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& rest);
+
+}  // namespace poinsot::scene

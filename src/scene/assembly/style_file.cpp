@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/style_file.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "scene/keys/check.h"
+#include "scene/keys/key_tables.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr std::string_view kKey = "style.file";
+
+/// Why a key may not stand in a style file; empty where it may.
+std::string_view misplaced(std::string_view path) {
+  if (path == kKey) return "a style file names no other";
+  if (path == "schema" || path.starts_with("style.")) return "";
+  return "a style file has [style] and [style.colors]; the rest belongs into the scene";
+}
+
+/// The file's text, or nothing where a problem says why.
+const Source* openFile(const Node& name, const SceneFolder& folder, std::deque<Source>& sources,
+                       Problems& problems) {
+  const auto* path = name.as<std::string>();
+  if (!path || static_cast<double>(characterCount(*path)) > kPathLength.most)
+    return nullptr;  // the key's own check says so
+  try {
+    std::string text = folder.read(*path);
+    return &sources.emplace_back(folder.filesRead().back().place.string(), std::move(text));
+  } catch (const core::Error& error) {
+    problems.add(name.place, fmt::format("{}: {}", kKey, error.message()));
+    return nullptr;
+  }
+}
+
+/// What the scene gives itself is only checked.
+void take(const Leaves& file, Leaves& leaves, Problems& problems) {
+  for (const auto& [path, node] : file.values)
+    if (const std::string_view why = misplaced(path); !why.empty())
+      problems.add(node.place, fmt::format("{}: {}", path, why));
+    else if (leaves.values.contains(path))
+      check(*findKey(path), path, node, problems, leaves.limits);
+    else
+      leaves.values.emplace(path, node);
+}
+
+}  // namespace
+
+void addStyleFile(const SceneFolder& folder, std::deque<Source>& sources, Leaves& leaves, Problems& problems) {
+  const auto named = leaves.values.find(kKey);
+  if (named == leaves.values.end()) return;
+  const Source* source = openFile(named->second, folder, sources, problems);
+  if (!source) return;
+  Leaves file{.limits = leaves.limits};
+  addLeaves(parseDocument(*source, leaves.limits), file, problems);
+  take(file, leaves, problems);
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/assembly/timeline_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot::scene {
+namespace {
+
+std::string pathOf(std::size_t entry) { return fmt::format("timeline[{}]", entry); }
+
+/// Empty where the entry gave no key that passed its checks.
+TimelineDraft given(const Draft& draft, std::size_t i) {
+  return i < draft.timeline.size() ? draft.timeline[i] : TimelineDraft();
+}
+
+void checkWhen(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
+  if (!entry.at && !findings.has(path + ".at"))
+    findings.refuseMissing(path + ".at", path, "at is required: the film time at which it happens");
+  if (entry.at && *entry.at > duration_s)
+    findings.refuse(path + ".at", fmt::format("must lie within the film, which ends at {:g} s, got {:g} s",
+                                              duration_s, *entry.at));
+}
+
+/// What is longer than the film is: it is asked for, and cut off.
+void doubtHold(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
+  if (!entry.hold || !entry.at || *entry.at > duration_s) return;
+  const double end_s = *entry.at + entry.over.value_or(TimelineEntry().over_s) + *entry.hold;
+  if (end_s > duration_s)
+    findings.doubt(path + ".hold", fmt::format("would last till {:g} s, the film ends at {:g} s (time.duration)",
+                                               end_s, duration_s));
+}
+
+void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& findings) {
+  for (const int thing : entry.shown)
+    if (std::ranges::find(entry.hidden, thing) != entry.hidden.end())
+      findings.refuse(path + ".hide", fmt::format("\"{}\" is shown by the same entry; do one of the two",
+                                                  timelineThings()[static_cast<std::size_t>(thing)]));
+  if (entry.captionFor && !findings.has(path + ".caption"))
+    findings.refuse(path + ".caption_for", "there is no caption that could stand so long; give caption too");
+  if (entry.azimuth && entry.turn)
+    findings.refuse(path + ".camera.turn",
+                    "given beside camera.azimuth; give where the camera goes, or by how much");
+}
+
+/// A film that repeats comes back after a time that its one speed decides.
+void checkLoop(const TimelineDraft& entry, const std::string& path, Findings& findings) {
+  constexpr const char* kWhy = "a film that repeats (time.loop) keeps its speed; leave out one of the two";
+  if (entry.speed) findings.refuse(path + ".speed", kWhy);
+  if (entry.hold) findings.refuse(path + ".hold", kWhy);
+}
+
+TimelineEntry entryOf(const TimelineDraft& given) {
+  TimelineEntry entry;
+  entry.at_s = *given.at;
+  entry.over_s = given.over.value_or(entry.over_s);
+  entry.shown = given.shown;
+  entry.hidden = given.hidden;
+  entry.speed = given.speed;
+  entry.hold_s = given.hold.value_or(0);
+  entry.azimuth_rad = given.azimuth;
+  entry.elevation_rad = given.elevation;
+  entry.zoom = given.zoom;
+  entry.turn_rad = given.turn.value_or(0);
+  return entry;
+}
+
+/// Each until the next begins, or as long as it says; empty ones only end those before.
+std::vector<Caption> captionsOf(const std::vector<TimelineDraft>& byTime, double duration_s) {
+  std::vector<Caption> captions;
+  for (const TimelineDraft& entry : byTime) {
+    if (!entry.caption) continue;
+    if (!captions.empty()) captions.back().to_s = std::min(captions.back().to_s, *entry.at);
+    const double end_s = entry.captionFor ? std::min(duration_s, *entry.at + *entry.captionFor) : duration_s;
+    captions.push_back({*entry.at, end_s, *entry.caption});
+  }
+  std::erase_if(captions,
+                [](const Caption& caption) { return caption.text.empty() || !(caption.to_s > caption.from_s); });
+  return captions;
+}
+
+}  // namespace
+
+void askForShown(Draft& draft, const Findings& findings) {
+  for (const TimelineDraft& entry : std::vector(draft.timeline))
+    for (const int thing : entry.shown) {
+      const std::string path = fmt::format("show.{}.visible", timelineThings()[static_cast<std::size_t>(thing)]);
+      if (const Key* key = findKey(path); key && !findings.has(path)) key->put(draft, 0, Checked(true));
+    }
+}
+
+Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings) {
+  // Nothing is said of a film's end that nobody gave.
+  const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : duration_s;
+  std::vector<TimelineDraft> entries;
+  for (std::size_t i = 0; i < findings.count("timeline"); ++i) {
+    const TimelineDraft entry = given(draft, i);
+    checkWhen(entry, pathOf(i), end_s, findings);
+    checkWhat(entry, pathOf(i), findings);
+    doubtHold(entry, pathOf(i), end_s, findings);
+    if (draft.loop) checkLoop(entry, pathOf(i), findings);
+    if (entry.at) entries.push_back(entry);
+  }
+  std::ranges::stable_sort(entries, {}, [](const TimelineDraft& entry) { return *entry.at; });
+  Timeline timeline{{}, captionsOf(entries, duration_s)};
+  for (const TimelineDraft& entry : entries) timeline.entries.push_back(entryOf(entry));
+  return timeline;
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/document/source.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+
+struct Entry;
+struct DateOrTime {};
+
+/// A TOML value and where it stands.
+struct Node {
+  using Array = std::vector<Node>;
+  using Table = std::vector<Entry>;
+
+  std::variant<bool, std::int64_t, double, std::string, DateOrTime, Array, Table> value;
+  Place place;
+
+  template <class T>
+  const T* as() const {
+    return std::get_if<T>(&value);
+  }
+};
+
+struct Entry {
+  std::string key;
+  Place keyPlace;
+  Node value;
+};
+
+/// Reads TOML 1.0 within the limits on text, so that no file can exhaust the stack or the memory of what reads it.
+/// The one door to toml++.
+/// @throws SceneErrors with the one problem that stopped it: a syntax error, a key given twice, a limit.
+Node parseDocument(const Source& source, const Limits& limits = {});
+
+/// The value as TOML, on one line. @pre it holds no date or time.
+std::string tomlText(const Node& node);
+
+/// What was got, for a message: `"abc"`, `3.5`, `an array of 2`; safe to print.
+std::string describe(const Node& node);
+
+}  // namespace poinsot::scene

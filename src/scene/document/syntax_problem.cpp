@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/document/syntax_problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+
+#include "core/text.h"
+#include "scene/document/text_limits.h"
+#include "scene/trimmed.h"
+
+namespace poinsot::scene {
+namespace {
+
+/// A line as regular expressions get it: of a longer one the library's recursion has to know nothing.
+std::string beginOf(std::string_view line) { return std::string(line.substr(0, 200)); }
+
+bool matches(std::string_view line, const char* pattern) {
+  return std::regex_match(beginOf(line), std::regex(pattern));
+}
+
+/// What stands between the first quotation mark of a text and the last; empty without.
+std::string_view quotedIn(std::string_view text) {
+  const std::size_t open = text.find('\''), close = text.rfind('\'');
+  return open == std::string_view::npos || close <= open + 1 ? "" : text.substr(open + 1, close - open - 1);
+}
+
+/// toml++ stops after the word it refuses and quotes it; this is where the word begins.
+Place placeOf(const Source& source, int lineNumber, int column, std::string_view description) {
+  Place place{&source, lineNumber, column, 1};
+  const std::string_view word = quotedIn(description);
+  if (word.empty() || description.find("saw '") != std::string_view::npos) return place;
+  const std::string_view line = source.line(lineNumber).substr(0, static_cast<std::size_t>(column));
+  const std::size_t found = line.rfind(word);
+  if (found == std::string_view::npos) return place;
+  place.column = static_cast<int>(characterCount(line.substr(0, found))) + 1;
+  place.length = static_cast<int>(characterCount(word));
+  return place;
+}
+
+/// Returns the text with its first letter small, to stand after a colon.
+std::string continued(std::string text) { return text.replace(0, 1, core::lowered(text.substr(0, 1))); }
+
+// ---- given twice
+
+bool isHeader(std::string_view line) { return trimmed(line).starts_with('['); }
+
+/// What a line gives: the path between its brackets, or the key before its equals sign; else empty. By hand, as it
+/// is asked of every line of a file.
+std::string_view givenBy(std::string_view line) {
+  const std::size_t equals = line.find('='), path = std::min(line.find_first_not_of(" \t["), line.size());
+  if (!isHeader(line)) return equals == line.npos ? "" : trimmed(line.substr(0, equals));
+  return trimmed(line.substr(path, line.find(']') - path));
+}
+
+/// The line above that gives what this one does; a key is sought in its own table.
+std::optional<int> givenBefore(const Source& source, int lineNumber) {
+  const bool header = isHeader(source.line(lineNumber));
+  const std::string_view given = givenBy(source.line(lineNumber));
+  if (given.empty()) return std::nullopt;
+  for (int above = lineNumber - 1; above > 0; --above) {
+    const bool other = isHeader(source.line(above)) != header;
+    if (!other && givenBy(source.line(above)) == given) return above;
+    if (other && !header) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::string twice(const Source& source, int lineNumber, std::string_view text) {
+  if (text.find("cannot redefine existing boolean") != text.npos)
+    return "given before as true or false; leave that line out: the keys below it ask for the thing";
+  const auto before = givenBefore(source, lineNumber);
+  const std::string_view name = givenBy(source.line(lineNumber));
+  if (before && text.find("as array-of-tables") != text.npos)
+    return fmt::format("line {} has it in single brackets; of several, each begins with [[{}]]", *before,
+                       core::printable(name));
+  const std::string where = before ? fmt::format("; first on line {}", *before) : "";
+  return fmt::format("this key or table is given twice: {}{}", text, where);
+}
+
+// ---- what else is no TOML
+
+/// A value in which the parser met a comma.
+std::string withComma(std::string_view line) {
+  return matches(line, R"([^=]*=\s*[-+]?\d+,\d+\s*(#.*)?)") ? "a decimal sign is a point: 9.81"
+                                                            : "several values stand in brackets: [1, 2, 3]";
+}
+
+std::string messageOf(const Source& source, int lineNumber, std::string_view description) {
+  const std::string_view line = source.line(lineNumber);
+  const bool typographic = line.find("\u201c") != line.npos || line.find("\u201d") != line.npos ||
+                           line.find("\u2018") != line.npos || line.find("\u2019") != line.npos;
+  const std::string text = continued(core::printable(description));
+  const auto says = [&](std::string_view part) { return text.find(part) != std::string::npos; };
+  if (says("cannot redefine")) return twice(source, lineNumber, text);
+  if (says("parsing string") && (says("control characters") || says("end-of-file")))
+    return "not TOML: this text has no closing quote";
+  if (says("could not determine value type") || says("parsing boolean"))
+    return typographic ? "not a TOML value; text stands in straight quotes: \"...\" or '...'"
+                       : "not a TOML value; text stands in quotes: \"...\"";
+  if (says("could not be interpreted as a value") || says("is not representable"))
+    return "a number out of range: " + text;
+  if (says("expected a comment or whitespace, saw ','"))
+    return fmt::format("not TOML: {} ({})", text, withComma(line));
+  if (says("expected a comment or whitespace, saw") || says("expected digit, saw") ||
+      says("expected comma or closing ']', saw"))
+    return "not TOML: " + text + " (a number with a unit, or a fraction, stands in quotes: \"3 rpm\")";
+  if (says("escape sequence"))
+    return "not TOML: " + text + " (mathematics stands in single quotes, where a backslash is one: '$\\omega$')";
+  return "not TOML: " + text;
+}
+
+// ---- an array without an end
+
+/// Whether the line begins a table or gives a key, which no line within an array does.
+bool beginsAnew(std::string_view line) {
+  return matches(line, R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
+}
+
+/// The bracket of an array that has no end: toml++ sees that only at what follows, often lines below.
+std::optional<Place> unclosedArray(const Source& source, int line, std::string_view description,
+                                   const Limits& limits) {
+  const bool atEnd = description.find("encountered end-of-file") != std::string_view::npos;
+  if (!atEnd && !beginsAnew(source.line(line))) return std::nullopt;
+  return openArrayAtLine(source, limits, atEnd ? line + 1 : line);
+}
+
+}  // namespace
+
+SyntaxProblem syntaxProblem(const Source& source, int line, int column, std::string_view description,
+                            const Limits& limits) {
+  if (const auto bracket = unclosedArray(source, line, description, limits))
+    return {*bracket, "not TOML: the array that begins here has no closing ]"};
+  return {placeOf(source, line, column, description), messageOf(source, line, description)};
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/key_tables.h"
+#include "scene/keys/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+// A moment times the square of a spin.
+constexpr Range kTorques{.least = 1e-140, .most = kMostTorque, .ofSize = true};
+constexpr Range kAccelerations{.least = 1e-12, .most = 1e12, .ofSize = true};
+constexpr Range kVelocities{.least = 1e-12, .most = 1e12, .ofSize = true};
+constexpr Range kPull{.least = 0, .most = 1e12};
+constexpr Range kRates{.least = 0, .most = 1e20};  // times an instant it is an exponent
+constexpr Range kAlphas{.least = 0, .most = 1e100};
+
+template <class F>
+Put intoStep(F place) {
+  return into([place](Draft& d, std::size_t i) { return place(elementAt(d.forcing.steps, i)); });
+}
+
+std::vector<Key> gravityKeys() {
+  return {
+      {.path = "motion.gravity.mgr_body",
+       .type = kVector,
+       .dimension = kTorque,
+       .range = kTorques,
+       .example = "[0, 0, 2.84375]",
+       .help = "M g r: weight times the centre of mass seen from the fixed point, in body axes; gravity pulls "
+               "along the world's -z. Without body.mass, the moments are about the fixed point. With mass and "
+               "pivot, mgr_body must point from the pivot to the centre of mass, within 0.001 rad.",
+       .put = into([](Draft& d) { return &d.forcing.mgr_B; })},
+      {.path = "motion.gravity.g",
+       .dimension = kAcceleration,
+       .range = kPull,
+       .example = "9.81",
+       .help = "In place of mgr_body for a body with mass and pivot.",
+       .put = into([](Draft& d) { return &d.forcing.g; })},
+  };
+}
+
+std::vector<Key> torqueKeys() {
+  return {
+      {.path = "motion.torque.body",
+       .type = kVector,
+       .dimension = kTorque,
+       .range = kTorques,
+       .example = "[0, 0, 0.01]",
+       .help = "Constant torque in body axes.",
+       .put = into([](Draft& d) { return &d.forcing.torque_B; })},
+      {.path = "motion.torque.space",
+       .type = kVector,
+       .dimension = kTorque,
+       .range = kTorques,
+       .example = "[\"5 mN m\", 0, 0]",
+       .help = "Constant torque in world axes.",
+       .put = into([](Draft& d) { return &d.forcing.torque_W; })},
+      {.path = "motion.torque.file",
+       .type = kText,
+       .range = kPathLength,
+       .example = "\"torque.csv\"",
+       .help =
+           "Torque against time: a CSV file in the scene's folder or below it, each line t,Nx,Ny,Nz in s and N m, "
+           "times ascending; a first line with just these names may stand above.",
+       .put = into([](Draft& d) { return &d.forcing.torqueFile; })},
+      {.path = "motion.torque.file_axes",
+       .type = kWord,
+       .words = {"body", "space"},
+       .example = "\"space\"",
+       .help = "Whose axes the file's components are along; without it, the body's.",
+       .put = into([](Draft& d) { return &d.forcing.fileAxes; })},
+      {.path = "motion.torque.interpolation",
+       .type = kWord,
+       .words = {"linear", "steps"},
+       .example = "\"steps\"",
+       .help =
+           "Between two lines of the file: a straight line, as without this key, or the earlier value until the "
+           "next.",
+       .put = into([](Draft& d) { return &d.forcing.interpolation; })},
+  };
+}
+
+std::vector<Key> stepKeys() {
+  return {
+      {.path = "motion.torque.step[].from",
+       .dimension = kTime,
+       .range = kInstants,
+       .example = "2.5",
+       .help = "Motion time from which this torque acts, until the next step; later than that of the step before.",
+       .put = intoStep([](TorqueStepDraft& s) { return &s.from; })},
+      {.path = "motion.torque.step[].body",
+       .type = kVector,
+       .dimension = kTorque,
+       .range = kTorques,
+       .example = "[0, 0, 0.01]",
+       .help = "Torque in body axes; all zero ends the one before.",
+       .put = intoStep([](TorqueStepDraft& s) { return &s.torque_B; })},
+      {.path = "motion.torque.step[].space",
+       .type = kVector,
+       .dimension = kTorque,
+       .range = kTorques,
+       .example = "[\"5 mN m\", 0, 0]",
+       .help = "Torque in world axes, besides or instead.",
+       .put = intoStep([](TorqueStepDraft& s) { return &s.torque_W; })},
+  };
+}
+
+std::vector<Key> lossKeys() {
+  return {
+      {.path = "motion.drag.rate",
+       .type = kPerAxis,
+       .dimension = kRate,
+       .range = kRates,
+       .example = "[0.01, 0.01, 0.05]",
+       .help =
+           "Drag d in dL_i/dt = ... - d_i L_i for the components of L along the principal axes; one number for "
+           "all three.",
+       .put = into([](Draft& d) { return &d.forcing.dragRates; })},
+      {.path = "motion.dissipation.alpha",
+       .dimension = kInverseAction,
+       .range = kAlphas,
+       .example = "0.02",
+       .help =
+           "Loss of energy inside the body at constant L: dL/dt = L x omega + alpha L x (L x omega) in the body. "
+           "The attitude then turns at omega + alpha L x omega, not at omega = I^-1 L; trajectory writes both.",
+       .put = into([](Draft& d) { return &d.forcing.dissipation; })},
+  };
+}
+
+std::vector<Key> flightKeys() {
+  return {
+      {.path = "motion.flight.position",
+       .type = kVector,
+       .dimension = kLength,
+       .range = kPositions,
+       .example = "[0, 0, 1.5]",
+       .help = "Of the centre of mass of a thrown body at motion time 0, in world axes; without it, the origin.",
+       .put = into([](Draft& d) { return &d.flight.position; })},
+      {.path = "motion.flight.velocity",
+       .type = kVector,
+       .dimension = kVelocity,
+       .range = kVelocities,
+       .example = "[\"10 km/h\", 0, 4]",
+       .help = "Of the centre of mass at motion time 0; without it, none.",
+       .put = into([](Draft& d) { return &d.flight.velocity; })},
+      {.path = "motion.flight.gravity",
+       .type = kVector,
+       .dimension = kAcceleration,
+       .range = kAccelerations,
+       .example = "[0, 0, -1.62]",
+       .help = "Acceleration of free fall; without it, [0, 0, -9.80665].",
+       .put = into([](Draft& d) { return &d.flight.gravity; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> forcingKeys() {
+  return joined({gravityKeys(), torqueKeys(), stepKeys(), lossKeys(), flightKeys()});
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/key_tables.h"
+#include "scene/keys/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+constexpr Range kNameLength{.least = 0, .most = 80};
+constexpr Range kFactors{.least = 0.01, .most = 100};
+constexpr Range kComponents{.least = 1e-12, .most = 1e12, .ofSize = true};
+
+template <class F>
+Put intoVector(F place) {
+  return into([place](Draft& d, std::size_t i) { return place(elementAt(d.vectors, i)); });
+}
+
+template <class F>
+Put intoAngle(F place) {
+  return into([place](Draft& d, std::size_t i) { return place(elementAt(d.angles, i)); });
+}
+
+std::vector<Key> vectorKeys() {
+  return {
+      {.path = "vector[].name",
+       .type = kText,
+       .range = kNameLength,
+       .example = "'$\\mathbf{r}$'",
+       .help = "What is written at its tip.",
+       .isTex = true,
+       .put = intoVector([](VectorDraft& v) { return &v.name; })},
+      {.path = "vector[].components",
+       .type = kVector,
+       .range = kComponents,
+       .example = "[0, 0, 1]",
+       .help = "Its direction, in the axes of `frame`; the arrow is as long as the body is wide, times scale.",
+       .put = intoVector([](VectorDraft& v) { return &v.components; })},
+      {.path = "vector[].frame",
+       .type = kWord,
+       .words = {"space", "body", "principal"},
+       .example = "\"body\"",
+       .help =
+           "Which axes the components are in: those of space (the default), of the body, or its principal axes.",
+       .put = intoVector([](VectorDraft& v) { return &v.frame; })},
+      {.path = "vector[].position_of",
+       .type = kVector,
+       .dimension = kLength,
+       .range = kPositions,
+       .example = "[0.3, 0, 0.1]",
+       .help =
+           "In place of components: the arrow from the point that the body turns about to this point of the body.",
+       .put = intoVector([](VectorDraft& v) { return &v.position; })},
+      {.path = "vector[].velocity_of",
+       .type = kVector,
+       .dimension = kLength,
+       .range = kPositions,
+       .example = "[0.3, 0, 0.1]",
+       .help = "In place of components: the velocity of this point of the body, drawn at the point.",
+       .put = intoVector([](VectorDraft& v) { return &v.velocity; })},
+      {.path = "vector[].scale",
+       .range = kFactors,
+       .example = "1.5",
+       .help = "Factor on its length.",
+       .put = intoVector([](VectorDraft& v) { return &v.scale; })},
+      {.path = "vector[].color",
+       .type = kWord,
+       .words = {"vector", "ink", "L", "omega", "body", "axes", "torque"},
+       .example = "\"omega\"",
+       .help = "Whose of the [style.colors] it has.",
+       .put = intoVector([](VectorDraft& v) { return &v.color; })},
+  };
+}
+
+std::vector<Key> angleKeys() {
+  return {
+      {.path = "angle[].between",
+       .type = kWords,
+       .words = {"L", "omega", "torque", "axis", "e1", "e2", "e3", "x", "y", "z"},
+       .example = "[\"L\", \"omega\"]",
+       .help = "The two directions that it lies between; \"axis\" is the one of show.main_axis.",
+       .put = intoAngle([](AngleDraft& a) { return &a.between; })},
+      {.path = "angle[].name",
+       .type = kText,
+       .range = kNameLength,
+       .example = "'$\\alpha$'",
+       .help = "What is written at its arc.",
+       .isTex = true,
+       .put = intoAngle([](AngleDraft& a) { return &a.name; })},
+      {.path = "angle[].scale",
+       .range = kFactors,
+       .example = "1.5",
+       .help = "Factor on the radius of its arc.",
+       .put = intoAngle([](AngleDraft& a) { return &a.scale; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> namedKeys() { return joined({vectorKeys(), angleKeys()}); }
+
+}  // namespace poinsot::scene

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/key_tables.h"
+#include "scene/keys/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+
+constexpr Range kTypeFactor{.least = 0.1, .most = 10};
+
+std::vector<std::string_view> spotWords() {  // in the order of Spot
+  return {"top left", "top", "top right", "left", "centre", "right", "bottom left", "bottom", "bottom right"};
+}
+
+template <class F>
+Put intoReadout(F place) {
+  return into([place](Draft& d, std::size_t i) { return place(elementAt(d.readouts, i)); });
+}
+
+template <class F>
+Put intoNote(F place) {
+  return into([place](Draft& d, std::size_t i) { return place(elementAt(d.notes, i)); });
+}
+
+std::vector<Key> readoutKeys() {
+  return {
+      {.path = "readout[].quantity",
+       .type = kWord,
+       .words = quantityWords(),
+       .wordList = "quantities",
+       .example = "\"t\"",
+       .help = "Whose value is written, with its unit, at every instant of the film.",
+       .put = intoReadout([](Readout& r) { return &r.quantity; })},
+      {.path = "readout[].at",
+       .type = kWord,
+       .words = spotWords(),
+       .example = "\"bottom left\"",
+       .help = "Where in the picture; several at one place stand under one another. Without it, top right.",
+       .put = intoReadout([](Readout& r) { return &r.at; })},
+      {.path = "readout[].label",
+       .type = kText,
+       .range = {.least = 0, .most = 200},
+       .example = "'$\\omega_{\\mathrm{spin}}$'",
+       .help = "What stands before the equals sign; without it, the quantity's symbol.",
+       .isTex = true,
+       .put = intoReadout([](Readout& r) { return &r.label; })},
+      {.path = "readout[].unit",
+       .type = kText,
+       .range = {.least = 0, .most = kLongestUnit},
+       .example = "\"ms\"",
+       .help = "In which the value is written; without it, in one that suits the numbers.",
+       .put = intoReadout([](Readout& r) { return &r.unit; })},
+  };
+}
+
+std::vector<Key> textKeys() {
+  return {
+      {.path = "note[].text",
+       .type = kLines,
+       .range = {.least = 0, .most = 200},
+       .example = "'$\\mathbf{L} = I\\,\\boldsymbol{\\omega}$'",
+       .help = "A caption, an equation, whatever stands still; each line of several is an element of an array, or "
+               "ends with a line end.",
+       .isTex = true,
+       .put = intoNote([](Note& n) { return &n.lines; })},
+      {.path = "note[].at",
+       .type = kWord,
+       .words = spotWords(),
+       .example = "\"left\"",
+       .help = "Where in the picture, as readout.at; at one place notes stand over read-outs. Without it, bottom.",
+       .put = intoNote([](Note& n) { return &n.at; })},
+      {.path = "note[].size",
+       .range = kTypeFactor,
+       .example = "1.5",
+       .help = "Factor on the size of the note's type, besides style.text_size; without it, 1.",
+       .put = intoNote([](Note& n) { return &n.size; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> noteKeys() { return joined({readoutKeys(), textKeys()}); }
+
+}  // namespace poinsot::scene

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/key_tables.h"
+#include "scene/keys/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+constexpr Range kScale{.least = 0.01, .most = 100};
+constexpr Range kOpacity{.least = 0, .most = 1};
+
+Key visibleKey(std::string path, std::string_view help, Put put) {
+  return {.path = std::move(path),
+          .type = kBool,
+          .fallback = "true",
+          .example = "false",
+          .help = help,
+          .put = std::move(put)};
+}
+
+Key scaleKey(std::string path, std::string_view help, Put put) {
+  return {.path = std::move(path),
+          .range = kScale,
+          .fallback = "1",
+          .example = "1.5",
+          .help = help,
+          .put = std::move(put)};
+}
+
+Key opacityKey(std::string path, std::string_view fallback, Put put) {
+  return {.path = std::move(path),
+          .range = kOpacity,
+          .fallback = fallback,
+          .example = "0.3",
+          .help = "How much of what lies behind it hides: 0 nothing, 1 all.",
+          .put = std::move(put)};
+}
+
+std::vector<Key> pictureKeys() {
+  return {
+      {.path = "show.title",
+       .type = kText,
+       .range = {.least = 0, .most = 200},
+       .fallback = "\"\"",
+       .example = "\"Tennis racket\"",
+       .help = "A few words at the top left. Mathematics stands between dollar signs, in single quotes: 'About "
+               "$\\hat{\\mathbf{e}}_2$'.",
+       .isTex = true,
+       .put = into([](Draft& d) { return &d.scene.show.title; })},
+      {.path = "show.subtitle",
+       .type = kText,
+       .range = {.least = 0, .most = 200},
+       .fallback = "\"\"",
+       .example = "'$I_1 < I_2 < I_3$'",
+       .help = "One line under the title.",
+       .isTex = true,
+       .put = into([](Draft& d) { return &d.scene.show.subtitle; })},
+      {.path = "show.views",
+       .type = kBool,
+       .fallback = "true",
+       .example = "false",
+       .help = "Views in space; without them a picture has its plots alone.",
+       .put = [](Draft& d, std::size_t, const Checked& value) { d.noViews = !std::get<bool>(value); }},
+      {.path = "show.exaggerate_angles",
+       .range = {.least = 1, .most = 1e9},
+       .fallback = "1",
+       .example = "100",
+       .help = "Draws the part of omega across the main axis of spin that many times larger; the picture says so.",
+       .put = into([](Draft& d) { return &d.scene.show.exaggerateAngles; })},
+  };
+}
+
+std::vector<Key> drawnBodyKeys() {
+  return {
+      {.path = "show.labels",
+       .type = kBool,
+       .fallback = "true",
+       .example = "false",
+       .help = "Names beside the vectors and axes; one of them is left out by an empty text in [label].",
+       .put = into([](Draft& d) { return &d.scene.show.labels; })},
+      visibleKey("show.body.visible", "The body itself.",
+                 into([](Draft& d) { return &d.scene.show.body.visible; })),
+      scaleKey("show.body.scale", "Factor on its drawn size.",
+               into([](Draft& d) { return &d.scene.show.body.scale; })),
+  };
+}
+
+std::vector<Key> drawnShapeKeys() {
+  return shapeKeys({.path = "show.body",
+                    .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.drawn; },
+                    .shapeHelp = "Shape to draw in place of the one that sets the moments (without either: the "
+                                 "uniform box that has the moments).",
+                    .sizeHelp =
+                        "Extents of the shape to draw; only their proportions count. Without it: body.size "
+                        "where that is given and suits the shape, else proportions usual for it."});
+}
+
+std::vector<Key> drawnThingKeys() {
+  return {
+      visibleKey("show.principal_axes.visible", "The principal axes, fixed in the body.",
+                 into([](Draft& d) { return &d.scene.show.principalAxes.visible; })),
+      scaleKey("show.principal_axes.scale", "Factor on their length.",
+               into([](Draft& d) { return &d.scene.show.principalAxes.scale; })),
+      visibleKey("show.L.visible", "The angular momentum L, an arrow fixed in space.",
+                 into([](Draft& d) { return &d.scene.show.L.visible; })),
+      scaleKey("show.L.scale", "Factor on its length.", into([](Draft& d) { return &d.scene.show.L.scale; })),
+      visibleKey("show.omega.visible", "The angular velocity omega, an arrow to the point of contact.",
+                 into([](Draft& d) { return &d.scene.show.omega.visible; })),
+      scaleKey("show.omega.scale", "Factor on its length; other than 1, its tip leaves the point of contact.",
+               into([](Draft& d) { return &d.scene.show.omega.scale; })),
+
+      visibleKey("show.ellipsoid.visible", "Poinsot's energy ellipsoid, in the space of omega.",
+                 into([](Draft& d) { return &d.scene.show.ellipsoid.visible; })),
+      scaleKey("show.ellipsoid.scale",
+               "Factor on its drawn size and on all that touches it: plane, curves, point of contact.",
+               into([](Draft& d) { return &d.scene.show.ellipsoid.scale; })),
+      opacityKey("show.ellipsoid.opacity", "0.13", into([](Draft& d) { return &d.scene.show.ellipsoid.opacity; })),
+      {.path = "show.ellipsoid.graticule",
+       .type = kBool,
+       .fallback = "true",
+       .example = "false",
+       .help = "Lines on the ellipsoid that make its rolling visible.",
+       .put = into([](Draft& d) { return &d.scene.show.ellipsoid.graticule; })},
+
+      visibleKey("show.plane.visible", "The invariable plane, on which the ellipsoid rolls.",
+                 into([](Draft& d) { return &d.scene.show.plane.visible; })),
+      opacityKey("show.plane.opacity", "0.16", into([](Draft& d) { return &d.scene.show.plane.opacity; })),
+      {.path = "show.plane.grid",
+       .type = kBool,
+       .fallback = "true",
+       .example = "false",
+       .help = "Lines on the plane that give it scale.",
+       .put = into([](Draft& d) { return &d.scene.show.plane.grid; })},
+
+      visibleKey("show.contact.visible", "The point of contact: the tip of omega.",
+                 into([](Draft& d) { return &d.scene.show.contact.visible; })),
+      scaleKey("show.contact.scale", "Factor on its drawn size.",
+               into([](Draft& d) { return &d.scene.show.contact.scale; })),
+      visibleKey("show.polhode.visible", "The path of the point of contact on the ellipsoid.",
+                 into([](Draft& d) { return &d.scene.show.polhode.visible; })),
+      visibleKey("show.herpolhode.visible", "The path of the point of contact on the plane.",
+                 into([](Draft& d) { return &d.scene.show.herpolhode.visible; })),
+      {.path = "show.herpolhode.future",
+       .type = kBool,
+       .fallback = "true",
+       .example = "false",
+       .help = "Whether the part not yet travelled is drawn too, faint.",
+       .put = into([](Draft& d) { return &d.scene.show.herpolhode.future; })},
+      visibleKey("show.height.visible", "The constant height of the centre above the plane, 2T/|L|.",
+                 into([](Draft& d) { return &d.scene.show.height.visible; })),
+  };
+}
+
+std::vector<Key> ownFigureKeys() {
+  return figureKeys({.path = "show", .of = [](Draft& d, std::size_t) -> Show& { return d.scene.show; }});
+}
+
+}  // namespace
+
+std::vector<Key> showKeys() {
+  return joined({pictureKeys(), drawnBodyKeys(), drawnShapeKeys(), drawnThingKeys(), ownFigureKeys()});
+}
+
+std::vector<Key> shownKeys() { return joined({drawnBodyKeys(), drawnThingKeys(), ownFigureKeys()}); }
+
+}  // namespace poinsot::scene

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/key_tables.h"
+#include "scene/keys/put.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+constexpr Range kFactor{.least = 0.1, .most = 10};
+
+std::vector<Key> keysOfColors() {
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < kColorMeanings; ++i) {
+    const ColorKey& meaning = colorKeys()[i];
+    keys.push_back({.path = "style.colors." + std::string(meaning.name),
+                    .type = kColor,
+                    .example = meaning.example,
+                    .help = meaning.help,
+                    .put = into([i](Draft& d) { return &d.scene.style.colors[i]; })});
+  }
+  return keys;
+}
+
+std::vector<Key> formKeys() {
+  return {
+      {.path = "style.file",
+       .type = kText,
+       .range = kPathLength,
+       .example = "\"house.style.toml\"",
+       .help = "A file with a [style] of its own, in the scene's folder or below it; what the scene says itself "
+               "counts before it.",
+       .put = [](Draft&, std::size_t, const Checked&) {}},  // style_file.h reads it before any value is put
+      {.path = "style.theme",
+       .type = kWord,
+       .words = {"light", "dark", "print"},
+       .fallback = "\"light\"",
+       .example = "\"dark\"",
+       .help = "light has a white ground, dark is for slides in a dark room; print has thin lines, black, greys "
+               "and one colour, and survives a photocopier.",
+       .put = into([](Draft& d) { return &d.scene.style.theme; })},
+      {.path = "style.line_width",
+       .range = kFactor,
+       .fallback = "1",
+       .example = "1.5",
+       .help = "Factor on the width of all lines, as the theme has them.",
+       .put = into([](Draft& d) { return &d.scene.style.lineWidth; })},
+      {.path = "style.text_size",
+       .range = kFactor,
+       .fallback = "1",
+       .example = "1.25",
+       .help = "Factor on the size of all type.",
+       .put = into([](Draft& d) { return &d.scene.style.textSize; })},
+      {.path = "style.decimal_sign",
+       .type = kWord,
+       .words = {"point", "comma"},
+       .fallback = "\"point\"",
+       .example = "\"comma\"",
+       .help = "What stands before the decimals of every number that is drawn: 1.5 or 1,5.",
+       .put = into([](Draft& d) { return &d.scene.style.decimalSign; })},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> styleKeys() { return joined({formKeys(), keysOfColors()}); }
+
+}  // namespace poinsot::scene

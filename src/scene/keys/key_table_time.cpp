@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/key_tables.h"
+#include "scene/keys/put.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+using enum ValueType;
+using enum Dimension;
+
+}  // namespace
+
+std::vector<Key> timeKeys() {
+  return {
+      {.path = "time.start",
+       .dimension = kTime,
+       .range = kInstants,
+       .fallback = "0",
+       .example = "\"2 h\"",
+       .help = "Motion time at the first frame.",
+       .put = into([](Draft& d) { return &d.scene.time.start_s; })},
+      {.path = "time.duration",
+       .dimension = kTime,
+       .range = {.least = 1e-3, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
+       .fallback = "10",
+       .example = "12.5",
+       .help = "Length of the film; its frames are all k with k/fps below it, 36000 at most.",
+       .put = into([](Draft& d) { return &d.scene.time.duration_s; })},
+      {.path = "time.fps",
+       .type = kFrameRate,
+       .range = {.least = 1e-3, .most = usual(Limit::kFps), .limit = Limit::kFps},
+       .fallback = "30",
+       .example = "\"30000/1001\"",
+       .help = "Frames per second of film, kept as an exact fraction.",
+       .put = into([](Draft& d) { return &d.scene.time.fps; })},
+      {.path = "time.speed",
+       .range = kInstants,
+       .words = {"auto"},
+       .fallback = "\"auto\"",
+       .example = "0.5",
+       .help = "Seconds of motion per second of film; negative runs backwards. auto chooses a pace that the eye "
+               "follows; for a heavy top, a pace that shows its precession.",
+       .put = into([](Draft& d) { return &d.scene.time.speed; })},
+      {.path = "time.loop",
+       .type = kBool,
+       .fallback = "false",
+       .example = "true",
+       .help = "Whether the film repeats without a jump. The start is then moved as little as can be, at the same "
+               "|L|, so that the motion comes back to where it began; the film lasts until then, and the speed "
+               "changes a little so that this is a whole number of frames (`info` says by how much). Free motion "
+               "only.",
+       .put = into([](Draft& d) { return &d.loop; })},
+      {.path = "time.still",
+       .dimension = kTime,
+       .range = {.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
+       .words = {"auto"},
+       .fallback = "\"auto\"",
+       .example = "\"3.2 s\"",
+       .help = "Film time of the picture that says most, which `still` and `gallery` make; auto is a third of the "
+               "way, and a time after the end is the end.",
+       .put = into([](Draft& d) { return &d.scene.time.still_s; })},
+  };
+}
+
+}  // namespace poinsot::scene

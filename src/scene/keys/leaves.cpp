@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/leaves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "scene/keys/unknown_key.h"
+#include "scene/limits.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr std::size_t kMostUnknown = 20;  // of one table; each may be compared with what the table lacks
+
+/// What stands before the first index: "body.part" of "body.part[3].mass".
+std::string_view arrayOf(std::string_view path) { return path.substr(0, path.find('[')); }
+
+class Walk {
+ public:
+  Walk(Leaves& leaves, Problems& problems) : leaves_(leaves), problems_(problems) {}
+
+  void table(std::string_view path, const Node::Table& entries) {
+    for (const Entry& entry : entries) {
+      const bool noName = entry.key.empty() || entry.key.find_first_of(".[]") != std::string::npos;
+      if (noName)  // "a.b" in quotes is no path
+        problems_.add(entry.keyPlace, fmt::format("\"{}\": unknown key", core::printable(entry.key)));
+      else
+        value(pathBelow(path, entry.key), entry.keyPlace, entry.value);
+    }
+  }
+
+  void value(const std::string& path, const Place& keyPlace, const Node& node) {
+    if (path.find('[') != std::string::npos && !exists(path))
+      problems_.addLater(keyPlace,
+                         [path, count = leaves_.count(arrayOf(path))] { return noElement(path, count); });
+    else if (findKey(path))
+      leaves_.values[path] = node;
+    else if (isTableArray(path))
+      array(path, node);
+    else if (!isTable(path))
+      unknown(path, keyPlace);
+    else if (const auto* entries = node.as<Node::Table>())
+      opened(path, keyPlace, *entries);
+    else if (node.as<bool>() && hasVisible(path))
+      leaves_.values[path + ".visible"] = node;
+    else
+      wrongForm(path, node.place,
+                fmt::format("{}: expected a table [{}]{}, got {}", path, path,
+                            hasVisible(path) ? ", true or false" : "", describe(node)));
+  }
+
+ private:
+  void unknown(const std::string& path, const Place& place) {
+    remember(path);
+    problems_.addLater(place, [path] { return unknownKey(path); });
+  }
+
+  void wrongForm(const std::string& path, const Place& place, std::string message) {
+    remember(path);
+    problems_.add(place, std::move(message));
+  }
+
+  void remember(const std::string& path) {
+    std::vector<std::string>& names = leaves_.unknown[std::string(tableOf(path))];
+    if (names.size() < kMostUnknown) names.emplace_back(nameOf(path));
+  }
+
+  void opened(const std::string& path, const Place& place, const Node::Table& entries) {
+    leaves_.tables[path] = place;
+    table(path, entries);
+  }
+
+  /// Of a path with an index: whether that element was opened.
+  bool exists(std::string_view path) const {
+    const std::size_t end = path.find(']');
+    return end != std::string_view::npos && leaves_.tables.contains(path.substr(0, end + 1));
+  }
+
+  static std::string noElement(const std::string& path, std::size_t count) {
+    const std::string array(arrayOf(path));
+    if (!isTableArray(array)) return unknownKey(path);
+    if (path.find("[]") != std::string::npos) return withoutIndex(path, array);
+    return fmt::format("{}: there is no such element; the scene has {} of [[{}]], counted from 0",
+                       core::printable(path), count, array);
+  }
+
+  void array(const std::string& path, const Node& node) {
+    const auto* elements = node.as<Node::Array>();
+    if (!elements || !areTables(*elements))
+      return wrongForm(path, node.place,
+                       fmt::format("{}: expected an array of tables, each begun with [[{}]], got {}", path, path,
+                                   describe(node)));
+    if (const auto most = leaves_.limits[Limit::kElements]; elements->size() > static_cast<std::size_t>(most))
+      return problems_.add(node.place, fmt::format("{}: may have at most {} elements, got {}; {}", path, most,
+                                                   elements->size(), howToRaise(Limit::kElements)));
+    forget(path);
+    leaves_.counts[path] = elements->size();
+    for (std::size_t i = 0; i < elements->size(); ++i)
+      opened(fmt::format("{}[{}]", path, i), (*elements)[i].place, *(*elements)[i].as<Node::Table>());
+  }
+
+  static bool areTables(const Node::Array& elements) {
+    return std::all_of(elements.begin(), elements.end(),
+                       [](const Node& element) { return element.as<Node::Table>() != nullptr; });
+  }
+
+  /// What an earlier value of an array gave, which this one replaces.
+  void forget(const std::string& array) {
+    const auto isBelow = [prefix = array + "["](const auto& entry) { return entry.first.starts_with(prefix); };
+    std::erase_if(leaves_.values, isBelow);
+    std::erase_if(leaves_.tables, isBelow);
+  }
+
+  Leaves& leaves_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void addLeaves(const Node& document, Leaves& leaves, Problems& problems) {
+  if (const auto* entries = document.as<Node::Table>()) Walk(leaves, problems).table("", *entries);
+}
+
+void addLeaf(const std::string& path, const Place& keyPlace, const Node& value, Leaves& leaves,
+             Problems& problems) {
+  Walk(leaves, problems).value(path, keyPlace, value);
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/unknown_key.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "core/text.h"
+#include "scene/keys/key_text.h"
+#include "scene/keys/keys.h"
+
+namespace poinsot::scene {
+namespace {
+
+// Longer than any name by far; the edit distance of untrusted kilobytes is not worth its time.
+constexpr std::size_t kLongestName = 64;
+
+/// Names that other programs have for what a key of another spelling says here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownElsewhere = {{
+    {"background", "style.colors.paper"},
+    {"background_color", "style.colors.paper"},
+    {"font_size", "style.text_size"},
+    {"resolution", "output.size"},
+    {"width", "output.size"},
+    {"height", "output.size"},
+    {"bitrate", "output.crf"},
+    {"framerate", "time.fps"},
+    {"frame_rate", "time.fps"},
+    {"slow_motion", "time.speed"},
+    {"angular_velocity", "motion.omega_body"},
+    {"angular_momentum", "motion.L_body"},
+    {"moments_of_inertia", "body.principal_moments"},
+    {"inertia_tensor", "body.inertia"},
+    {"fullinertia", "body.inertia"},
+    {"diaginertia", "body.principal_moments"},
+    {"products_of_inertia", "body.inertia"},
+    {"ixx", "body.inertia"},
+    {"ixy", "body.inertia"},
+    {"ixz", "body.inertia"},
+    {"iyy", "body.inertia"},
+    {"iyz", "body.inertia"},
+    {"izz", "body.inertia"},
+    {"center_of_mass", "body.centre_of_mass"},
+    {"centre_of_gravity", "body.centre_of_mass"},
+    {"center_of_gravity", "body.centre_of_mass"},
+    {"com", "body.centre_of_mass"},
+    {"cog", "body.centre_of_mass"},
+}};
+
+/// "quantity" for "quantities", "label" for "labels".
+std::string singular(std::string_view name) {
+  if (name.ends_with("ies")) return fmt::format("{}y", name.substr(0, name.size() - 3));
+  return std::string(name.ends_with('s') ? name.substr(0, name.size() - 1) : name);
+}
+
+bool isColor(std::string_view name) {
+  return name == "color" || name == "colour" || name == "colors" || name == "colours";
+}
+
+/// Colours stand together, each named by what it means: style.colors.body for show.body.color.
+std::string colorOf(std::string_view table) {
+  const std::string key = fmt::format("style.colors.{}", nameOf(table));
+  return findKey(key) ? key : tableText("style.colors");
+}
+
+/// The same name a table deeper: view[1].show.plane for view[1].plane.
+std::optional<std::string> deeper(std::string_view table, std::string_view name) {
+  for (const std::string& inner : namesBelow(table)) {
+    const std::string path = pathBelow(pathBelow(table, inner), name);
+    if (findKey(path) || isTable(path)) return path;
+  }
+  return std::nullopt;
+}
+
+/// The same name in another table, rather one that there is once.
+std::optional<std::string> sameName(std::string_view name) {
+  std::optional<std::string> found;
+  for (const Key& key : keys())
+    if (nameOf(key.path) == name && !repeatsInView(key)) {
+      if (key.path.find('[') == std::string::npos) return key.path;
+      if (!found) found = key.path;
+    }
+  return found;
+}
+
+std::optional<std::string> elsewhere(std::string_view path) {
+  const std::string_view name = nameOf(path);
+  if (isColor(name)) return colorOf(tableOf(path));
+  for (const auto& [known, key] : kKnownElsewhere)
+    if (name == known) return std::string(key);
+  if (auto found = deeper(tableOf(path), name)) return found;
+  if (const std::string thing = pathBelow("show", name); isTable(thing)) return thing;
+  return sameName(name);
+}
+
+bool holdsKeys(std::string_view path) { return isTable(path) || isTableArray(path); }
+
+/// The first part of a path that stands as a table and is none: "tim" of "tim.x".
+std::optional<std::string_view> firstNoTable(std::string_view path) {
+  for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.', dot + 1))
+    if (!holdsKeys(path.substr(0, dot))) return path.substr(0, dot);
+  return std::nullopt;
+}
+
+std::vector<std::string> tablesBelow(std::string_view table) {
+  std::vector<std::string> tables = namesBelow(table);
+  std::erase_if(tables, [&](const std::string& name) { return !holdsKeys(pathBelow(table, name)); });
+  return tables;
+}
+
+std::string whole(std::string_view table) {
+  return table.empty() ? "a scene" : fmt::format("[{}]", core::printable(table));
+}
+
+/// What to write in place of a table that is none.
+std::string insteadOf(std::string_view table, std::string_view path) {
+  const std::string_view parent = tableOf(table);
+  const std::vector<std::string> tables = tablesBelow(parent);
+  if (table.size() <= kLongestName)
+    if (const auto near = core::closest(nameOf(table), tables))
+      return fmt::format("did you mean {}?", tableText(pathBelow(parent, *near)));
+  if (const auto key = elsewhere(path)) return fmt::format("did you mean {}?", *key);
+  return fmt::format("{} has the tables {}", whole(parent), fmt::join(tables, ", "));
+}
+
+std::string unknownTable(std::string_view path, std::string_view table) {
+  const std::string shown = core::printable(path);
+  if (const Key* key = findKey(table))
+    return fmt::format("{}: unknown key; {} is {}, and has no keys below it", shown, table, typeText(*key));
+  return fmt::format("{}: unknown table [{}]; {}", shown, core::printable(table), insteadOf(table, path));
+}
+
+std::optional<std::string> meant(std::string_view path) {
+  if (nameOf(path).size() > kLongestName) return std::nullopt;
+  if (auto near = misspelt(tableOf(path), nameOf(path))) return near;
+  return elsewhere(path);
+}
+
+/// Of "motion.omega_body[1]": no key, but one element of one.
+const Key* keyOfElement(std::string_view path) {
+  const auto bracket = path.rfind('[');
+  return path.ends_with(']') && bracket != std::string_view::npos ? findKey(path.substr(0, bracket)) : nullptr;
+}
+
+}  // namespace
+
+std::string unknownKey(std::string_view path) {
+  if (const Key* key = keyOfElement(path))
+    return fmt::format("{}: one element; give all of them, such as {}={}", core::printable(path),
+                       path.substr(0, path.rfind('[')), key->example.empty() ? key->fallback : key->example);
+  if (const auto noTable = firstNoTable(path)) return unknownTable(path, *noTable);
+  const std::string_view table = tableOf(path);
+  if (isTableArray(table)) return withoutIndex(path, table);
+  const std::string message = fmt::format("{}: unknown key", core::printable(path));
+  if (const auto key = meant(path)) return message + fmt::format("; did you mean {}?", *key);
+  return message + fmt::format("; {} has {}", whole(table), fmt::join(namesBelow(table), ", "));
+}
+
+std::string withoutIndex(std::string_view path, std::string_view array) {
+  return fmt::format("{}: [[{}]] is an array of tables; name one by its number from 0, such as {}[0]",
+                     core::printable(path), array, array);
+}
+
+std::optional<std::string> misspelt(std::string_view table, std::string_view name) {
+  if (name.size() > kLongestName) return std::nullopt;
+  for (const std::string& known : namesBelow(table))
+    if (singular(known) == singular(name)) return pathBelow(table, known);
+  const auto near = core::closest(name, namesBelow(table));
+  return near ? std::optional(pathBelow(table, *near)) : std::nullopt;
+}
+
+}  // namespace poinsot::scene

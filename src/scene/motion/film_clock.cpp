@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/motion/film_clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/expect.h"
+#include "physics/motion.h"
+
+namespace poinsot::scene {
+namespace {
+
+struct Change {
+  double at_s, over_s, pace;
+};
+
+/// The changes of pace that entries ask for, by time: a speed from there on; for a hold, to a stop and on again.
+std::vector<Change> changesOf(const Timeline& timeline) {
+  std::vector<Change> changes;
+  double pace = 1;
+  for (const TimelineEntry& entry : timeline.entries) {
+    if (entry.speed) pace = *entry.speed;
+    if (entry.hold_s > 0) {
+      changes.push_back({entry.at_s, entry.over_s, 0});
+      changes.push_back({entry.at_s + entry.over_s + entry.hold_s, entry.over_s, pace});
+    } else if (entry.speed) {
+      changes.push_back({entry.at_s, entry.over_s, pace});
+    }
+  }
+  std::ranges::stable_sort(changes, {}, &Change::at_s);
+  return changes;
+}
+
+EasedTrack paceOf(const Timeline& timeline) {
+  EasedTrack track(1);
+  for (const Change& change : changesOf(timeline)) track.turnTo(change.at_s, change.over_s, change.pace);
+  return track;
+}
+
+double finite(double t_s) {
+  if (!std::isfinite(t_s)) physics::refuseTime(t_s);
+  return t_s;
+}
+
+}  // namespace
+
+FilmClock::FilmClock(double start_s, double speed, const Timeline& timeline)
+    : start_s_(start_s), speed_(speed), pace_(paceOf(timeline)) {}
+
+double FilmClock::played_s(double filmTime_s) const {
+  POINSOT_EXPECT(std::isfinite(filmTime_s));
+  return finite(pace_.integral(filmTime_s));
+}
+
+double FilmClock::motionTimeOf(double played_s) const { return finite(start_s_ + speed_ * played_s); }
+
+double FilmClock::pace(double filmTime_s) const {
+  POINSOT_EXPECT(!std::isnan(filmTime_s));
+  return pace_.at(filmTime_s);
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/motion/heavy_top_start.h"
+
+#include <cmath>
+
+#include "scene/motion/make_motion.h"
+
+namespace poinsot::scene {
+namespace {
+
+// Largest part of themselves by which the moments across k differ: of a top, and of a body that spins like one.
+constexpr double kSymmetric = 1e-3, kNearly = 0.5;
+
+/// Gravity, and nothing besides.
+bool gravityAlone(const physics::Forcing& forcing) {
+  physics::Forcing rest = forcing;
+  rest.gravity_B.setZero();
+  return !forcing.none() && rest.none();
+}
+
+/// Returns the start of a top whose moments across k differ by at most `most` of themselves and whose centre of
+/// mass is no farther off the axis.
+std::optional<HeavyTopStart> startOf(const Scene& scene, double most) {
+  const physics::PrincipalAxes& axes = scene.body.axes;
+  const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), most);
+  if (!top) return std::nullopt;
+  const Eigen::Vector3d acrossK = axes.moments().values() - top->along * top->k_P.cwiseAbs();
+  const double uneven = 2 * (acrossK.maxCoeff() / top->across - 1);
+  return HeavyTopStart{*top, axes.toP(scene.motion.omega_B),
+                       axes.toP(startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ()), std::abs(uneven)};
+}
+
+}  // namespace
+
+double HeavyTopStart::tilt_rad() const { return std::atan2(up_P.cross(top.k_P).norm(), up_P.dot(top.k_P)); }
+
+double HeavyTopStart::spin() const { return omega_P.dot(top.k_P); }
+
+std::optional<HeavyTopStart> heavyTopStart(const Scene& scene) {
+  return gravityAlone(scene.motion.forcing) ? startOf(scene, kSymmetric) : std::nullopt;
+}
+
+std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene) {
+  physics::Forcing forcing = scene.motion.forcing;
+  forcing.dragRate_P.setZero();
+  forcing.dissipation = 0;
+  if (!gravityAlone(forcing)) return std::nullopt;
+  const auto start = startOf(scene, kNearly);
+  const bool averages = start && std::abs(start->spin()) >= start->top.sleepingSpin();
+  return averages ? start : startOf(scene, kSymmetric);
+}
+
+}  // namespace poinsot::scene

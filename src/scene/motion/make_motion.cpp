@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/motion/make_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "physics/driven_motion.h"
+#include "physics/free_motion.h"
+#include "scene/limits.h"
+#include "scene/motion/film_pace.h"
+
+namespace poinsot::scene {
+namespace {
+
+// With the part across one axis drawn larger or smaller.
+Eigen::Vector3d exaggerated(const Eigen::Vector3d& omega_P, int axis, double factor) {
+  Eigen::Vector3d shown = factor * omega_P;
+  shown[axis] = omega_P[axis];
+  return shown;
+}
+
+// Which axis the polhode goes round: the sign of L² - 2T I2 (I2 the middle moment), in units of I2².
+bool roundLargest(const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
+  const Eigen::Vector3d& I = moments.values();
+  const double middle = I.sum() - I.maxCoeff() - I.minCoeff();
+  const Eigen::Vector3d m = I.cwiseProduct(omega_P) / middle;
+  return m.dot(m - omega_P) >= 0;
+}
+
+}  // namespace
+
+physics::Vertical verticalOfL(const Scene& scene) {
+  const bool plane = std::ranges::any_of(scene.views, [](const View& view) { return view.show.plane.visible; });
+  const bool down = scene.motion.lPoints == LPoints::kDown || (scene.motion.lPoints == LPoints::kAuto && plane);
+  return down ? physics::Vertical::kDown : physics::Vertical::kUp;
+}
+
+physics::Quaternion startOrientation(const Scene& scene) {
+  if (scene.motion.orientation_WB) return *scene.motion.orientation_WB;
+  return physics::levelAttitude(scene.body.axes, scene.motion.omega_B, verticalOfL(scene));
+}
+
+double chosenSpeed(const Scene& scene) { return scene.time.speed ? *scene.time.speed : automaticPace(scene); }
+
+int spinAxis(const Eigen::Vector3d& omega_P) {
+  int axis = 0;
+  omega_P.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+// The motion of the same body with its small transverse omega drawn larger: an exact motion too. It must stay the
+// same kind of motion, or the picture would not be true in any sense.
+Eigen::Vector3d drawnOmega_P(const Scene& scene) {
+  Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  if (scene.show.exaggerateAngles == 1) return omega_P;
+  const physics::PrincipalMoments& moments = scene.body.axes.moments();
+  Eigen::Vector3d drawn_P = exaggerated(omega_P, spinAxis(omega_P), scene.show.exaggerateAngles);
+  const bool sameAxis = spinAxis(drawn_P) == spinAxis(omega_P);
+  if (sameAxis && roundLargest(moments, drawn_P) == roundLargest(moments, omega_P)) return drawn_P;
+  throw core::Error(
+      core::ErrorKind::kScene,
+      "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
+}
+
+Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P) {
+  if (scene.show.exaggerateAngles == 1) return drawn_P;
+  const int axis = spinAxis(scene.body.axes.toP(scene.motion.omega_B));
+  return exaggerated(drawn_P, axis, 1 / scene.show.exaggerateAngles);
+}
+
+std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s) {
+  const Motion& motion = scene.motion;
+  const physics::Quaternion q0_WB = startOrientation(scene);
+  if (motion.forcing.none()) return std::make_unique<physics::FreeMotion>(scene.body.axes, motion.omega_B, q0_WB);
+  try {
+    return std::make_unique<physics::DrivenMotion>(scene.body.axes, motion.omega_B, q0_WB, motion.forcing,
+                                                   physics::TimeSpan{from_s, to_s}, motion.tolerance_rad,
+                                                   motion.mostSteps);
+  } catch (const core::Error& error) {
+    if (error.kind() != core::ErrorKind::kLimit) throw;
+    throw core::Error(error.kind(), fmt::format("{}; {}", error.message(), howToRaise(Limit::kSteps)));
+  }
+}
+
+}  // namespace poinsot::scene

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "physics/solid.h"
+#include "stage/body/sketch.h"
+
+/// Solids of revolution about z, with rings and meridians; one meridian is heavy.
+namespace poinsot::stage {
+
+void add(const Sketch& sketch, const physics::Ellipsoid& solid);
+void add(const Sketch& sketch, const physics::EllipsoidShell& solid);
+void add(const Sketch& sketch, const physics::Sphere& solid);
+void add(const Sketch& sketch, const physics::SphereShell& solid);
+void add(const Sketch& sketch, const physics::Hemisphere& solid);
+void add(const Sketch& sketch, const physics::Cylinder& solid);
+void add(const Sketch& sketch, const physics::CylinderShell& solid);
+void add(const Sketch& sketch, const physics::Disc& solid);
+void add(const Sketch& sketch, const physics::Hoop& solid);
+void add(const Sketch& sketch, const physics::Rod& solid);
+void add(const Sketch& sketch, const physics::Cone& solid);
+void add(const Sketch& sketch, const physics::ConeShell& solid);
+void add(const Sketch& sketch, const physics::Torus& solid);
+void add(const Sketch& sketch, const physics::TorusShell& solid);
+void add(const Sketch& sketch, const physics::Capsule& solid);
+
+/// An elliptic cone on its apex: the origin. Base semi-axes and height along x, y, z.
+void addTop(const Sketch& sketch, const Eigen::Vector3d& lengths);
+
+}  // namespace poinsot::stage

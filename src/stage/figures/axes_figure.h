@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stage/figures/actor.h"
+
+namespace poinsot::stage {
+
+/// The inertial axes x, y, z.
+class SpaceAxesFigure final : public Actor {
+ public:
+  explicit SpaceAxesFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  double length_;
+};
+
+/// The components of omega along the principal axes, and the box of which omega is the diagonal.
+class ComponentsFigure final : public Actor {
+ public:
+  explicit ComponentsFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+  /// In the picture's lengths; their sum is omega.
+  Eigen::Matrix3d components_V(const PictureState& state) const;
+
+ private:
+  double scale_;
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/cones_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "stage/figures/symmetric_top.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSide = 0.76;  // of omega: its head stands out beyond the rims
+constexpr int kFramedPoints = 24;
+constexpr double kRimWidth = 2.2;    // in ordinary lines
+constexpr double kNarrowest = 1e-3;  // of a side: a narrower cone is a line, a flatter one a disc
+constexpr double kSpacing = 0.2;     // about, of the lines on a cone, along its rim, in sides
+constexpr double kLineShare = 0.6;
+constexpr double kInside = 0.3;  // of a side, left free of lines: they would crowd at the apex
+
+}  // namespace
+
+ConesFigure::ConesFigure(const Setting& setting)
+    : cones_(precessionOf(setting.motion, "show.cones.visible")),
+      side_(kSide * setting.scene.show.figures.cones.scale * setting.scales.omega *
+            setting.motion.liveliest().omega_P.norm()),
+      opacity_(setting.scene.show.figures.cones.opacity) {}
+
+ConesFigure::Cone ConesFigure::bodyCone(const PictureState& state) const {
+  return {state.R_VP * cones_.k_P, cones_.bodyCone_rad};
+}
+
+ConesFigure::Cone ConesFigure::spaceCone(const PictureState& state) const {
+  return {state.L_V.normalized(), cones_.spaceCone_rad};
+}
+
+std::vector<Vector3d> ConesFigure::rim(const Cone& cone) const {
+  return circleAbout(side_ * std::cos(cone.halfAngle_rad) * cone.axis_V, cone.axis_V,
+                     side_ * std::sin(cone.halfAngle_rad), kFramedPoints);
+}
+
+// Glass with a firm rim. The lines turn with what the cone is fixed to: they show the rolling.
+void ConesFigure::addCone(const Canvas& canvas, const Cone& cone, const Vector3d& hint_V,
+                          const draw::Color& color) const {
+  const double height = side_ * std::cos(cone.halfAngle_rad), radius = side_ * std::sin(cone.halfAngle_rad);
+  if (!(radius > kNarrowest * side_) || !(height > kNarrowest * side_)) return;
+  canvas.list.glassCones.push_back(glass(canvas, cone, color));
+  const Vector3d u = across(cone.axis_V, hint_V), v = cone.axis_V.cross(u);
+  const int lines = std::max(4, static_cast<int>(std::round(2 * std::numbers::pi * radius / (side_ * kSpacing))));
+  for (int i = 0; i < lines; ++i) {
+    const double angle = 2 * std::numbers::pi * i / lines;
+    const Vector3d onRim = height * cone.axis_V + radius * (std::cos(angle) * u + std::sin(angle) * v);
+    canvas.line({kInside * onRim, onRim}, false, mixed(color, canvas.colors.paper, kLineShare), 0.9);
+  }
+}
+
+draw::GlassCone ConesFigure::glass(const Canvas& canvas, const Cone& cone, const draw::Color& color) const {
+  draw::GlassCone glass;
+  glass.axis_W = toPicture(cone.axis_V);
+  glass.halfAngle_rad = static_cast<float>(cone.halfAngle_rad);
+  glass.height_W = static_cast<float>(side_ * std::cos(cone.halfAngle_rad));
+  glass.color = color;
+  glass.nearOpacity = canvas.glass(opacity_);
+  glass.farOpacity = canvas.glass(opacity_);
+  glass.rimOpacity = canvas.glass(opacity_, 2);
+  glass.lineColor = color;
+  glass.lineWidth_px = static_cast<float>(kRimWidth * canvas.line_px);
+  return glass;
+}
+
+void ConesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  addCone(canvas, spaceCone(state), state.R_VW.col(0), canvas.colors.spaceCone);
+  addCone(canvas, bodyCone(state), state.R_VP.col((cones_.axis + 1) % 3), canvas.colors.bodyCone);
+}
+
+std::vector<Vector3d> ConesFigure::outermostPoints(const PictureState& state) const {
+  std::vector<Vector3d> points = rim(bodyCone(state));
+  for (const Vector3d& p : rim(spaceCone(state))) points.push_back(p);
+  return points;
+}
+
+}  // namespace poinsot::stage

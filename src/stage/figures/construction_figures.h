@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stage/figures/actor.h"
+#include "stage/figures/construction.h"
+
+/// The drawn things of Poinsot's construction. An instant of rest has none of them.
+/// @pre of each: the setting has a construction.
+namespace poinsot::stage {
+
+/// The energy ellipsoid, glass with a graticule.
+class EllipsoidFigure final : public Actor {
+ public:
+  explicit EllipsoidFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  const Construction& construction_;
+  double opacity_;
+  bool graticule_;
+};
+
+/// The invariable plane with its grid, its name, and the shadow of the ellipsoid that touches it.
+class PlaneFigure final : public Actor {
+ public:
+  explicit PlaneFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  void addName(const Canvas& canvas, const PictureState& state) const;
+
+  const Construction& construction_;
+  double opacity_;
+  bool grid_, shadow_;
+};
+
+/// The point of contact: the tip of omega.
+class ContactFigure final : public Actor {
+ public:
+  explicit ContactFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+  Eigen::Vector3d growsFrom(const PictureState& state) const override { return scale_ * state.omega_V; }
+
+ private:
+  double scale_, radius_;
+};
+
+/// The height of the centre above the plane, 2T/L (eq 40), as a dimension line beside the ellipsoid.
+class HeightFigure final : public Actor {
+ public:
+  explicit HeightFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  /// None: the line stands where the camera sees it best, over the plane.
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  const Construction& construction_;
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/decomposition_figure.h"
+
+#include "stage/figures/symmetric_top.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 0.023;  // more than of L and of the axis, on which these arrows lie
+
+}  // namespace
+
+DecompositionFigure::DecompositionFigure(const Setting& setting)
+    : cones_(precessionOf(setting.motion, "show.decomposition.visible")),
+      scale_(setting.scales.omega * setting.scene.show.figures.decomposition.scale) {}
+
+physics::AngularVelocityParts DecompositionFigure::parts_V(const PictureState& state) const {
+  return cones_.parts(scale_ * state.omega_V, scale_ * state.R_VP * cones_.k_P);
+}
+
+void DecompositionFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const auto [precession, spin] = parts_V(state);
+  const Vector3d whole = scale_ * state.omega_V;
+  const draw::Color& color = canvas.colors.omegaParts;
+  canvas.arrow(precession, kRadius, color);
+  canvas.arrow(spin, kRadius, color);
+  canvas.dashes(precession, whole, color, 1.2);
+  canvas.dashes(spin, whole, color, 1.2);
+  canvas.label(scene::LabelName::kOmegaP, 0.8 * precession, 0.8 * whole, color);
+  canvas.label(scene::LabelName::kSpin, spin, precession, color);
+}
+
+std::vector<Vector3d> DecompositionFigure::outermostPoints(const PictureState& state) const {
+  const auto [precession, spin] = parts_V(state);
+  return {precession, spin, scale_ * state.omega_V};
+}
+
+}  // namespace poinsot::stage

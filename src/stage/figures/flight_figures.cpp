@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/flight_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/expect.h"
+#include "stage/even_times.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 0.016;       // of an arrow
+constexpr double kDot = 0.028;          // where the centre of mass is, and the origin
+constexpr double kWeight = 0.55;        // length of the arrow M g
+constexpr double kLongestTorque = 0.9;  // of R x M g
+constexpr double kPale = 0.4;           // of the path to come
+constexpr std::size_t kPathSteps = 96;  // a parabola over the whole film: 0.1 px from one of 4000 px
+constexpr double kNameOfL = 0.55;       // along an arrow
+constexpr double kNameOfR = 0.5;        // along the arrow R,
+constexpr double kNearBody = 0.8;       // and no farther from the body where the camera goes along
+
+Vector3d unitOrZero(const Vector3d& v) { return v.isZero(0) ? v : Vector3d(v.normalized()); }
+
+}  // namespace
+
+// ---- the path
+
+FlightFigure::FlightFigure(const Setting& setting)
+    : motion_(setting.motion),
+      scale_(setting.scales.flight),
+      velocityScale_(setting.scales.velocity),
+      position_(setting.scene.show.figures.flight.position),
+      velocity_(setting.scene.show.figures.flight.velocity),
+      weight_(setting.scene.show.figures.flight.weight),
+      follows_(setting.scene.camera.follow) {
+  POINSOT_EXPECT(motion_.flight());
+  weight_W_ = kWeight * unitOrZero(motion_.flight()->gravity_W);
+}
+
+std::vector<Vector3d> FlightFigure::path_V(const PictureState& state, double from_s, double to_s) const {
+  const double step_s = motion_.length_s() / kPathSteps;
+  std::vector<Vector3d> points;
+  for (const double t_s : evenTimes(from_s, to_s, step_s, 2 * kPathSteps + 3))
+    points.emplace_back(scale_ * (motion_.atPlayed(t_s).centre_V - state.centre_V));
+  return points;
+}
+
+void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
+  const draw::Color& color = canvas.colors.vector;
+  const Trail trail = motion_.trail(filmTime_s, motion_.length_s());
+  if (trail.end > trail.now)
+    canvas.line(path_V(state, trail.now, trail.end), false, mixed(color, canvas.colors.paper, kPale), 1.4);
+  if (trail.now > trail.from) canvas.line(path_V(state, trail.from, trail.now), false, color, 2.2);
+  canvas.dot(Vector3d::Zero(), kDot, canvas.colors.ink);
+  if (position_) {
+    const Vector3d origin = origin_V(state);
+    canvas.dot(origin, kDot, canvas.colors.ink);
+    canvas.label(scene::LabelName::kOrigin, origin, Vector3d::Zero(), canvas.colors.ink);
+    canvas.arrowFrom(origin, Vector3d::Zero(), kRadius, canvas.colors.ink);
+    const double most = follows_ ? kNearBody / std::max(origin.norm(), kNearBody) : 1;
+    canvas.label(scene::LabelName::kR, std::min(kNameOfR, most) * origin, origin + Vector3d::UnitX(),
+                 canvas.colors.ink);
+  }
+  if (velocity_ && !state.velocity_V.isZero(0)) {
+    canvas.arrow(velocityTip_V(state), kRadius, color);
+    canvas.label(scene::LabelName::kV, velocityTip_V(state), Vector3d::Zero(), color);
+  }
+  if (weight_ && !weight_W_.isZero(0)) {
+    canvas.arrow(weightTip_V(state), kRadius, canvas.colors.torque);
+    canvas.label(scene::LabelName::kWeight, weightTip_V(state), Vector3d::Zero(), canvas.colors.torque);
+  }
+}
+
+std::vector<Vector3d> FlightFigure::outermostPoints(const PictureState& state) const {
+  std::vector<Vector3d> points{Vector3d::Zero()};
+  if (position_ && !follows_) points.push_back(origin_V(state));
+  if (velocity_) points.push_back(velocityTip_V(state));
+  if (weight_) points.push_back(weightTip_V(state));
+  return points;
+}
+
+// ---- the angular momentum about the origin
+
+TotalAngularMomentumFigure::TotalAngularMomentumFigure(const Setting& setting)
+    : placeScale_(setting.scales.flight),
+      scale_(setting.scales.L * setting.scene.show.figures.totalL.scale),
+      torqueScale_(0),
+      torque_(setting.scene.show.figures.totalL.torque) {
+  POINSOT_EXPECT(setting.motion.flight() && setting.scene.body.mass);
+  mass_kg_ = setting.scene.body.mass->mass_kg();
+  weight_W_ = mass_kg_ * setting.motion.flight()->gravity_W;
+  double longest = 0;
+  for (const PathPoint& p : setting.motion.outline())
+    longest = std::max(longest, setting.motion.atPlayed(p.played_s).centre_V.cross(weight_W_).norm());
+  if (longest > 0) torqueScale_ = kLongestTorque / longest;
+}
+
+Vector3d TotalAngularMomentumFigure::orbital_V(const PictureState& state) const {
+  return scale_ * mass_kg_ * state.centre_V.cross(state.velocity_V);
+}
+
+Vector3d TotalAngularMomentumFigure::torque_V(const PictureState& state) const {
+  return torqueScale_ * state.centre_V.cross(state.R_VW * weight_W_);
+}
+
+void TotalAngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/,
+                                     const PictureState& state) const {
+  const Vector3d origin = origin_V(state), corner = origin + orbital_V(state), tip = origin + total_V(state);
+  const draw::Color parts = mixed(canvas.colors.L, canvas.colors.paper, 0.6);
+  const auto arrow = [&](const Vector3d& from, const Vector3d& to, const draw::Color& color) {
+    if (!(to - from).isZero(0)) canvas.arrowFrom(from, to, kRadius, color);
+  };
+  arrow(origin, corner, parts);
+  arrow(corner, tip, parts);
+  arrow(origin, tip, canvas.colors.L);
+  canvas.label(scene::LabelName::kOrbitalL, corner, origin, canvas.colors.L);
+  canvas.label(scene::LabelName::kTotalL, tip, origin, canvas.colors.L);
+  canvas.label(scene::LabelName::kL, corner + kNameOfL * (tip - corner), corner, canvas.colors.L);
+  if (!torque_) return;
+  arrow(origin, origin + torque_V(state), canvas.colors.torque);
+  canvas.label(scene::LabelName::kTorqueAboutOrigin, origin + torque_V(state), origin, canvas.colors.torque);
+}
+
+std::vector<Vector3d> TotalAngularMomentumFigure::outermostPoints(const PictureState& state) const {
+  const Vector3d origin = origin_V(state);
+  std::vector<Vector3d> points{origin, origin + orbital_V(state), origin + total_V(state)};
+  if (torque_) points.emplace_back(origin + torque_V(state));
+  return points;
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "stage/figures/actor.h"
+
+namespace poinsot::stage {
+
+/// Directions by their names in a scene, in one picture.
+class Directions {
+ public:
+  explicit Directions(const Setting& setting);
+
+  /// A unit vector; zero where there is none (L of a body at rest).
+  Eigen::Vector3d operator()(scene::Direction direction, const PictureState& state) const;
+  /// About how long it is drawn.
+  double length(scene::Direction direction) const;
+
+ private:
+  Eigen::Vector3d axis_P_, axisLengths_;
+  double reach_, L_, omega_;
+};
+
+/// An arrow that the scene adds.
+class NamedVectorFigure final : public Actor {
+ public:
+  NamedVectorFigure(const Setting& setting, const scene::NamedVector& vector);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+  struct Arrow {
+    Eigen::Vector3d from_V, tip_V;
+    /// Of a velocity while the body moves along: from there, it is V to the corner and omega × r to the tip.
+    std::optional<Eigen::Vector3d> corner_V = {};
+  };
+  Arrow arrow(const PictureState& state) const { return arrow_(state); }
+
+ private:
+  scene::NamedVector vector_;
+  std::function<Arrow(const PictureState&)> arrow_;
+};
+
+/// The arc between two directions, with its name.
+class AngleFigure final : public Actor {
+ public:
+  /// @param framed  whether the frame must hold the arc.
+  AngleFigure(const Setting& setting, const scene::NamedAngle& angle, bool framed = true);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+  /// From the one direction to the other, along a great circle. Empty where one of them does not exist or they are
+  /// parallel.
+  std::vector<Eigen::Vector3d> arc(const PictureState& state) const;
+
+ private:
+  Directions directions_;
+  scene::NamedAngle angle_;
+  double radius_;
+  bool framed_;
+};
+
+/// show.theta: of the lecture's eq 18, between L and k; under gravity between the vertical, which is drawn too,
+/// and k.
+class ThetaFigure final : public Actor {
+ public:
+  explicit ThetaFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> arc(const PictureState& state) const { return angle_.arc(state); }
+
+ private:
+  bool fromVertical_;
+  AngleFigure angle_;
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/plane_of_L_figure.h"
+
+#include <algorithm>
+
+#include "stage/figures/symmetric_top.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kBeyond = 1.06;    // what lies in the sheet ends inside it
+constexpr double kBehind = 0.12;    // of its length lies on the other side of the origin
+constexpr double kParallel = 1e-6;  // rad: less and the plane's direction would be rounding
+
+}  // namespace
+
+PlaneOfLFigure::PlaneOfLFigure(const Setting& setting)
+    : opacity_(setting.scene.show.figures.planeOfL.opacity), along_(0), across_(0) {
+  const Vector3d k_P = mainAxis_P(setting.motion);
+  const double axis = setting.axisLengths.dot(k_P.cwiseAbs());
+  for (const PathPoint& p : setting.motion.outline()) {
+    const PictureState state = setting.motion.atPlayed(p.played_s);
+    if (state.L_V.isZero(0)) continue;
+    const Vector3d l = state.L_V.normalized(), omega = setting.scales.omega * state.omega_V;
+    const Vector3d k = axis * (state.R_VP * k_P);
+    along_ = std::max({along_, setting.scales.L * state.L_V.norm(), omega.dot(l), k.dot(l)});
+    across_ = std::max({across_, omega.cross(l).norm(), k.cross(l).norm()});
+  }
+  const double size = kBeyond * setting.scene.show.figures.planeOfL.scale;
+  along_ *= size;
+  across_ *= size;
+}
+
+std::vector<Vector3d> PlaneOfLFigure::corners_V(const PictureState& state) const {
+  if (state.L_V.isZero(0)) return {};
+  const Vector3d l = state.L_V.normalized(), beside = state.omega_V - state.omega_V.dot(l) * l;
+  if (!(beside.norm() > kParallel * state.omega_V.norm())) return {};
+  const Vector3d u = across_ * beside.normalized(), top = along_ * l, foot = -kBehind * top;
+  return {foot - u, foot + u, top + u, top - u};
+}
+
+void PlaneOfLFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const std::vector<Vector3d> corners = corners_V(state);
+  if (corners.empty()) return;
+  draw::GlassPolygon& sheet = canvas.list.glassPolygons.emplace_back();
+  for (const Vector3d& corner : corners) sheet.corners_W.push_back(toPicture(corner));
+  sheet.color = canvas.colors.plane;
+  sheet.opacity = canvas.glass(opacity_);
+  sheet.lineColor = canvas.colors.planeLine;
+  sheet.lineOpacity = 0.6f;
+  sheet.lineWidth_px = static_cast<float>(0.8 * canvas.line_px);
+}
+
+std::vector<Vector3d> PlaneOfLFigure::outermostPoints(const PictureState& state) const { return corners_V(state); }
+
+}  // namespace poinsot::stage

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "stage/figures/actor.h"
+
+namespace poinsot::stage {
+
+/// A closed curve fixed in the body, in the picture's lengths.
+struct BodyCurve {
+  std::vector<Eigen::Vector3d> points_P;
+  bool separatrix = false;
+};
+
+/// The polhodes of the body on its energy ellipsoid, even from the axes to the separatrix, which is firm: states
+/// of one energy and of different L.
+class PolhodesFigure final : public Actor {
+ public:
+  /// @throws core::Error(kScene) unless the motion is free.
+  explicit PolhodesFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+  const std::vector<BodyCurve>& curves() const { return curves_; }
+
+ private:
+  std::vector<BodyCurve> curves_;
+};
+
+/// Binet's construction: in the body, the tip of L is on the momentum sphere |m| = L and on the energy ellipsoid
+/// with semi-axes sqrt(2 T I); it goes along their intersection. The separatrix and other polhodes of the sphere
+/// beside it.
+class BinetFigure final : public Actor {
+ public:
+  /// @throws core::Error(kScene) unless the motion is free, kPhysics for a body at rest.
+  explicit BinetFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+  /// In the picture.
+  double sphereRadius() const { return radius_; }
+  const Eigen::Vector3d& semiAxes_P() const { return semiAxes_P_; }
+  const std::vector<BodyCurve>& curves() const { return curves_; }
+  const std::vector<Eigen::Vector3d>& polhode_P() const { return polhode_P_; }
+
+ private:
+  double opacity_;
+  double radius_;
+  Eigen::Vector3d semiAxes_P_;
+  std::vector<BodyCurve> curves_;
+  std::vector<Eigen::Vector3d> polhode_P_;  // of this motion
+  bool closes_;                             // not on the separatrix
+  double scale_;                            // picture lengths per kg·m²/s
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/principal_axes_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+
+#include "stage/figures/stand_figure.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+// In picture lengths.
+constexpr double kInEllipsoid = 0.88, kBeyondBody = 1.3, kClear = 0.12;
+constexpr double kLeast = 0.3;  // of half the body's longest extent: for an axis that leads away from it
+// Of an axis this much is framed: labels keep themselves inside, and few axes point outwards.
+constexpr double kFramed = 0.8;
+constexpr double kNameSize = 0.85;  // in ordinary labels
+constexpr std::array kNames{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
+
+}  // namespace
+
+Vector3d principalAxisLengths(const scene::Scene& scene, const BodyFigure& body, const Scales& scales,
+                              const Construction* construction) {
+  const double factor = scene.show.principalAxes.scale;
+  if (construction && scene.show.ellipsoid.visible) return factor * kInEllipsoid * construction->semiAxes();
+  const double least_m = kLeast * body.halfExtents().maxCoeff();
+  const Vector3d reach_m = body.reachAlongAxes().cwiseMax(least_m);
+  return factor * (kBeyondBody * scales.body * reach_m + Vector3d::Constant(kClear));
+}
+
+PrincipalAxesFigure::PrincipalAxesFigure(const Setting& setting)
+    : lengths_(setting.axisLengths),
+      body_(setting.scene.show.body.visible ? &setting.body : nullptr),
+      bodyScale_(setting.scales.body),
+      insideEllipsoid_(setting.construction && setting.scene.show.ellipsoid.visible &&
+                       setting.scene.show.principalAxes.scale <= 1),
+      inBall_(!standsOnPivot(setting.scene) && !setting.motion.flight()) {}
+
+void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3d tip_V = lengths_[axis] * state.R_VP.col(axis);
+    canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
+    const scene::LabelName name = kNames[static_cast<std::size_t>(axis)];
+    if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
+    // An axis that points at the eye has no direction in the picture: its label leans upwards.
+    const auto lean = static_cast<float>(1.2 * canvas.type_px);
+    const glm::vec2 away = canvas.at_px(tip_V) - centre + glm::vec2(0, -lean);
+    const float seen = body_ ? seenPast(state, tip_V, canvas.list.camera) : 1;
+    canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kNameSize,
+                   kLabelGap, seen);
+  }
+}
+
+// The sight line is followed from the point towards the eye.
+float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& point_V,
+                                    const draw::Camera& camera) const {
+  constexpr int kSteps = 32;
+  const Vector3d sight =
+      camera.orthographic ? fromPicture(camera.R_WC[2]) : Vector3d(fromPicture(camera.eye_W) - point_V);
+  const Vector3d towardEye = sight.normalized() * 2 * bodyScale_ * body_->radius();
+  double nearest = 2;
+  for (int i = 0; i <= kSteps; ++i)
+    nearest =
+        std::min(nearest, body_->gauge(state.R_VB.transpose() * (point_V + towardEye * i / kSteps) / bodyScale_));
+  return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
+}
+
+// As of the body (body_actor.cpp).
+std::vector<Vector3d> PrincipalAxesFigure::outermostPoints(const PictureState& state) const {
+  if (insideEllipsoid_ || inBall_) return {};
+  const Eigen::Matrix3d tips = state.R_VP * lengths_.asDiagonal();
+  return {tips.col(0), tips.col(1), tips.col(2)};
+}
+
+double PrincipalAxesFigure::ballRadius() const {
+  return !insideEllipsoid_ && inBall_ ? kFramed * lengths_.maxCoeff() : 0;
+}
+
+}  // namespace poinsot::stage

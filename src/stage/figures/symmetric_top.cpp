@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/symmetric_top.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace poinsot::stage {
+
+using Eigen::Vector3d;
+
+physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* key) {
+  const auto refuse = [key](const char* why) {
+    return core::Error(core::ErrorKind::kScene, fmt::format("{}: {}", key, why));
+  };
+  if (!motion.isFree())
+    throw refuse("a steady precession exists only where nothing acts on the body; leave it out");
+  const auto cones = physics::precessionCones(motion.moments(), motion.liveliest().omega_P);
+  if (!cones)
+    throw refuse(
+        "only a symmetric top in rotation precesses steadily: give two equal principal moments, or leave it out");
+  return *cones;
+}
+
+Vector3d mainAxis_P(const PictureMotion& motion) {
+  const Vector3d omega_P = motion.outline().front().omega_P;
+  if (const auto cones = physics::precessionCones(motion.moments(), omega_P)) return cones->k_P;
+  int axis = 0;
+  omega_P.cwiseAbs().maxCoeff(&axis);
+  return (omega_P[axis] < 0 ? -1 : 1) * Vector3d::Unit(axis);
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stage/figures/actor.h"
+
+namespace poinsot::stage {
+
+/// The path of a point of the body on a sphere about the fixed point: of a heavy top's axis, the loops of its
+/// nutation. Of a body that moves along, the path in space, without a sphere. The travelled part is strong, the
+/// part to come faint.
+class TraceFigure final : public Actor {
+ public:
+  explicit TraceFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+  Eigen::Vector3d growsFrom(const PictureState& state) const override { return point_V(state); }
+
+  /// The point's place at an instant, in V.
+  Eigen::Vector3d point_V(const PictureState& state) const { return state.R_VB * point_B_; }
+  /// Of the sphere, in the picture.
+  double radius() const { return point_B_.norm(); }
+
+ private:
+  std::vector<Eigen::Vector3d> path_W(double from_s, double to_s) const;
+  Eigen::Vector3d at_W(double played_s) const;
+  void addPath(const Canvas& canvas, const PictureState& state, double from_s, double to_s,
+               const draw::Color& color, double width, double lift) const;
+
+  const PictureMotion& motion_;
+  Eigen::Vector3d point_B_;  // from the fixed point, in the picture's lengths
+  double flightScale_, opacity_;
+  bool future_;
+  double step_s_;  // of played time
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/figures/vector_figures.h"
+
+#include <algorithm>
+
+#include "stage/figures/arrow.h"
+#include "stage/to_picture.h"
+
+namespace poinsot::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 0.019;
+constexpr double kNameSize = 1.15;  // in ordinary labels
+constexpr double kLongestTorque = 0.9;
+constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
+constexpr double kFarRight = 0.9;     // of L, in type: from here on its name is on its right
+constexpr double kFading = 0.5;       // about there
+
+float headRadius_px(const Canvas& canvas, const Vector3d& tip_V) {
+  const draw::Camera& camera = canvas.list.camera;
+  return static_cast<float>(headRadius(kRadius)) * camera.scale_px(depthOf(camera, toPicture(tip_V)));
+}
+
+/// Right of an arrow that is upright in the picture, and square to the others, but beyond the tip of those that
+/// lie: there it goes from one side to the other.
+glm::vec2 besideTip(glm::vec2 along) {
+  const float upright = std::clamp(along.y / 0.3f, -1.0f, 1.0f);
+  const glm::vec2 square(std::abs(along.y), -along.x * upright);
+  return square + (1 - std::abs(upright)) * along;
+}
+
+}  // namespace
+
+// ---- L
+
+AngularMomentumFigure::AngularMomentumFigure(const Setting& setting) : scale_(setting.scales.L) {}
+
+void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const Vector3d tip_V = scale_ * state.L_V;
+  if (tip_V.isZero(0)) return;
+  canvas.arrow(tip_V, kRadius, canvas.colors.L);
+  const glm::vec2 tip = canvas.at_px(tip_V), along = softUnit(tip - canvas.at_px(Vector3d::Zero()), 1);
+  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, kNameSize, kLabelGap / kNameSize);
+}
+
+std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.L_V};
+}
+
+// ---- omega
+
+AngularVelocityFigure::AngularVelocityFigure(const Setting& setting)
+    : scale_(setting.scales.omega),
+      inConstruction_(setting.scene.show.plane.visible || setting.scene.show.ellipsoid.visible) {}
+
+void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  if (state.atRest()) return;
+  canvas.arrow(scale_ * state.omega_V, kRadius, canvas.colors.omega);
+  addName(canvas, scale_ * state.omega_V);
+}
+
+// In the construction on the left, of the shaft or of L where that is farther left; where the shaft is well to the
+// right of L, on its right, or it would be read as L's name: it fades from one place to the other. Else over the
+// tip, leaning outwards: it glides from side to side as the tip goes round.
+void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
+  using enum scene::LabelName;
+  const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
+  const double gap = kLabelGap / kNameSize;
+  if (inConstruction_) {
+    const glm::vec2 beside = canvas.at_px(kAlongShaft * tip_V);
+    const double off = (beside.x - centre.x) / canvas.type_px;
+    const bool right = off > kFarRight;
+    const glm::vec2 place(right ? beside.x : std::min(beside.x, centre.x), beside.y);
+    const float head_px = headRadius_px(canvas, tip_V);
+    const double there = canvas.still ? 1 : std::min(1.0, std::abs(off - kFarRight) / kFading);
+    canvas.labelAt(kOmega, place + glm::vec2(right ? head_px : -head_px, 0), {right ? 1 : -1, 0},
+                   canvas.colors.omega, kNameSize, 0.5 * gap, static_cast<float>(there));
+    return;
+  }
+  const glm::vec2 tip = canvas.at_px(tip_V);
+  const double lean = std::clamp((tip.x - centre.x) / (2 * canvas.type_px), -1.0, 1.0);
+  canvas.labelAt(kOmega, tip, {lean, -1.1}, canvas.colors.omega, kNameSize, gap);
+}
+
+std::vector<Vector3d> AngularVelocityFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.omega_V};
+}
+
+// ---- torque
+
+TorqueFigure::TorqueFigure(const Setting& setting) : scale_(0) {
+  double longest = 0;
+  for (const PathPoint& p : setting.motion.outline())
+    longest = std::max(longest, setting.motion.atPlayed(p.played_s).torque_V.norm());
+  if (longest > 0) scale_ = kLongestTorque * setting.scene.show.figures.torque.scale / longest;
+}
+
+void TorqueFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
+  const Vector3d tip_V = scale_ * state.torque_V;
+  if (tip_V.isZero(0)) return;
+  canvas.arrow(tip_V, kRadius, canvas.colors.torque);
+  canvas.label(scene::LabelName::kTorque, tip_V, Vector3d::Zero(), canvas.colors.torque, kNameSize);
+}
+
+std::vector<Vector3d> TorqueFigure::outermostPoints(const PictureState& state) const {
+  return {scale_ * state.torque_V};
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "stage/figures/actor.h"
+
+namespace poinsot::stage {
+
+/// The angular momentum L, an arrow with its name.
+class AngularMomentumFigure final : public Actor {
+ public:
+  explicit AngularMomentumFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  double scale_;
+};
+
+/// The angular velocity omega, an arrow with its name.
+class AngularVelocityFigure final : public Actor {
+ public:
+  explicit AngularVelocityFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  void addName(const Canvas& canvas, const Eigen::Vector3d& tip_V) const;
+
+  double scale_;
+  bool inConstruction_;  // the tip is a place of ellipsoid and plane
+};
+
+/// The torque on the body, an arrow with its name, as long as it is strong against the film's longest. Where it is
+/// zero there is none.
+class TorqueFigure final : public Actor {
+ public:
+  explicit TorqueFigure(const Setting& setting);
+
+  void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
+  std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
+
+ private:
+  double scale_;  // picture lengths per N·m
+};
+
+}  // namespace poinsot::stage

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/plot/plot_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace poinsot::stage {
+namespace {
+
+// In em of the plot's type.
+constexpr double kGap = 0.7;     // between curve and name
+constexpr double kEquals = 0.3;  // between "=" and value
+constexpr double kRow = 1.3;     // between baselines
+constexpr double kMiddle = 0.3;  // of a letter, over its baseline
+
+std::string nameTex(const PlotValue& value) { return "$" + value.tex + "\\,=$"; }
+
+double namesWidth(const std::vector<PlotValue>& values, double em_px) {
+  double widest = 0;
+  for (const PlotValue& value : values) widest = std::max(widest, widthOf(nameTex(value), em_px));
+  return widest;
+}
+
+}  // namespace
+
+ValueFormat valueFormat(const PlotAxis& axis, scene::DecimalSign sign) {
+  ValueFormat format;
+  format.decimals = decimalsThatResolve(axis.high - axis.low);
+  for (const double end : {axis.low, axis.high})
+    format.width_em = std::max(format.width_em, widthOf(numberTex(fixedDigits(end, format.decimals), sign), 1));
+  return format;
+}
+
+double valuesWidth(const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen) {
+  return namesWidth(values, pen.em_px) + (kGap + kEquals + format.width_em) * pen.em_px;
+}
+
+std::vector<double> spread(const std::vector<double>& wanted, double apart, double low, double high) {
+  std::vector<std::size_t> order(wanted.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return wanted[i]; });
+  std::vector<double> place = wanted;
+  double least = low;
+  for (const std::size_t i : order) {
+    place[i] = std::max(place[i], least);
+    least = place[i] + apart;
+  }
+  double most = high;
+  for (auto i = order.rbegin(); i != order.rend(); ++i) {
+    place[*i] = std::min(place[*i], most);
+    most = place[*i] - apart;
+  }
+  return place;
+}
+
+void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
+               const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen) {
+  const double em = pen.em_px, names = area.right + kGap * em;
+  const double right = names + namesWidth(values, em) + (kEquals + format.width_em) * em;
+  std::vector<double> wanted;
+  for (const PlotValue& value : values)
+    wanted.push_back(area.y(std::clamp(value.endShare, 0.0, 1.0)) + kMiddle * em);
+  // Beside the axis as far as there is room: below it they would stand at its last number.
+  const double first = panel.top + em, rows = static_cast<double>(values.size() - 1) * kRow * em;
+  const double last = std::min(std::max(area.bottom + kMiddle * em, first + rows), panel.bottom - 0.5 * em);
+  const std::vector<double> baselines = spread(wanted, kRow * em, first, last);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    addLine(picture, nameTex(values[i]), names, baselines[i], Align::kLeft, em, values[i].color);
+    const std::string digits = fixedDigits(values[i].value, format.decimals);
+    addLine(picture, numberTex(digits, pen.decimalSign), right, baselines[i], Align::kRight, em, values[i].color);
+  }
+}
+
+}  // namespace poinsot::stage

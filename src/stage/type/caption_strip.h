@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/picture.h"
+#include "scene/timeline.h"
+#include "stage/moment.h"
+#include "stage/palette.h"
+#include "stage/type/lettering.h"
+
+namespace poinsot::stage {
+
+/// The captions of a film, centred in a strip at the bottom of the picture that is kept free all the time, so that
+/// nothing moves when they come and go. One that is too long for a line takes two.
+class CaptionStrip {
+ public:
+  /// @param duration_s  of the film: what stands until its end does not fade
+  CaptionStrip(const std::vector<scene::Caption>& captions, double duration_s);
+
+  /// Of the strip, in pixels from the picture's bottom; 0 without captions.
+  double height_px(glm::vec2 size_px, const Sizing& sizing) const;
+  /// The caption of that moment, in the strip of a picture whose size is set.
+  void add(draw::Picture& picture, const Moment& moment, const Sizing& sizing, const Palette& colors) const;
+
+ private:
+  struct Line {
+    std::string tex;
+    double width_em = 0, top_em = 0, bottom_em = 0;  // of the ink: over the baseline, and under it
+  };
+  struct Entry {
+    scene::Caption caption;
+    Line whole;
+    std::optional<std::array<Line, 2>> halves;
+  };
+
+  static Line lineOf(const std::string& tex);
+  static std::optional<std::array<Line, 2>> halvesOf(const std::string& tex);
+  static std::vector<Line> linesOf(const Entry& entry, double room_em);
+  static double height_em(const std::vector<Line>& lines);
+  double opacity(const scene::Caption& caption, const Moment& moment) const;
+
+  std::vector<Entry> entries_;
+  double duration_s_;
+};
+
+}  // namespace poinsot::stage

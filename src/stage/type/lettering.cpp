@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/type/lettering.h"
+
+#include <algorithm>
+
+namespace poinsot::stage {
+namespace {
+
+// In shares of the reference height.
+constexpr double kLine = 2.0 / 1080;
+// In points: a label as the text of a book's captions, and nothing that a copier would lose.
+constexpr double kPrintedLabel = 8.5, kPrintedLine = 0.6, kLeastPrinted = 6.5;
+
+}  // namespace
+
+double referenceHeight(glm::vec2 size_px) {
+  return std::min(static_cast<double>(size_px.y), static_cast<double>(size_px.x) * 9 / 16);
+}
+
+Sizing screenSizing(glm::vec2 size_px) {
+  const double H = referenceHeight(size_px);
+  return {H, kLine * H, 0};
+}
+
+Sizing printSizing(double pixelsPerInch) {
+  const double point_px = pixelsPerInch / 72;
+  return {kPrintedLabel / kLabelSize * point_px, kPrintedLine * point_px, kLeastPrinted * point_px};
+}
+
+Sizing typeScaled(const Sizing& sizing, double factor) {
+  return {factor * sizing.type_px, sizing.line_px, factor * sizing.least_px};
+}
+
+}  // namespace poinsot::stage

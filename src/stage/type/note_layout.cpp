@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/type/note_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+namespace poinsot::stage {
+namespace {
+
+using scene::Spot;
+
+constexpr float kHalo = 0.085f;  // of the type's size: what it stands over stays clear of it
+constexpr double kApart = 0.35;  // between blocks, of the edge
+constexpr double kMostTop = 0.4, kMostBottom = 0.35,
+                 kMostSide = 0.35;  // of the picture, for type that stands still
+
+// Nine places in three rows of three.
+int columnOf(Spot at) { return static_cast<int>(at) % 3; }
+int rowOf(Spot at) { return static_cast<int>(at) / 3; }
+
+PixelBox wishedBox(const NoteBlock& block, glm::dvec2 picture_px, double edge_px) {
+  const glm::dvec2 size = block.size_px(), spare = picture_px - size - 2 * edge_px;
+  const double left = edge_px + 0.5 * columnOf(block.at) * spare.x,
+               top = edge_px + 0.5 * rowOf(block.at) * spare.y;
+  return {left, top, left + size.x, top + size.y};
+}
+
+PixelBox movedTo(const PixelBox& box, double top) { return {box.left, top, box.right, top + box.height()}; }
+
+/// Away from the boxes that it comes too near to: up at the picture's bottom, else down.
+PixelBox clearOf(const std::vector<PixelBox>& taken, PixelBox box, bool upwards, double apart) {
+  const auto blocking = [&](const PixelBox& other) { return near(box, other, apart); };
+  for (auto other = std::ranges::find_if(taken, blocking); other != taken.end();
+       other = std::ranges::find_if(taken, blocking))
+    box = movedTo(box, upwards ? other->top - apart - box.height() : other->bottom + apart);
+  return box;
+}
+
+// Corners first: the title is in one. The middle row last, for it has room on both sides.
+constexpr std::array kOrder = {Spot::kTopLeft,    Spot::kTopRight,    Spot::kTop,
+                               Spot::kBottomLeft, Spot::kBottomRight, Spot::kBottom,
+                               Spot::kLeft,       Spot::kRight,       Spot::kCentre};
+
+}  // namespace
+
+glm::dvec2 NoteBlock::size_px() const {
+  glm::dvec2 size(0);
+  for (const NoteRow& row : rows) {
+    size.x = std::max(size.x, row.width_px);
+    size.y += row.ascent_px + row.descent_px;
+  }
+  return size;
+}
+
+std::vector<PixelBox> placedBlocks(const std::vector<NoteBlock>& blocks, glm::dvec2 size_px, double edge_px) {
+  std::vector<PixelBox> boxes(blocks.size()), taken;
+  for (const Spot at : kOrder)
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (blocks[i].at != at) continue;
+      boxes[i] = clearOf(taken, wishedBox(blocks[i], size_px, edge_px), rowOf(at) == 2, kApart * edge_px);
+      taken.push_back(boxes[i]);
+    }
+  return boxes;
+}
+
+NoteReach reachOf(const std::vector<NoteBlock>& blocks, const std::vector<PixelBox>& boxes, glm::dvec2 size_px) {
+  NoteReach reach;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Spot at = blocks[i].at;
+    if (rowOf(at) == 0) reach.top = std::max(reach.top, boxes[i].bottom);
+    if (rowOf(at) == 2) reach.bottom = std::max(reach.bottom, size_px.y - boxes[i].top);
+    if (at == Spot::kLeft) reach.left = boxes[i].right;
+    if (at == Spot::kRight) reach.right = size_px.x - boxes[i].left;
+  }
+  return reach;
+}
+
+bool leavesRoom(const std::vector<PixelBox>& boxes, const NoteReach& reach, glm::dvec2 size_px) {
+  const auto inside = [&](const PixelBox& b) {
+    return b.left >= 0 && b.top >= 0 && b.right <= size_px.x && b.bottom <= size_px.y;
+  };
+  return std::ranges::all_of(boxes, inside) && reach.top <= kMostTop * size_px.y &&
+         reach.bottom <= kMostBottom * size_px.y && reach.left <= kMostSide * size_px.x &&
+         reach.right <= kMostSide * size_px.x;
+}
+
+void addBlocks(draw::Picture& picture, const std::vector<NoteBlock>& blocks, const std::vector<PixelBox>& boxes) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    double y = boxes[i].top;
+    for (const NoteRow& row : blocks[i].rows) {
+      const double left = boxes[i].left + 0.5 * columnOf(blocks[i].at) * (boxes[i].width() - row.width_px);
+      y += row.ascent_px;
+      for (const NotePiece& piece : row.pieces) {
+        const auto size_px = static_cast<float>(piece.size_px);
+        draw::Text& text = picture.texts.emplace_back();
+        text = {piece.tex,
+                glm::vec2(glm::dvec2(left + piece.x_px, y)),
+                size_px,
+                piece.color,
+                static_cast<float>(row.opacity),
+                std::nullopt,
+                0};
+        if (row.halo) text.halo = picture.background, text.halo_px = kHalo * size_px;
+      }
+      y += row.descent_px;
+    }
+  }
+}
+
+}  // namespace poinsot::stage

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/type/note_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stage/type/written_number.h"
+#include "text/math_setter.h"
+
+namespace poinsot::stage {
+namespace {
+
+using scene::Spot;
+
+// In shares of what type is sized by.
+constexpr double kHeading = 0.044, kUnderHeading = 0.028;
+constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.032, kFootnote = 0.025, kEdge = 0.055;
+// In em.
+constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
+constexpr double kEquals = 0.3;   // between "=" and a value
+constexpr double kReadout = 0.5;  // leading between read-outs, whose digits are all tall
+
+double sizeOf(double share, const Sizing& sizing) { return std::max(share * sizing.type_px, sizing.least_px); }
+
+void growTo(NoteRow& row, const std::string& tex, double size_px, double leading) {
+  const text::GlyphRun run = text::setTex(tex);
+  const double tall = std::max(0.0, run.inkTop_em - 1) + std::max(0.0, -run.inkBottom_em - 0.4);  // built up
+  leading += 0.5 * tall;
+  row.ascent_px = std::max(row.ascent_px, size_px * std::max(run.inkTop_em, kCapHeight));
+  row.descent_px = std::max(row.descent_px, size_px * (std::max(-run.inkBottom_em, kDescent) + leading));
+}
+
+NoteRow lineRow(const std::string& tex, double size_px, double room_px, const draw::Color& color) {
+  NoteRow row;
+  const double width_em = text::setTex(tex).width_em, size = std::min(size_px, room_px / std::max(width_em, 1e-9));
+  row.pieces = {{tex, 0, size, color}};
+  row.width_px = size * width_em;
+  growTo(row, tex, size, kLeading);
+  return row;
+}
+
+void addTitle(NoteBlock& block, const std::string& title, const std::string& subtitle, double titleShare,
+              double subtitleShare, const Sizing& sizing, double room_px, const Palette& colors) {
+  if (!title.empty())
+    block.rows.push_back(lineRow("\\textbf{" + title + "}", sizeOf(titleShare, sizing), room_px, colors.ink));
+  if (!subtitle.empty())
+    block.rows.push_back(lineRow(subtitle, sizeOf(subtitleShare, sizing), room_px, colors.quietInk));
+}
+
+// 200000 as "200 000"; a number with decimals stays as it is.
+std::string grouped(double x, scene::DecimalSign sign) {
+  std::string digits = fmt::format("{:.15g}", x);
+  if (digits.find_first_not_of("0123456789") != std::string::npos) return numberTex(digits, sign);
+  for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), "\u2009");
+  return digits;
+}
+
+std::string exaggerationText(const scene::Scene& scene) {
+  return "angles drawn " + grouped(scene.show.exaggerateAngles, scene.style.decimalSign) + " times larger";
+}
+
+// ---- read-outs: names end at one place, values begin at one
+
+/// Widths of the columns of read-outs that stand under one another, em.
+struct Columns {
+  double name = 0, value = 0, unit = 0;
+
+  explicit Columns(const std::vector<ReadoutText>& readouts) {
+    for (const ReadoutText& readout : readouts) {
+      name = std::max(name, text::setTex(readout.name).width_em);
+      value = std::max(value, text::setTex(readout.widest).width_em);
+      unit = std::max(unit, text::setTex(readout.unit).width_em);
+    }
+  }
+  double width() const { return name + kEquals + value + unit; }
+};
+
+NoteRow readoutRow(const ReadoutText& readout, const Columns& columns, double size_px) {
+  const auto right = [&](const std::string& tex, double at_em) {
+    return size_px * (at_em - text::setTex(tex).width_em);
+  };
+  const double values = columns.name + kEquals, end = values + text::setTex(readout.widest).width_em;
+  NoteRow row;
+  row.pieces = {{readout.name, right(readout.name, columns.name), size_px, readout.color},
+                {readout.value, right(readout.value, end), size_px, readout.color},
+                {readout.unit, end * size_px, size_px, readout.color}};
+  row.width_px = columns.width() * size_px;
+  for (const std::string& tex : {readout.name, readout.widest, readout.unit}) growTo(row, tex, size_px, kReadout);
+  return row;
+}
+
+void addReadouts(NoteBlock& block, const std::vector<ReadoutText>& readouts, const Sizing& sizing,
+                 double room_px) {
+  std::vector<ReadoutText> here;
+  for (const ReadoutText& readout : readouts)
+    if (readout.at == block.at) here.push_back(readout);
+  const Columns columns(here);
+  const double size_px = std::min(sizeOf(kNote, sizing), room_px / std::max(columns.width(), 1e-9));
+  for (const ReadoutText& readout : here) block.rows.push_back(readoutRow(readout, columns, size_px));
+}
+
+void addNotes(NoteBlock& block, const scene::Scene& scene, const Sizing& sizing, double room_px,
+              const Palette& colors) {
+  for (const scene::Note& note : scene.notes) {
+    if (note.at != block.at) continue;
+    for (const std::string& line : note.lines)
+      block.rows.push_back(lineRow(line, sizeOf(note.size * kNote, sizing), room_px, colors.ink));
+  }
+}
+
+}  // namespace
+
+double noteEdge_px(const Sizing& sizing) { return kEdge * sizing.type_px; }
+
+std::vector<NoteBlock> pictureBlocks(const scene::Scene& scene, const WrittenThings& things, const Sizing& sizing,
+                                     double room_px, const Palette& colors) {
+  std::vector<NoteBlock> blocks;
+  for (int place = 0; place < 9; ++place) {
+    NoteBlock block{static_cast<Spot>(place), {}};
+    if (block.at == Spot::kTopLeft) {
+      addTitle(block, scene.show.title, scene.show.subtitle, kTitle, kSubtitle, sizing, room_px, colors);
+      for (NoteRow& row : block.rows) row.halo = false, row.opacity = things.titleThere;
+    }
+    const std::size_t notes = block.rows.size();
+    addNotes(block, scene, sizing, room_px, colors);
+    const std::size_t readouts = block.rows.size();
+    addReadouts(block, things.readouts, sizing, room_px);
+    for (std::size_t i = notes; i < block.rows.size(); ++i)
+      block.rows[i].opacity = i < readouts ? things.notesThere : things.readoutsThere;
+    if (block.at == Spot::kBottomLeft && scene.show.exaggerateAngles > 1)
+      block.rows.push_back(lineRow(exaggerationText(scene), sizeOf(kFootnote, sizing), room_px, colors.quietInk));
+    if (!block.rows.empty()) blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+NoteBlock headingBlock(const scene::View& view, const Sizing& sizing, double room_px, const Palette& colors) {
+  NoteBlock block{Spot::kTop, {}};
+  addTitle(block, view.title, view.subtitle, kHeading, kUnderHeading, sizing, room_px, colors);
+  for (NoteRow& row : block.rows) row.halo = false;
+  return block;
+}
+
+}  // namespace poinsot::stage

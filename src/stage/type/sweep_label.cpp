@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/type/sweep_label.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "core/error.h"
+#include "stage/type/written_number.h"
+#include "text/math_setter.h"
+
+namespace poinsot::stage {
+namespace {
+
+/// What a key is called in a formula.
+struct Symbol {
+  std::string_view key;
+  std::string_view tex;  ///< its elements have an index
+  bool inAxes = false;   ///< of the body, else of space
+};
+
+constexpr std::array kSymbols{Symbol{"motion.omega_body", "\\omega", true},
+                              Symbol{"motion.omega_space", "\\omega"},
+                              Symbol{"motion.L_body", "L", true},
+                              Symbol{"motion.L_space", "L"},
+                              Symbol{"motion.spin", "\\omega"},
+                              Symbol{"motion.energy", "T"},
+                              Symbol{"motion.L", "L"},
+                              Symbol{"body.principal_moments", "I", true},
+                              Symbol{"body.mass", "m"},
+                              Symbol{"time.start", "t_0"}};
+
+/// "show.plane.opacity" as "plane opacity": of a thing that is shown, with its name.
+std::string wordsOf(std::string_view path) {
+  auto from = path.rfind('.');
+  if (path.starts_with("show.") && from != std::string_view::npos && from > 4) from = path.rfind('.', from - 1);
+  std::string words(path.substr(from == std::string_view::npos ? 0 : from + 1));
+  std::ranges::replace(words, '_', ' ');
+  std::ranges::replace(words, '.', ' ');
+  return words;
+}
+
+/// Principal axes have numbers; others are x, y, z.
+std::string indexOf(int element, bool numbered) {
+  constexpr std::string_view kLetters = "xyz";
+  if (numbered || element > 2) return fmt::format("{}", element + 1);
+  return std::string(1, kLetters[static_cast<std::size_t>(element)]);
+}
+
+/// "1.5e-07" as $1.5\times 10^{-7}$, without dollar signs.
+std::string numberInFormula(const std::string& typed, scene::DecimalSign sign) {
+  const auto e = typed.find_first_of("eE");
+  std::string digits = numberTex(std::string_view(typed).substr(0, e), sign);
+  digits = digits.substr(1, digits.size() - 2);
+  if (e == std::string::npos) return digits;
+  return fmt::format("{}\\times 10^{{{}}}", digits, std::stoi(typed.substr(e + 1)));
+}
+
+std::string gapAndUnit(const std::string& unit) {
+  const std::string tex = unitInFormula(unit);
+  return tex.empty() || tex == "\\degree" ? tex : "\\," + tex;
+}
+
+void expectTex(const std::string& name) {
+  try {
+    text::setTex(name);
+  } catch (const core::Error& error) {
+    throw core::Error(core::ErrorKind::kUsage, "--label: " + error.message());
+  }
+}
+
+std::string nameOf(const scene::SweepAxis& axis, std::size_t number, const std::vector<std::string>& names,
+                   const scene::Scene& scene) {
+  if (number >= names.size()) return sweptName(axis, scene);
+  expectTex(names[number]);
+  return names[number];
+}
+
+}  // namespace
+
+std::string sweptName(const scene::SweepAxis& axis, const scene::Scene& scene) {
+  const auto symbol = std::ranges::find(kSymbols, axis.key, &Symbol::key);
+  if (symbol == kSymbols.end()) {
+    const std::string words = wordsOf(axis.key);
+    return axis.element ? fmt::format("$\\text{{{}}}_{}$", words, *axis.element + 1) : words;
+  }
+  if (!axis.element) return fmt::format("${}$", symbol->tex);
+  const bool numbered = symbol->inAxes && scene.body.axes.aligned();
+  return fmt::format("${}_{}$", symbol->tex, indexOf(*axis.element, numbered));
+}
+
+std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
+                                     const std::vector<std::string>& names, const scene::Scene& scene) {
+  std::vector<SweepLabels> all;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    SweepLabels& labels = all.emplace_back();
+    labels.name = nameOf(axes[i], i, names, scene);
+    for (const scene::SweepValue& value : axes[i].values) {
+      const std::string tex = numberInFormula(value.number, scene.style.decimalSign) + gapAndUnit(axes[i].unit);
+      labels.values.push_back("$" + tex + "$");
+      // One formula where the name is one, so that it is spaced as a formula is.
+      const bool formula = labels.name.starts_with('$') && labels.name.ends_with('$');
+      labels.whole.push_back(formula ? labels.name.substr(0, labels.name.size() - 1) + " = " + tex + "$"
+                                     : labels.name + " $= " + tex + "$");
+    }
+  }
+  return all;
+}
+
+}  // namespace poinsot::stage
