@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <system_error>
 
+#include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -86,7 +87,7 @@ scene::Allowance allowed(const AllowanceOptions& options) {
 scene::Allowance granted(const AllowanceOptions& options) {
   scene::Allowance allowance = allowed(options);
   const std::int64_t seconds = allowance.limits[Limit::kSeconds];
-  if (seconds > 0) process::limitTime(seconds);
+  if (seconds > 0) process::limitTime(seconds, kBadInput);
   return allowance;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "compare/memory.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/interruption.h"
@@ -34,10 +35,10 @@ output::FilmReader opened(const std::filesystem::path& film, const scene::Limits
   core::checkInterruption();
   const image::PixelSize size = output::FilmReader::declaredSize(film);
   core::checkInterruption();
-  request::expectWithinMemory(request::compareFilmsMemory_bytes(size), filmsText(size), limits);
+  request::expectWithinMemory(compareFilmsMemory_bytes(size), filmsText(size), limits);
   const auto most_bytes = static_cast<double>(limits[scene::Limit::kMemory]);
-  return output::FilmReader(
-      film, static_cast<std::int64_t>(std::min(1e18, request::largestFilmPicture_pixels(most_bytes))));
+  return output::FilmReader(film,
+                            static_cast<std::int64_t>(std::min(1e18, largestFilmPicture_pixels(most_bytes))));
 }
 
 /// Two films that are read side by side.
@@ -91,10 +92,10 @@ class FilmPair {
 
  private:
   double memory_bytes(int jobs) const {
-    const request::PixelKind kind{reference_.isTransparent() || test_.isTransparent(),
-                                  reference_.isDeep() || test_.isDeep()};
-    return request::compareFilmsMemory_bytes(reference_.size(), kind,
-                                             reference_.memory_bytes() + test_.memory_bytes(), jobs);
+    const PixelKind kind{reference_.isTransparent() || test_.isTransparent(),
+                         reference_.isDeep() || test_.isDeep()};
+    return compareFilmsMemory_bytes(reference_.size(), kind, reference_.memory_bytes() + test_.memory_bytes(),
+                                    jobs);
   }
 
   static std::optional<output::ShownPicture> read(output::FilmReader& film, FilmTimes& times) {

@@ -7,9 +7,9 @@
 #include <system_error>
 
 #include "core/atomic_file.h"
-#include "core/folder.h"
 #include "core/error.h"
 #include "core/file_batch.h"
+#include "core/folder.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "core/wildcard.h"

@@ -8,6 +8,7 @@
 
 #include "compare/common_form.h"
 #include "compare/magma.h"
+#include "compare/memory.h"
 #include "request/memory.h"
 
 namespace poinsot::compare {
@@ -102,8 +103,8 @@ ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const 
   diff.mismatch = sizeMismatch(compared.reference, compared.test);
   if (!diff.mismatch.empty()) return compared;
   const image::AnyImage &a = compared.reference.pixels, &b = compared.test.pixels;
-  const request::PixelKind kind{hasAlpha(a) || hasAlpha(b), isDeep(a) || isDeep(b)};
-  request::expectWithinMemory(request::compareMemory_bytes(diff.size, kind),
+  const PixelKind kind{hasAlpha(a) || hasAlpha(b), isDeep(a) || isDeep(b)};
+  request::expectWithinMemory(compareMemory_bytes(diff.size, kind),
                               fmt::format("comparing pictures of {}x{}", diff.size.width, diff.size.height),
                               request.limits);
   toCommonForm(compared.reference.pixels, compared.test.pixels);

@@ -13,13 +13,14 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/file_diff.h"
-#include "core/json_file.h"
+#include "compare/memory.h"
 #include "core/atomic_file.h"
+#include "core/json_file.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "core/wildcard.h"
-#include "golden/strays.h"
 #include "golden/approval.h"
+#include "golden/strays.h"
 #include "image/png_file.h"
 #include "job/job_identity.h"
 #include "job/still_batch.h"
@@ -145,7 +146,7 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   const int cells = render.scene.sweep ? request::SweepGrid(render.scene).cells : 1;
   render.digestsPixels = true;
   render.worker_bytes = request::workerMemory_bytes(size, std::nullopt) + cells * request::meshMemory_bytes(scene);
-  request::expectWithinMemory(std::max(render.worker_bytes, request::compareMemory_bytes(size)),
+  request::expectWithinMemory(std::max(render.worker_bytes, compare::compareMemory_bytes(size)),
                               request::pictureText(size), golden.allowance.limits);
   return {place, std::move(render), digest, scene.inputs};
 }

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 
 #include "core/error.h"
@@ -34,7 +35,8 @@ std::int64_t firstAt_ms = 0;  // touched only in the handler, which the signals 
 int wakePipe[2] = {-1, -1};
 volatile std::sig_atomic_t watching = 0;
 std::int64_t allowed_s = 0;  // by the clock
-char tooLong[80] = "";       // what is said where nobody can throw
+int exitCodeOfLimit = EXIT_FAILURE;
+char tooLong[80] = "";  // what is said where nobody can throw
 
 /// Safe in a handler, as clock_gettime is.
 std::int64_t now_ms() {
@@ -57,8 +59,7 @@ void noteSignal(int signal) {
 void noteAlarm(int signal) {
   if (watching != 0 && firstSignal != signal) return noteSignal(signal);
   [[maybe_unused]] const auto written = write(STDERR_FILENO, tooLong, std::strlen(tooLong));
-  constexpr int kLimitExceeded = 2;  // as the command line has it (cli/exit_code.h)
-  _exit(kLimitExceeded);
+  _exit(exitCodeOfLimit);
 }
 
 sigset_t notedSignals() {
@@ -125,9 +126,10 @@ void throwIfInterrupted() {
   if (firstSignal != 0) throw Interrupted(firstSignal);
 }
 
-void limitTime(std::int64_t seconds) {
+void limitTime(std::int64_t seconds, int exitCode) {
   POINSOT_EXPECT(seconds > 0);
   allowed_s = seconds;
+  exitCodeOfLimit = exitCode;
   *fmt::format_to_n(tooLong, sizeof tooLong - 1, "poinsot: error: stopped after {} s, as --max-seconds says\n",
                     seconds)
        .out = '\0';

@@ -7,8 +7,8 @@ namespace poinsot::process {
 
 /// Ends this process after so many seconds by the clock, as a limit that was exceeded. Where interrupts are
 /// watched throwIfInterrupted() throws core::Error(kLimit) then, so that what is complete is kept; where nothing
-/// looks for them, or for 5 s more, the process says why and ends with exit code 2 at once.
+/// looks for them, or for 5 s more, the process says why and ends with `exitCode` at once.
 /// @pre seconds > 0.
-void limitTime(std::int64_t seconds);
+void limitTime(std::int64_t seconds, int exitCode);
 
 }  // namespace poinsot::process

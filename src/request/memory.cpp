@@ -125,38 +125,6 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene,
   return workerMemory_bytes(target, scene.output, form) + cells * meshMemory_bytes(scene);
 }
 
-namespace {
-
-constexpr double kFilmsStart_bytes = 56e6;  // the libraries of FFmpeg 7 are opened for films
-constexpr double kLeastReading_bytes = 9;   // for each pixel: two films, each with two pictures of 4:2:0
-constexpr double kGaps = 1.1;               // frames that come and go leave gaps in the heap
-
-/// Bytes for each pixel of two pictures that differ everywhere. Transparent ones are looked at upon two papers.
-double comparePixel_bytes(PixelKind kind) {
-  // Measured with noise of 2560x1440 pixels: 28.4, 41, 45, 69.
-  if (kind.deep) return kind.transparent ? 70 : 42;
-  return kind.transparent ? 48 : 29;
-}
-
-}  // namespace
-
-double compareMemory_bytes(image::PixelSize size, PixelKind kind) {
-  constexpr double kStart_bytes = 16e6;
-  return kStart_bytes + comparePixel_bytes(kind) * size.width * size.height;
-}
-
-// Measured, see tests/faults/film_memory_test.cpp.
-double compareFilmsMemory_bytes(image::PixelSize size, PixelKind kind, std::optional<double> reading_bytes,
-                                int jobs) {
-  const double pixels = 1.0 * size.width * size.height;
-  return kFilmsStart_bytes + reading_bytes.value_or(kLeastReading_bytes * pixels) +
-         kGaps * jobs * comparePixel_bytes(kind) * pixels;
-}
-
-double largestFilmPicture_pixels(double bytes) {
-  return std::max(0.0, bytes - kFilmsStart_bytes) / (kLeastReading_bytes + kGaps * comparePixel_bytes({}));
-}
-
 std::string pictureText(image::PixelSize size) {
   return fmt::format("a worker that makes pictures of {}x{}", size.width, size.height);
 }

@@ -29,22 +29,6 @@ double meshMemory_bytes(const scene::Scene& scene);
 double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
                           int cells = 1);
 
-/// The form of pixels: with transparency or not, of 8 or 16 bits.
-struct PixelKind {
-  bool transparent = false, deep = false;
-};
-
-/// Bytes that comparing two pictures of a size takes at its peak, maps included.
-double compareMemory_bytes(image::PixelSize size, PixelKind kind = {});
-
-/// Bytes that comparing two films takes at its peak, so many frames at a time, maps included.
-/// @param reading_bytes  taken by both readers. The default is the least that any film takes.
-double compareFilmsMemory_bytes(image::PixelSize size, PixelKind kind = {},
-                                std::optional<double> reading_bytes = {}, int jobs = 1);
-
-/// Returns how large pictures of films may be, so that comparing them takes no more than this.
-double largestFilmPicture_pixels(double bytes);
-
 /// "a worker that makes pictures of 640x360", for what follows.
 std::string pictureText(image::PixelSize size);
 

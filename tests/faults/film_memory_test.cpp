@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "output/film_reader.h"
-#include "request/memory.h"
+#include "compare/memory.h"
 #include "support/sanitized.h"
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"
@@ -81,8 +81,8 @@ class FilmMemory : public testing::TestWithParam<Kind> {
 
   double reckoned_MiB(const std::string& first, const std::string& second, int jobs) const {
     const output::FilmReader a(folder_ / first), b(folder_ / second);
-    const request::PixelKind kind{a.isTransparent() || b.isTransparent(), a.isDeep() || b.isDeep()};
-    return request::compareFilmsMemory_bytes(a.size(), kind, a.memory_bytes() + b.memory_bytes(), jobs) / kMiB;
+    const compare::PixelKind kind{a.isTransparent() || b.isTransparent(), a.isDeep() || b.isDeep()};
+    return compare::compareFilmsMemory_bytes(a.size(), kind, a.memory_bytes() + b.memory_bytes(), jobs) / kMiB;
   }
 
   ScratchFolder folder_;

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "core/frame_clock.h"
 #include "scene/assembly/body_assembly.h"
 #include "scene/assembly/forcing_assembly.h"
 #include "scene/assembly/motion_assembly.h"
@@ -39,9 +38,9 @@ std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const 
 
 /// Frames are all k with k/fps < duration.
 void checkFrames(const Time& time, Findings& findings) {
-  const double count = std::ceil(time.duration_s * time.fps.value());
+  const std::int64_t count = core::frameCount(time.duration_s, time.fps);
   const std::int64_t most = findings.limits()[Limit::kFrames];
-  if (count > static_cast<double>(most))
+  if (count > most)
     findings.refuse(
         findings.has("time.duration") ? "time.duration" : "time.fps",
         fmt::format("{} s at {} frames per second are {} frames; a film may have at most {}; {}", time.duration_s,
