@@ -35,10 +35,12 @@ LoadedScene LoadedScene::ofText(std::string text, const std::string& fileName, W
 }
 
 LoadedScene::LoadedScene(request::SceneRequest request)
-    : request_(std::move(request)), scene_(request::loadRequested(request_)), number_(nextNumber()) {}
+    : requested_(request::requestedScene(std::move(request))), number_(nextNumber()) {}
 
-std::int64_t LoadedScene::frameCount() const { return core::frameCount(scene_.time.duration_s, scene_.time.fps); }
+std::int64_t LoadedScene::frameCount() const {
+  return core::frameCount(scene().time.duration_s, scene().time.fps);
+}
 
-scene::FilmClock LoadedScene::clock() const { return stage::filmClock(scene_); }
+scene::FilmClock LoadedScene::clock() const { return stage::filmClock(scene()); }
 
 }  // namespace poinsot::python

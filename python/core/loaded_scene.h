@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "motions.h"
-#include "request/scene_request.h"
+#include "request/requested_scene.h"
 #include "scene/motion/film_clock.h"
 
 namespace poinsot::python {
@@ -19,16 +19,17 @@ class LoadedScene {
   using Words = std::vector<std::string>;
 
   /// @param limits  as after --limit, above those of the user's limits.toml.
-  /// @throws core::Error as request::readSceneRequest() and request::loadRequested().
+  /// @throws core::Error as request::readSceneRequest() and request::requestedScene().
   static LoadedScene ofFile(const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);
   /// @param fileName  for messages; its folder is where files that the scene names lie.
   static LoadedScene ofText(std::string text, const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);
 
-  const request::SceneRequest& request() const { return request_; }
-  const scene::Scene& scene() const { return scene_; }
-  const scene::Limits& limits() const { return request_.allowance.limits; }
+  const request::RequestedScene& requested() const { return requested_; }
+  const request::SceneRequest& request() const { return requested_.request; }
+  const scene::Scene& scene() const { return requested_.scene; }
+  const scene::Limits& limits() const { return request().allowance.limits; }
   /// Different for each scene of this process.
   std::uint64_t number() const { return number_; }
   std::int64_t frameCount() const;
@@ -36,14 +37,13 @@ class LoadedScene {
   scene::FilmClock clock() const;
   /// The scene's motion, as Motions::over().
   std::shared_ptr<const physics::Motion> motionOver(double from_s, double to_s) const {
-    return motions_->over(scene_, from_s, to_s);
+    return motions_->over(scene(), from_s, to_s);
   }
 
  private:
   explicit LoadedScene(request::SceneRequest request);
 
-  request::SceneRequest request_;
-  scene::Scene scene_;
+  request::RequestedScene requested_;
   std::uint64_t number_;
   std::unique_ptr<Motions> motions_ = std::make_unique<Motions>();
 };

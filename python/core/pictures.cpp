@@ -70,14 +70,13 @@ auto withPicture(const std::shared_ptr<LoadedScene>& loaded, const PictureAsk& a
     check();
     const core::InterruptionCheck whileIntegrating(check);
     const auto load = [&] {
-      scene::Scene scene = loaded->scene();
-      scene.output.width = ask.size.width;
-      scene.output.height = ask.size.height;
-      return job::drawableOf(std::move(scene));
+      request::RequestedScene requested = loaded->requested();
+      requested.resize(ask.size);
+      return requested;
     };
     const std::string key = fmt::format("{} {}x{} {} {}", loaded->number(), ask.size.width, ask.size.height,
                                         form.transparent, form.bits);
-    job::SceneFrames& frames = *cache.of(key, load, form, loaded->limits()).frames;
+    job::SceneFrames& frames = *cache.of(key, load, form).frames;
     frames.setTime(ask.time_s);
     return use(frames.frame(0).picture);
   });

@@ -94,15 +94,16 @@ std::string choiceNotes(const scene::Scene& scene, bool film) {
   return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);
 }
 
-std::string smallTypeNote(const job::RenderRequest& render, const scene::Scene& scene) {
+std::string smallTypeNote(const job::RenderRequest& render) {
   constexpr double kLegible_px = 7;  // an x of 3 pixels
   constexpr double kLegible_pt = 5;  // what publishers ask for at least
-  const auto& [sweep, print] = std::tie(render.scene.sweep, render.form.print);
+  const auto& [sweep, print] = std::tie(render.scene.request.sweep, render.form.print);
   if (!sweep && !print) return "";
+  const scene::Scene& scene = render.scene.scene;
   const glm::ivec2 size_px(scene.output.width, scene.output.height);
   const stage::Moment moment(render.time_s.value_or(scene.time.stillTime_s()), true);
   const double smallest_px = smallestType_px(
-      request::composerOf(render.scene, scene)->compose(moment, size_px, request::sizingOf(render.form, size_px)));
+      request::composerOf(render.scene)->compose(moment, size_px, request::sizingOf(render.form, size_px)));
   const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
   if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
   return line(fmt::format("the smallest type is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,

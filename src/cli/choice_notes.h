@@ -17,6 +17,6 @@ std::string doubtNotes(const scene::Scene& scene);
 std::string choiceNotes(const scene::Scene& scene, bool film);
 
 /// Of a grid of films in the pixels of one, or of a figure on paper, whose type nobody can read; else empty.
-std::string smallTypeNote(const job::RenderRequest& render, const scene::Scene& scene);
+std::string smallTypeNote(const job::RenderRequest& render);
 
 }  // namespace poinsot::cli

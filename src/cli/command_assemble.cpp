@@ -36,7 +36,7 @@ request::OutputTarget filmTarget(const AssembleOptions& options, const request::
   return film;
 }
 
-void enterFiles(const AssembleOptions& options, const std::filesystem::path& folder, const job::JobFile& job,
+void enterFiles(const AssembleOptions& options, const std::filesystem::path& folder, const job::JobRecord& job,
                 const request::OutputTarget& film) {
   output::RunFiles files(options.force);
   for (const request::FrameRange& segment : job.segments())
@@ -48,7 +48,7 @@ void enterFiles(const AssembleOptions& options, const std::filesystem::path& fol
 int assemble(const AssembleOptions& options) {
   const auto output = request::parseTarget(options.output), film = filmTarget(options, output);
   const auto folder = job::workFolderOf(output.path);
-  const auto job = job::readJobFile(folder, output);
+  const auto job = job::readJobRecord(folder, output);
   if (!job)
     throw core::Error(core::ErrorKind::kIo,
                       fmt::format("{}: there are no segments of it here; {}", core::printable(options.output),

@@ -25,7 +25,6 @@
 #include "job/still_batch.h"
 #include "output/run_files.h"
 #include "process/interrupt.h"
-#include "request/memory.h"
 #include "scene/document/problem.h"
 #include "stage/stage.h"
 
@@ -44,7 +43,6 @@ struct GalleryOptions : RenderOptions {
 /// A picture to make, and how the scene is called.
 struct Item {
   std::string name;
-  image::PixelSize size;
   job::RenderRequest request;
 };
 
@@ -112,27 +110,19 @@ Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, co
             const fs::path& folder, output::RunFiles& files) {
   RenderOptions one = options;
   one.scene = file;
-  auto [request, scene] = requestedScene(one, allowance);
+  auto requested = requestedScene(one, allowance);
+  const scene::Scene& scene = requested.scene;
   const stage::Stage stage(scene);  // what the motion lacks is found here
   const fs::path target = folder / (scene.name + ".png");
   enterInputs(files, one, scene);
   enterTarget(files, options, target);
-  const request::OutputTarget picture{request::OutputKind::kPicture, target};
-  const image::PixelSize size{scene.output.width, scene.output.height};
-  const double bytes = request::workerMemory_bytes(picture, scene, {});
-  request::expectWithinMemory(bytes, request::pictureText(size), allowance.limits);
-  Item item{scene.name,
-            size,
-            {std::move(request),
-             picture,
-             {0, 0},
-             scene.time.stillTime_s(),
-             1,
-             requestedBackend(options),
-             options.reproducible,
-             {}}};
-  item.request.worker_bytes = bytes;
-  return item;
+  const std::string name = scene.name;
+  const double time_s = scene.time.stillTime_s();
+  job::RenderRequest request = job::renderRequest(
+      std::move(requested), {request::OutputKind::kPicture, target}, {0, 0},
+      {.time_s = time_s, .backend = requestedBackend(options), .reproducible = options.reproducible});
+  job::expectWithinMemory(request);
+  return {name, std::move(request)};
 }
 
 void say(const GalleryOptions& options, const std::string& line) {
@@ -179,7 +169,7 @@ class Gallery {
   int describe() const {
     for (const Item& item : items_)
       writeOut(fmt::format("{}: {} at {} s of film\n", core::printable(item.request.target.path.native()),
-                           core::printable(item.request.scene.fileName), *item.request.time_s));
+                           core::printable(item.request.scene.request.fileName), *item.request.time_s));
     if (options_.sheet && !items_.empty()) writeOut(fmt::format("{}\n", core::printable(sheet().native())));
     return exitCode_;
   }
@@ -206,8 +196,7 @@ class Gallery {
     const auto bytes = [](const Item& item) { return item.request.worker_bytes; };
     const auto largest = std::ranges::max_element(items_, {}, bytes);
     if (largest == items_.end()) return 1;
-    return workerCount(options_, static_cast<int>(items_.size()), bytes(*largest), largest->size,
-                       allowance_.limits);
+    return workerCount(options_, static_cast<int>(items_.size()), largest->request);
   }
 
   /// Of the pictures that this run made; without any there is no sheet.

@@ -33,8 +33,7 @@ int render(const FilmOptions& options) {
   auto film = requestedFilm(options);
   checkFrameCount(film.target, film.frames);
   checkParts(options.parts, film.target);
-  return renderTo(options, film.target, std::move(film.request), film.scene, film.frames, std::nullopt,
-                  pictureForm(options), options.parts);
+  return renderTo(options, std::move(film), {.form = pictureForm(options)}, options.parts);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ constexpr StateWord kStates[] = {{SegmentState::kDone, "done"},
 
 /// A render, how far it is, and what is left of it.
 struct Standing {
-  job::JobFile job;
+  job::JobRecord job;
   job::JobStatus status;
   job::WorkLeft left;
 };
@@ -164,7 +164,7 @@ Frames framesThere(const request::OutputTarget& target) {
 int status(const StatusOptions& options) {
   const auto target = request::parseTarget(options.output);
   const auto folder = job::workFolderOf(target.path);
-  const auto job = job::readJobFile(folder, target);
+  const auto job = job::readJobRecord(folder, target);
   if (const Frames there = framesThere(target); !there.empty()) return statusOfFrames(options, there);
   if (!job && target.kind == request::OutputKind::kFilm && output::isOwnFilm(target.path))
     return statusOfFilm(options, target.path);

@@ -15,7 +15,6 @@
 #include "core/error.h"
 #include "core/program_path.h"
 #include "core/text.h"
-#include "request/memory.h"
 #include "request/sweep_cells.h"
 #include "stage/stage.h"
 
@@ -107,14 +106,14 @@ void checkGrid(const SubmitOptions& options) {
 int submit(SubmitOptions options) {
   if (request::hasRanges(options.overrides)) options.sweep = options.grid;
   checkGrid(options);
-  const auto [request, scene, target, frames] = requestedFilm(options);
+  const RequestedFilm film = requestedFilm(options);
+  const auto& [requested, target, frames] = film;
+  const scene::Scene& scene = requested.scene;
   checkKind(target);
-  checkMakeable(options, target, scene, frames, pictureForm(options));
-  if (!request.sweep) const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
-  const int cells = request.sweep ? request::SweepGrid(request).cells : 1;
-  const double estimate_bytes = request::workerMemory_bytes(target, scene, pictureForm(options), cells);
-  request::expectWithinMemory(estimate_bytes, request::pictureText({scene.output.width, scene.output.height}),
-                              request.allowance.limits);
+  checkMakeable(options, film, pictureForm(options));
+  if (!options.sweep) const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
+  const auto render = job::renderRequest(requested, target, frames, {.form = pictureForm(options)});
+  job::expectWithinMemory(render);
   const auto segments = request::segmentsOf(frames, options.parts.segmentFrames);
   cluster::Submission submission;
   submission.program = core::programPath();
@@ -125,8 +124,8 @@ int submit(SubmitOptions options) {
   submission.inputs = inputFiles(options, scene);
   submission.frames = frames.count();
   submission.segments = static_cast<std::int64_t>(segments.size());
-  submission.division = cluster::divisionOf(divisionRequest(options), frames, segments,
-                                            {scene.output.width, scene.output.height}, estimate_bytes);
+  submission.division =
+      cluster::divisionOf(divisionRequest(options), frames, segments, requested.size(), render.worker_bytes);
   submission.retries = options.retries;
   writeOut(scriptOf(options.engine, submission));
   return kDone;

@@ -52,8 +52,7 @@ void checkWords(const SweepOptions& options) {
 int makeFilm(const SweepOptions& options) {
   auto film = requestedFilm(options);
   checkParts(options.parts, film.target);
-  return renderTo(options, film.target, std::move(film.request), film.scene, film.frames, std::nullopt,
-                  pictureForm(options), options.parts);
+  return renderTo(options, std::move(film), {.form = pictureForm(options)}, options.parts);
 }
 
 int sweep(SweepOptions options) {

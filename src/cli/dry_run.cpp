@@ -25,24 +25,25 @@ int describePrinted(const job::RenderRequest& request, const scene::Output& outp
 }
 
 std::int64_t framesThere(const job::RenderRequest& request, const Segments& segments) {
-  if (job::isFinished(*request.job, request.target.path)) return request::framesIn(segments);
+  if (job::isFinished(*request.record, request.target.path)) return request::framesIn(segments);
   const job::SegmentRecords records(job::workFolderOf(request.target.path), request.target);
   std::int64_t frames = 0;
   for (const request::FrameRange& segment : segments)
-    if (records.stateOf(segment, request.job->job) == job::SegmentState::kDone) frames += segment.count();
+    if (records.stateOf(segment, request.record->digest) == job::SegmentState::kDone) frames += segment.count();
   return frames;
 }
 
 /// ", 60 frames are there already"
 std::string thereText(const job::RenderRequest& request, const Segments& segments) {
-  const bool goesOn = request.job && (request.shard || request.resume);
+  const bool goesOn = request.record && (request.shard || request.resume);
   return goesOn ? fmt::format(", {} frames are there already", framesThere(request, segments)) : "";
 }
 
 }  // namespace
 
-int describe(const job::RenderRequest& request, const scene::Scene& scene) {
-  request::composerOf(request.scene, scene);  // what the motion lacks is found here
+int describe(const job::RenderRequest& request) {
+  const scene::Scene& scene = request.scene.scene;
+  request::composerOf(request.scene);  // what the motion lacks is found here
   if (request.form.print) return describePrinted(request, scene.output);
   const Segments segments = request.segments();
   const std::int64_t own = request::framesIn(segments), all = request.frames.count();

@@ -8,6 +8,6 @@ namespace poinsot::cli {
 
 /// Prints what the render would make and, of a shard or with --resume, how much of it is there already.
 /// @returns an exit code. @throws core::Error(kPhysics) if the motion lacks something.
-int describe(const job::RenderRequest& request, const scene::Scene& scene);
+int describe(const job::RenderRequest& request);
 
 }  // namespace poinsot::cli

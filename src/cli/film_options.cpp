@@ -107,10 +107,11 @@ RequestedFilm requestedFilm(const FilmOptions& options) {
       options.frames.empty() ? std::nullopt : std::optional(request::parseFrameRange(options.frames));
   const auto named = namedTarget(options);
   checkBits(options.bits, named.value_or(request::OutputTarget{}));  // without a name, a film
-  auto [request, scene] = requestedScene(options);
+  auto requested = requestedScene(options);
+  const scene::Scene& scene = requested.scene;
   const auto target = named ? *named : request::parseTarget("out/" + scene.name + ".mp4");
   const auto frames = request::selectFrames(core::frameCount(scene.time.duration_s, scene.time.fps), asked);
-  return {std::move(request), std::move(scene), target, frames};
+  return {std::move(requested), target, frames};
 }
 
 }  // namespace poinsot::cli

@@ -28,14 +28,6 @@ void addGridOptions(CLI::App& command, request::SweepRequest& grid);
 /// @throws core::Error(kUsage) for what the target cannot be made in.
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target);
 
-/// What they ask for.
-struct RequestedFilm {
-  request::SceneRequest request;
-  scene::Scene scene;
-  request::OutputTarget target;
-  request::FrameRange frames;
-};
-
 /// Where it goes, as far as the options alone tell: a wrong name is said before all else.
 /// @throws core::Error(kUsage)
 std::optional<request::OutputTarget> namedTarget(const FilmOptions& options);

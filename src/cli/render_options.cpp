@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "request/scene_composer.h"
 #include "scene/document/problem.h"
 #include "scene/limits.h"
 
@@ -125,9 +124,11 @@ image::PixelSize parseSize(const std::string& text, const scene::Limits& limits)
   return {*width, *height};
 }
 
-RequestedScene requestedScene(const RenderOptions& options) { return requestedScene(options, granted(options)); }
+request::RequestedScene requestedScene(const RenderOptions& options) {
+  return requestedScene(options, granted(options));
+}
 
-RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance) {
+request::RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance) {
   const auto overrides = overridesOf(options);
   std::vector<std::string> texts;
   for (const Override& override : overrides) texts.push_back(override.text);
@@ -136,9 +137,7 @@ RequestedScene requestedScene(const RenderOptions& options, const scene::Allowan
   if (options.view > 0) request.view = static_cast<std::size_t>(options.view - 1);
   if (!options.size.empty()) request.size = parseSize(options.size, allowance.limits);
   try {
-    RequestedScene requested{request, request::loadRequested(request)};
-    if (request.sweep) request::checkSweep(request, requested.scene);
-    return requested;
+    return request::requestedScene(std::move(request));
   } catch (const scene::SceneErrors& errors) {
     throwAsTyped(errors, overrides);
   }

@@ -9,7 +9,7 @@
 #include "image/image.h"
 #include "job/progress.h"
 #include "request/output_target.h"
-#include "request/scene_request.h"
+#include "request/requested_scene.h"
 
 namespace poinsot::cli {
 
@@ -39,16 +39,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& options);
 /// @throws core::Error(kUsage) when it is no such thing, core::Error(kLimit) beyond the limits of a picture.
 image::PixelSize parseSize(const std::string& text, const scene::Limits& limits);
 
-struct RequestedScene {
-  request::SceneRequest request;
-  scene::Scene scene;
-};
-
 /// Reads and checks the scene file, with -q, -D, --fps and --loop above it, the later above the earlier.
 /// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
-RequestedScene requestedScene(const RenderOptions& options);
+request::RequestedScene requestedScene(const RenderOptions& options);
 /// The same with what is allowed, where several scenes are read by one command.
-RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance);
+request::RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance);
 
 gl::Backend requestedBackend(const RenderOptions& options);
 

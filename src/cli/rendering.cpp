@@ -19,16 +19,13 @@
 #include "core/temporary_folder.h"
 #include "core/text.h"
 #include "figure/figure.h"
-#include "job/job_identity.h"
 #include "job/manifest.h"
 #include "job/progress.h"
 #include "output/png_sequence.h"
 #include "output/run_files.h"
 #include "process/interrupt.h"
 #include "request/film_choice.h"
-#include "request/memory.h"
 #include "request/subtitles.h"
-#include "request/sweep_cells.h"
 
 namespace poinsot::cli {
 namespace {
@@ -101,11 +98,9 @@ job::RenderSummary runWithProgress(const RenderOptions& options, job::RenderRequ
 }
 
 /// What is refused for want of memory is refused here, before anything is made.
-int workersOf(const RenderOptions& options, const job::RenderRequest& request, const scene::Scene& scene) {
+int workersOf(const RenderOptions& options, const job::RenderRequest& request) {
   // A shard has none if there are more shards than segments.
-  const int segments = std::max(1, static_cast<int>(request.segments().size()));
-  return workerCount(options, segments, request.worker_bytes, {scene.output.width, scene.output.height},
-                     request.scene.allowance.limits);
+  return workerCount(options, std::max(1, static_cast<int>(request.segments().size())), request);
 }
 
 /// Returns the subtitles that are written as files; standard output and pictures have none.
@@ -143,10 +138,6 @@ std::string damageNote(const request::OutputTarget& target, const job::RenderSum
                      core::printable(target.path.string()));
 }
 
-bool isMadeInParts(const request::OutputTarget& target) {
-  return target.kind == OutputKind::kFilm || target.kind == OutputKind::kSequence;
-}
-
 std::string completeText(const PartsOptions& parts, const request::OutputTarget& target) {
   return fmt::format("{} is complete: nothing is left to make for shard {}", core::printable(target.path.string()),
                      parts.shard);
@@ -166,31 +157,18 @@ std::string readyText(const PartsOptions& parts, const request::OutputTarget& ta
                      reused, summary.wall_s);
 }
 
-/// Returns what the options ask for, without what depends on the machine and on the files.
-job::RenderRequest renderRequest(const RenderOptions& options, const request::OutputTarget& target,
-                                 request::SceneRequest request, const scene::Scene& scene,
-                                 const request::FrameRange& frames, std::optional<double> time_s,
-                                 const request::PictureForm& form, const PartsOptions& parts) {
-  job::RenderRequest render{std::move(request),
-                            target,
-                            frames,
-                            time_s,
-                            1,
-                            requestedBackend(options),
-                            options.reproducible,
-                            form,
-                            parts.segmentFrames,
-                            parts.resume,
-                            parts.keep};
-  const int cells = render.scene.sweep ? request::SweepGrid(render.scene).cells : 1;
-  render.worker_bytes = request::workerMemory_bytes(target, scene, form, cells);
-  if (!parts.shard.empty()) render.shard = request::parseShard(parts.shard);
-  if (parts.shardsLeft > 0) render.shard = request::Shard{1, parts.shardsLeft};
-  if (render.shard) render.reproducible = true;  // the machines of a cluster differ
-  if (render.shard || isMadeInParts(target)) render.job = job::jobFileOf(render, scene);
-  if (!parts.manifest.empty()) render.manifest = parts.manifest;
-  if (!options.trace.empty()) render.trace = options.trace;
-  return render;
+/// Returns a command's choices with those of the options.
+job::RenderChoices completed(job::RenderChoices choices, const RenderOptions& options, const PartsOptions& parts) {
+  choices.backend = requestedBackend(options);
+  choices.reproducible = options.reproducible;
+  choices.segmentFrames = parts.segmentFrames;
+  choices.resume = parts.resume;
+  choices.keepWork = parts.keep;
+  if (!parts.shard.empty()) choices.shard = request::parseShard(parts.shard);
+  if (parts.shardsLeft > 0) choices.shard = request::Shard{1, parts.shardsLeft};
+  if (!parts.manifest.empty()) choices.manifest = parts.manifest;
+  if (!options.trace.empty()) choices.trace = options.trace;
+  return choices;
 }
 
 /// Does it. A program that reads the progress is told which file made it fail, and why.
@@ -236,12 +214,12 @@ Reach reachOf(const RenderOptions& options, const std::optional<request::OutputT
   return reach;
 }
 
-output::RunFiles checkMakeable(const RenderOptions& options, const request::OutputTarget& target,
-                               const scene::Scene& scene, const request::FrameRange& frames,
+output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
                                const request::PictureForm& form) {
+  const auto& [requested, target, frames] = film;
+  const scene::Scene& scene = requested.scene;
   if (target.kind == OutputKind::kFilm)
-    output::checkFormat(request::filmFormat(target, scene.output, form), {scene.output.width, scene.output.height},
-                        scene.time.fps);
+    output::checkFormat(request::filmFormat(target, scene.output, form), requested.size(), scene.time.fps);
   output::RunFiles files = enteredInputs(options, scene, options.force);
   if (target.stream) {
     checkStandardOutput();
@@ -254,25 +232,25 @@ output::RunFiles checkMakeable(const RenderOptions& options, const request::Outp
   return files;
 }
 
-int renderTo(const RenderOptions& options, const request::OutputTarget& target, request::SceneRequest request,
-             const scene::Scene& scene, const request::FrameRange& frames, std::optional<double> time_s,
-             const request::PictureForm& form, const PartsOptions& parts) {
+int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
+             const PartsOptions& parts) {
   return reportingFailures(options, [&]() -> int {
-    output::RunFiles files = checkMakeable(options, target, scene, frames, form);
+    output::RunFiles files = checkMakeable(options, film, choices.form);
     files.writes(parts.manifest, "--manifest", job::manifestKind());
     files.writes(options.trace, "--trace", job::traceKind());
-    job::RenderRequest render =
-        renderRequest(options, target, std::move(request), scene, frames, time_s, form, parts);
+    job::RenderRequest render = job::renderRequest(std::move(film.scene), film.target, film.frames,
+                                                   completed(std::move(choices), options, parts));
     if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
     if (!options.dryRun && isShardOfFinishedFilm(render)) {
-      if (!options.quiet) writeErr("poinsot: " + completeText(parts, target) + "\n");
+      if (!options.quiet) writeErr("poinsot: " + completeText(parts, render.target) + "\n");
       return kDone;
     }
-    render.jobs = workersOf(options, render, scene);
+    render.workers = workersOf(options, render);
+    const scene::Scene& scene = render.scene.scene;
     if (!options.quiet && options.progress != "json")
-      writeErr(choiceNotes(scene, frames.count() > 1) + smallTypeNote(render, scene) +
-               sharedSubtitlesNote(target, scene, frames) + shaderCacheNote(render));
-    return options.dryRun ? describe(render, scene) : make(options, std::move(render), parts);
+      writeErr(choiceNotes(scene, render.frames.count() > 1) + smallTypeNote(render) +
+               sharedSubtitlesNote(render.target, scene, render.frames) + shaderCacheNote(render));
+    return options.dryRun ? describe(render) : make(options, std::move(render), parts);
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cli/render_options.h"
 #include "cli/untrusted.h"
@@ -20,20 +21,25 @@ struct PartsOptions {
 /// What it touches. @param target  where it was named; else `out` is made.
 Reach reachOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
 
+/// What is drawn, and where it goes.
+struct RequestedFilm {
+  request::RequestedScene scene;
+  request::OutputTarget target;
+  request::FrameRange frames;
+};
+
 /// What can be refused before anything is drawn: a film of no such format, files that stand where it would go.
 /// Makes the folder of an output that was not named, unless this is a dry run.
 /// @returns the files of the run so far: inputs, the output and its subtitles.
 /// @throws core::Error
-output::RunFiles checkMakeable(const RenderOptions& options, const request::OutputTarget& target,
-                               const scene::Scene& scene, const request::FrameRange& frames,
+output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
                                const request::PictureForm& form);
 
-/// The last part of `render` and `still`: checks the target, then makes it (with --dry-run prints what would be
-/// made), showing progress and what was asked for besides.
+/// The last part of `render`, `still` and `sweep`: checks the target, then makes it (with --dry-run prints what
+/// would be made), showing progress and what was asked for besides.
+/// @param choices  what the command chooses besides the options
 /// @throws core::Error, process::Interrupted
-int renderTo(const RenderOptions& options, const request::OutputTarget& target, request::SceneRequest request,
-             const scene::Scene& scene, const request::FrameRange& frames,
-             std::optional<double> time_s = std::nullopt, const request::PictureForm& form = {},
+int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
              const PartsOptions& parts = {});
 
 }  // namespace poinsot::cli

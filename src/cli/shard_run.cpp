@@ -14,7 +14,7 @@ namespace poinsot::cli {
 
 int listShardsLeft(const job::RenderRequest& request) {
   const auto folder = job::workFolderOf(request.target.path);
-  const job::WorkLeft left = job::workLeft(*request.job, job::statusOf(folder, *request.job, request.target),
+  const job::WorkLeft left = job::workLeft(*request.record, job::statusOf(folder, *request.record, request.target),
                                            request.shard->n, request.target);
   if (left.none())
     writeErr(fmt::format("poinsot: {} is complete\n", core::printable(request.target.path.string())));
@@ -24,7 +24,7 @@ int listShardsLeft(const job::RenderRequest& request) {
 }
 
 bool isShardOfFinishedFilm(const job::RenderRequest& request) {
-  return request.shard && job::isFinished(*request.job, request.target.path);
+  return request.shard && job::isFinished(*request.record, request.target.path);
 }
 
 std::string shaderCacheNote(const job::RenderRequest& request) {

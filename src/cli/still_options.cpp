@@ -26,14 +26,9 @@ request::PictureForm printed(request::PictureForm form, const StillOptions& opti
 }
 
 /// With a size on paper the one in pixels is its proportion.
-void setPixels(const request::PictureForm& form, RequestedScene& requested) {
+void setPixels(const request::PictureForm& form, request::RequestedScene& requested) {
   if (!form.print) return;
-  scene::Output& output = requested.scene.output;
-  const image::PixelSize pixels =
-      printedPixels(*form.print, {output.width, output.height}, requested.request.allowance.limits);
-  requested.request.size = pixels;
-  output.width = pixels.width;
-  output.height = pixels.height;
+  requested.resize(printedPixels(*form.print, requested.size(), requested.request.allowance.limits));
 }
 
 std::optional<double> askedTime_s(const StillOptions& options) {
@@ -66,14 +61,15 @@ int makeStill(const RenderOptions& options, const StillOptions& still, request::
   if (form.print && !options.quality.empty())
     refuse("-q: how many pixels a picture on paper has, --width and --dpi say");
   const auto asked_s = askedTime_s(still);
-  RequestedScene requested = requestedScene(options);
+  request::RequestedScene requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;
   if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
     refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
                        scene.time.duration_s));
   setPixels(form, requested);
-  return renderTo(options, targetOf(scene.name), std::move(requested.request), scene, request::FrameRange{0, 0},
-                  asked_s.value_or(scene.time.stillTime_s()), form);
+  const double time_s = asked_s.value_or(scene.time.stillTime_s());
+  const request::OutputTarget target = targetOf(scene.name);
+  return renderTo(options, {std::move(requested), target, {0, 0}}, {.time_s = time_s, .form = form});
 }
 
 }  // namespace poinsot::cli

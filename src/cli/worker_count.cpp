@@ -11,17 +11,17 @@
 #include "request/memory.h"
 
 namespace poinsot::cli {
-int workerCount(const RenderOptions& options, int most, double each_bytes, image::PixelSize size,
-                const scene::Limits& limits) {
-  const std::string worker = request::pictureText(size);
-  request::expectWithinMemory(each_bytes, worker, limits);
+
+int workerCount(const RenderOptions& options, int most, const job::RenderRequest& each) {
+  job::expectWithinMemory(each);
   const int asked = options.jobs > 0 ? options.jobs : job::availableCpus();
   const int needed = std::min(asked, most);
   const request::FreeMemory free = request::freeMemory();
-  const int fit = request::workersThatFit(needed, each_bytes, free);
+  const int fit = request::workersThatFit(needed, each.worker_bytes, free);
   if (fit == needed) return asked;
   const std::string why =
-      fmt::format("{} takes about {} of memory, and {} are free", worker, request::memoryText(each_bytes),
+      fmt::format("{} takes about {} of memory, and {} are free", request::pictureText(each.scene.size()),
+                  request::memoryText(each.worker_bytes),
                   request::memoryText(std::min(free.machine_bytes, free.process_bytes)));
   if (fit == 0) throw core::Error(core::ErrorKind::kGraphics, why);
   if (options.jobs > 0)

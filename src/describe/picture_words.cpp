@@ -51,10 +51,11 @@ std::string description(const request::SceneRequest& request, const scene::Scene
 
 }  // namespace
 
-PictureWords pictureWords(const request::SceneRequest& request, const scene::Scene& scene) {
+PictureWords pictureWords(const request::RequestedScene& requested) {
+  const scene::Scene& scene = requested.scene;
   const std::string& title = scene.show.title;
   return {title.empty() ? core::printable(scene.name) : text::setTex(title).plainText,
-          description(request, scene)};
+          description(requested.request, scene)};
 }
 
 }  // namespace poinsot::describe

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "request/scene_request.h"
-#include "scene/scene.h"
+#include "request/requested_scene.h"
 
 namespace poinsot::describe {
 
@@ -14,8 +13,7 @@ struct PictureWords {
   std::string description;  ///< altText(): for those who do not see it
 };
 
-/// @param scene  loadRequested(request)
 /// @throws core::Error(kPhysics) as altText() and stage::StabilityMap.
-PictureWords pictureWords(const request::SceneRequest& request, const scene::Scene& scene);
+PictureWords pictureWords(const request::RequestedScene& requested);
 
 }  // namespace poinsot::describe

@@ -128,27 +128,24 @@ double timeOf(const GoldenCase& one, const scene::Scene& scene) {
 struct Drawing {
   std::size_t place = 0;  ///< among the cases
   job::RenderRequest request;
-  std::string scene;  ///< its digest
-  std::vector<scene::InputFile> inputs;
 };
 
 Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
-  request::SceneRequest request = request::readSceneRequest(one.test.scene, one.test.overrides, golden.allowance);
-  request::askForSweep(request);
-  const scene::Scene scene = request::loadRequested(request);
-  request.size = sizeOf(one.test, scene, golden.allowance.limits);
-  const std::string digest = core::toHex(job::sceneDigest(request, scene));
-  const double time_s = timeOf(one, scene);  // not below, where g++ 12 frees the target twice when it throws
-  job::RenderRequest render{
-      std::move(request), {request::OutputKind::kPicture, one.actual}, {0, 0}, time_s, 1, golden.backend,
-      golden.reproducible};
-  const image::PixelSize size = *render.scene.size;
-  const int cells = render.scene.sweep ? request::SweepGrid(render.scene).cells : 1;
-  render.digestsPixels = true;
-  render.worker_bytes = request::workerMemory_bytes(size, std::nullopt) + cells * request::meshMemory_bytes(scene);
-  request::expectWithinMemory(std::max(render.worker_bytes, compare::compareMemory_bytes(size)),
-                              request::pictureText(size), golden.allowance.limits);
-  return {place, std::move(render), digest, scene.inputs};
+  request::SceneRequest asked = request::readSceneRequest(one.test.scene, one.test.overrides, golden.allowance);
+  request::askForSweep(asked);
+  request::RequestedScene requested = request::requestedScene(std::move(asked));
+  requested.resize(sizeOf(one.test, requested.scene, golden.allowance.limits));
+  const job::RenderChoices choices{.time_s = timeOf(one, requested.scene),
+                                   .backend = golden.backend,
+                                   .reproducible = golden.reproducible,
+                                   .digestsPixels = true};
+  job::RenderRequest render =
+      job::renderRequest(std::move(requested), {request::OutputKind::kPicture, one.actual}, {0, 0}, choices);
+  job::expectWithinMemory(render);
+  const image::PixelSize size = render.scene.size();
+  request::expectWithinMemory(compare::compareMemory_bytes(size), request::pictureText(size),
+                              golden.allowance.limits);
+  return {place, std::move(render)};
 }
 
 /// Returns a picture's digest. @throws core::Error(kIo) if it, or a film's first one, cannot be read.
@@ -323,7 +320,8 @@ class Run {
   void enterInputs() const {
     if (request_.files == nullptr) return;
     for (const Drawing& drawing : drawings_)
-      for (const scene::InputFile& input : drawing.inputs) request_.files->reads(input.place, "the scene's file");
+      for (const scene::InputFile& input : drawing.request.scene.scene.inputs)
+        request_.files->reads(input.place, "the scene's file");
   }
 
   void draw() {
@@ -339,7 +337,7 @@ class Run {
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       const std::size_t place = drawings_[i].place;
       if (made[i].failure) fail(place, *made[i].failure);
-      outcomes_[place].origin.scene = drawings_[i].scene;
+      outcomes_[place].origin.scene = core::toHex(job::sceneDigest(drawings_[i].request.scene));
       outcomes_[place].origin.driver = made[i].summary.driver;
       outcomes_[place].pixels = made[i].summary.pixels;
     }

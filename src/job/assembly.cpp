@@ -27,9 +27,9 @@ std::vector<request::FrameRange> joined(const std::vector<request::FrameRange>& 
 }
 
 /// Identifies a film: no other job has this text.
-std::string originText(const JobFile& job) {
+std::string originText(const JobRecord& job) {
   return fmt::format("frames {}-{} of scene sha256 {}; job sha256 {}; ", job.frames.first, job.frames.last,
-                     job.scene, job.job);
+                     job.scene, job.digest);
 }
 
 /// Says which frames cannot be joined, and why.
@@ -59,11 +59,11 @@ std::vector<request::FrameRange> JobStatus::in(SegmentState state) const {
   return those;
 }
 
-JobStatus statusOf(const path& workFolder, const JobFile& job, const request::OutputTarget& output) {
+JobStatus statusOf(const path& workFolder, const JobRecord& job, const request::OutputTarget& output) {
   JobStatus status{job.segments(), {}};
   const SegmentRecords records(workFolder, output);
   for (const request::FrameRange& segment : status.segments)
-    status.states.push_back(records.stateOf(segment, job.job));
+    status.states.push_back(records.stateOf(segment, job.digest));
   return status;
 }
 
@@ -76,16 +76,16 @@ std::string framesText(const std::vector<request::FrameRange>& segments, std::si
   return text;
 }
 
-output::FilmState filmState(const JobFile& job, const path& target) {
+output::FilmState filmState(const JobRecord& job, const path& target) {
   return job.kind == request::OutputKind::kFilm ? output::filmState(target, originText(job))
                                                 : output::FilmState::kOther;
 }
 
-bool isFinished(const JobFile& job, const path& target) {
+bool isFinished(const JobRecord& job, const path& target) {
   return filmState(job, target) == output::FilmState::kWhole;
 }
 
-void assemble(core::FileBatch& batch, const path& workFolder, const JobFile& job,
+void assemble(core::FileBatch& batch, const path& workFolder, const JobRecord& job,
               const request::OutputTarget& output, const path& target) {
   const JobStatus status = statusOf(workFolder, job, output);
   if (!status.complete())

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/file_batch.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "job/segment_record.h"
 
 namespace poinsot::job {
@@ -21,22 +21,22 @@ struct JobStatus {
 };
 
 /// `output`: what the render was told to make.
-JobStatus statusOf(const std::filesystem::path& workFolder, const JobFile& job,
+JobStatus statusOf(const std::filesystem::path& workFolder, const JobRecord& job,
                    const request::OutputTarget& output);
 
 /// "0-29, 60-89 and 12 more": frames of segments, neighbours joined, at most so many ranges.
 std::string framesText(const std::vector<request::FrameRange>& segments, std::size_t most = 8);
 
 /// Compares every byte of the film under its final name with the digest that it keeps; kOther for a sequence.
-output::FilmState filmState(const JobFile& job, const std::filesystem::path& target);
+output::FilmState filmState(const JobRecord& job, const std::filesystem::path& target);
 
 /// Whether the film stands under its final name already, byte for byte as it was written, and of this job.
-bool isFinished(const JobFile& job, const std::filesystem::path& target);
+bool isFinished(const JobRecord& job, const std::filesystem::path& target);
 
 /// Adds to a batch what a job's segments make: a film, joined, with its texts and its subtitles, for the output's
 /// name or another. The frames of a sequence have their names already.
 /// @throws core::Error(kIo) naming the frames that are missing, stale or corrupt; or what cannot be written.
-void assemble(core::FileBatch& batch, const std::filesystem::path& workFolder, const JobFile& job,
+void assemble(core::FileBatch& batch, const std::filesystem::path& workFolder, const JobRecord& job,
               const request::OutputTarget& output, const std::filesystem::path& target);
 
 }  // namespace poinsot::job

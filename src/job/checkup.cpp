@@ -16,12 +16,11 @@
 #include "core/text.h"
 #include "gl/offscreen_context.h"
 #include "gl/shader_cache.h"
-#include "job/job_identity.h"
 #include "job/render_job.h"
 #include "output/film_format.h"
 #include "process/landlock.h"
 #include "request/memory.h"
-#include "request/scene_request.h"
+#include "request/requested_scene.h"
 
 namespace poinsot::job {
 namespace {
@@ -109,18 +108,14 @@ std::vector<Finding> backends() {
 Finding film() {
   return finding("test film", State::kBad, [] {
     const core::TemporaryFolder folder;
-    const request::SceneRequest request{.fileName = "doctor.toml", .text = kScene, .overrides = {}, .size = {}};
-    const scene::Scene scene = request::loadRequested(request);
-    RenderRequest render;
-    render.scene = request;
-    render.target = request::parseTarget((folder.path() / "doctor.mp4").string());
-    render.frames = request::selectFrames(core::frameCount(scene.time.duration_s, scene.time.fps), {});
-    render.jobs = availableCpus();
-    render.segmentFrames = 10;
-    render.worker_bytes = request::workerMemory_bytes(render.target, scene, render.form);
-    render.job = jobFileOf(render, scene);
+    const auto scene = request::requestedScene({.fileName = "doctor.toml", .text = kScene});
+    const scene::Time& time = scene.scene.time;
+    const auto frames = request::selectFrames(core::frameCount(time.duration_s, time.fps), {});
+    RenderRequest render = renderRequest(scene, request::parseTarget((folder.path() / "doctor.mp4").string()),
+                                         frames, {.segmentFrames = 10});
+    render.workers = availableCpus();
     RenderJob job(std::move(render), [](std::int64_t, std::int64_t, double) {});
-    return fmt::format("a second of {}x{} in {:.1f} s", scene.output.width, scene.output.height, job.run().wall_s);
+    return fmt::format("a second of {}x{} in {:.1f} s", scene.size().width, scene.size().height, job.run().wall_s);
   });
 }
 

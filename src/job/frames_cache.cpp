@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "core/frame_clock.h"
-#include "request/memory.h"
-#include "stage/stage.h"
+#include "job/render_request.h"
 
 namespace poinsot::job {
 namespace {
@@ -16,27 +15,19 @@ constexpr std::size_t kMost = 4;
 
 }  // namespace
 
-Drawable drawableOf(scene::Scene scene) {
-  auto composer = std::make_unique<const stage::Stage>(scene);
-  return {std::move(scene), std::move(composer)};
-}
-
-FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<Drawable()>& load,
-                                    const request::PictureForm& form, const scene::Limits& limits) {
+FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<request::RequestedScene()>& load,
+                                    const request::PictureForm& form) {
   if (const auto found = std::ranges::find(entries_, key, &Entry::key); found != entries_.end()) {
     entries_.splice(entries_.begin(), entries_, found);
     return entries_.front();
   }
-  Drawable loaded = load();
-  const scene::Scene& scene = loaded.scene;
-  const image::PixelSize size{scene.output.width, scene.output.height};
-  request::expectWithinMemory(request::workerMemory_bytes(size, {}, form.bits) + request::meshMemory_bytes(scene),
-                              request::pictureText(size), limits);
+  const request::RequestedScene requested = load();
+  const scene::Time& time = requested.scene.time;
+  expectWithinMemory(renderRequest(requested, {request::OutputKind::kPicture, {}}, {}, {.form = form}));
   while (entries_.size() >= kMost) entries_.pop_back();
   if (!context_) context_ = gl::openContext(backend_);
-  entries_.push_front(
-      {key, core::frameCount(scene.time.duration_s, scene.time.fps),
-       std::make_unique<SceneFrames>(scene, std::move(loaded.composer), *context_, std::nullopt, form)});
+  entries_.push_front({key, core::frameCount(time.duration_s, time.fps),
+                       std::make_unique<SceneFrames>(requested, form, *context_)});
   return entries_.front();
 }
 

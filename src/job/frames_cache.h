@@ -10,19 +10,8 @@
 #include "gl/offscreen_context.h"
 #include "job/scene_frames.h"
 #include "request/picture_form.h"
-#include "scene/limits.h"
-#include "scene/scene.h"
 
 namespace poinsot::job {
-
-/// What a scene file asks for, and what draws it.
-struct Drawable {
-  scene::Scene scene;
-  std::unique_ptr<const stage::Composer> composer;
-};
-
-/// The scene as its film is drawn.
-Drawable drawableOf(scene::Scene scene);
 
 /// Scenes that are ready to draw: the latest few, on one OpenGL context, which is opened for the first. For one
 /// thread, from its making to its end.
@@ -39,8 +28,8 @@ class FramesCache {
   /// The frames of the scene that `key` stands for, which is loaded where they are not at hand. Good until the
   /// next call.
   /// @throws core::Error of `load`, of the back end; (kLimit) for a picture that takes more memory than allowed.
-  Entry& of(const std::string& key, const std::function<Drawable()>& load, const request::PictureForm& form,
-            const scene::Limits& limits);
+  Entry& of(const std::string& key, const std::function<request::RequestedScene()>& load,
+            const request::PictureForm& form);
 
   void clear() { entries_.clear(); }
 

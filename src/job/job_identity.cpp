@@ -31,12 +31,13 @@ void addSweep(core::Sha256& sum, const request::SweepRequest& sweep) {
 
 }  // namespace
 
-core::Digest sceneDigest(const request::SceneRequest& request, const scene::Scene& scene) {
+core::Digest sceneDigest(const request::RequestedScene& requested) {
+  const request::SceneRequest& request = requested.request;
   core::Sha256 sum;
   addText(sum, request.text);
   addText(sum, fmt::format("{}", request.overrides.size()));
   for (const std::string& override : request.overrides) addText(sum, override);
-  for (const scene::InputFile& input : scene.inputs) {
+  for (const scene::InputFile& input : requested.scene.inputs) {
     addText(sum, input.path);
     addDigest(sum, input.digest);
   }
@@ -45,26 +46,27 @@ core::Digest sceneDigest(const request::SceneRequest& request, const scene::Scen
   return sum.finish();
 }
 
-std::string renderSettings(const request::OutputTarget& target, const request::PictureForm& form,
-                           bool reproducible, std::int64_t segmentFrames, const scene::Scene& scene) {
+std::string renderSettings(const RenderRequest& render) {
+  const scene::Scene& scene = render.scene.scene;
+  const request::PictureForm& form = render.form;
   nlohmann::ordered_json settings{{"poinsot", core::version()},
                                   {"size", {scene.output.width, scene.output.height}},
-                                  {"reproducible", reproducible}};
+                                  {"reproducible", render.reproducible}};
   if (form.transparent) settings["transparent"] = true;
   if (form.bits != 8) settings["bits"] = form.bits;
   if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
-  if (target.kind != request::OutputKind::kFilm) {
+  if (render.target.kind != request::OutputKind::kFilm) {
     settings["libpng"] = image::libpngVersion();
     return settings.dump();
   }
   settings["fps"] = core::toString(scene.time.fps);
-  const output::FilmFormat film = request::filmFormat(target, scene.output, form);
+  const output::FilmFormat film = request::filmFormat(render.target, scene.output, form);
   settings["container"] = output::nameOf(film.container);
   settings["codec"] = output::nameOf(film.codec);
   settings["chroma"] = scene.output.chroma;
   settings["effort"] = scene.output.effort;
   settings["crf"] = film.crf;
-  settings["segment"] = segmentFrames;  // each begins with a key frame
+  settings["segment"] = render.segmentFrames;  // each begins with a key frame
   for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
   return settings.dump();
 }
@@ -76,23 +78,24 @@ core::Digest jobDigest(const core::Digest& scene, const std::string& settings) {
   return sum.finish();
 }
 
-JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene) {
-  const core::Digest sceneSum = sceneDigest(request.scene, scene);
-  const describe::PictureWords words = describe::pictureWords(request.scene, scene);
-  JobFile job;
+JobRecord jobRecordOf(const RenderRequest& render) {
+  const scene::Scene& scene = render.scene.scene;
+  const core::Digest sceneSum = sceneDigest(render.scene);
+  const describe::PictureWords words = describe::pictureWords(render.scene);
+  JobRecord job;
   job.scene = core::toHex(sceneSum);
-  job.settings = renderSettings(request.target, request.form, request.reproducible, request.segmentFrames, scene);
-  job.job = core::toHex(jobDigest(sceneSum, job.settings));
-  job.kind = request.target.kind;
-  job.frames = request.frames;
-  job.segmentFrames = request.segmentFrames;
-  job.shards = request.shard ? request.shard->n : 1;
+  job.settings = renderSettings(render);
+  job.digest = core::toHex(jobDigest(sceneSum, job.settings));
+  job.kind = render.target.kind;
+  job.frames = render.frames;
+  job.segmentFrames = render.segmentFrames;
+  job.shards = render.shard ? render.shard->n : 1;
   job.inputs = scene.inputs;
   job.title = words.title;
   job.description = words.description;
   if (job.kind != request::OutputKind::kFilm) return job;
-  job.film = {*output::filmContainer(request.target.path), scene.time.fps};
-  job.subtitles = request::subtitlesOf(scene, request.frames);
+  job.film = {*output::filmContainer(render.target.path), scene.time.fps};
+  job.subtitles = request::subtitlesOf(scene, render.frames);
   return job;
 }
 

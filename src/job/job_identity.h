@@ -5,25 +5,24 @@
 
 #include "core/sha256.h"
 #include "draw/picture_digest.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "job/render_request.h"
 
 /// By what a render knows its own work again, so that a later one can go on with it.
 namespace poinsot::job {
 
 /// Of a scene's text, what overrides it, the files that it names, and how it is swept.
-core::Digest sceneDigest(const request::SceneRequest& request, const scene::Scene& scene);
+core::Digest sceneDigest(const request::RequestedScene& requested);
 
 /// All that the bytes of a frame depend on besides its picture and what draws it: size, and of a film the rate,
 /// the encoder and its settings and the segments' length; the libraries that write. As text, for people too.
-std::string renderSettings(const request::OutputTarget& target, const request::PictureForm& form,
-                           bool reproducible, std::int64_t segmentFrames, const scene::Scene& scene);
+std::string renderSettings(const RenderRequest& render);
 
 /// Of both: two renders of one identity may share their segments.
 core::Digest jobDigest(const core::Digest& scene, const std::string& settings);
 
 /// What a render of a film or a sequence says of itself. @throws core::Error(kPhysics) as pictureWords().
-JobFile jobFileOf(const RenderRequest& request, const scene::Scene& scene);
+JobRecord jobRecordOf(const RenderRequest& render);
 
 /// Digests of frames: of one's picture, the settings and what draws it.
 class FrameDigester {

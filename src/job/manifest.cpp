@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using std::filesystem::path;
 
-Json inputsOf(const JobFile& job) {
+Json inputsOf(const JobRecord& job) {
   Json inputs = Json::array();
   for (const scene::InputFile& input : job.inputs)
     inputs.push_back({{"path", core::utf8FromBytes(input.path)}, {"sha256", core::toHex(input.digest)}});
@@ -50,7 +50,7 @@ Json toJson(const RenderSummary& summary) {
 
 output::FileKind manifestKind() { return output::textKind("a manifest", "{\n \"poinsot\": \""); }
 
-std::string manifestText(const path& workFolder, const JobFile& job, const request::OutputTarget& target,
+std::string manifestText(const path& workFolder, const JobRecord& job, const request::OutputTarget& target,
                          const path& film, const RenderSummary& summary) {
   Json digests = Json::object(), files = Json::array();
   std::set<std::string> renderers;
@@ -74,7 +74,7 @@ std::string manifestText(const path& workFolder, const JobFile& job, const reque
                       {"scene_sha256", job.scene},
                       {"inputs", inputsOf(job)},
                       {"settings", Json::parse(job.settings)},
-                      {"job_sha256", job.job},
+                      {"job_sha256", job.digest},
                       {"renderers", renderers},
                       {"frames", {job.frames.first, job.frames.last}},
                       {"segment_frames", job.segmentFrames},

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "job/render_summary.h"
 #include "output/file_kind.h"
 
@@ -18,7 +18,7 @@ output::FileKind manifestKind();
 /// folder is gone.
 /// @param film  where the content of a film is, which may have no name yet
 /// @throws core::Error(kIo).
-std::string manifestText(const std::filesystem::path& workFolder, const JobFile& job,
+std::string manifestText(const std::filesystem::path& workFolder, const JobRecord& job,
                          const request::OutputTarget& target, const std::filesystem::path& film,
                          const RenderSummary& summary);
 

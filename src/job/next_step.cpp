@@ -37,7 +37,7 @@ std::string nothingUnderWayText(const request::OutputTarget& output, const fs::p
       render);
 }
 
-std::string makeText(const JobFile& job, const JobStatus& status, const request::OutputTarget& output) {
+std::string makeText(const JobRecord& job, const JobStatus& status, const request::OutputTarget& output) {
   const WorkLeft left = workLeft(job, status, job.shards, output);
   if (job.shards == 1) return "make them: " + renderText(output) + " --resume";
   const std::string shards = shardsText(left.shards);

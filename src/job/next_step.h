@@ -14,6 +14,6 @@ namespace poinsot::job {
 std::string nothingUnderWayText(const request::OutputTarget& output, const std::filesystem::path& workFolder);
 
 /// Returns the command that makes the segments that are missing.
-std::string makeText(const JobFile& job, const JobStatus& status, const request::OutputTarget& output);
+std::string makeText(const JobRecord& job, const JobStatus& status, const request::OutputTarget& output);
 
 }  // namespace poinsot::job

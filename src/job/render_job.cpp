@@ -66,10 +66,10 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
       folder_(request_.target.path, useOf(request_)),
       segments_(request_.segments()),
       waiting_(segments_.begin(), segments_.end()) {
-  POINSOT_EXPECT(request_.jobs > 0);
+  POINSOT_EXPECT(request_.workers > 0);
   if (request_.trace) trace_.emplace(*request_.trace, folder_.path());
-  if (request_.job) writeJobFile(folder_.path(), *request_.job);
-  if (request_.target.stream) stream_.emplace(request_.target, *request_.job, folder_.path());
+  if (request_.record) writeJobRecord(folder_.path(), *request_.record);
+  if (request_.target.stream) stream_.emplace(request_.target, *request_.record, folder_.path());
 }
 
 RenderJob::~RenderJob() { stopWorkers(); }
@@ -111,28 +111,20 @@ void RenderJob::traced(const char* name, const std::function<void()>& work) {
 
 /// A render that was stopped while it put its things away has nothing more to make. A manifest is of the segments.
 output::FilmState RenderJob::stateBefore() const {
-  const bool resumed = request_.resume && !request_.shard && !request_.manifest && request_.job;
-  return resumed ? filmState(*request_.job, request_.target.path) : output::FilmState::kOther;
+  const bool resumed = request_.resume && !request_.shard && !request_.manifest && request_.record;
+  return resumed ? filmState(*request_.record, request_.target.path) : output::FilmState::kOther;
 }
 
 void RenderJob::startWorkers() {
-  const int count = std::min<int>(request_.jobs, static_cast<int>(segments_.size()));
+  const int count = std::min<int>(request_.workers, static_cast<int>(segments_.size()));
   if (count == 0) return;  // of more shards than segments, some have nothing to do
   // With fewer segments than CPUs the rasteriser's threads use the rest; they do not change a pixel.
-  const int perWorker = request_.jobs / count;
-  WorkerJob job{request_.scene, request_.target,  request_.frames,       request_.time_s,
-                folder_.path(), request_.backend, request_.reproducible, perWorker > 1 ? perWorker : 0,
-                request_.form};
-  job.segmentFrames = request_.segmentFrames;
-  job.resume = request_.resume || request_.shard;
-  if (request_.job) job.job = request_.job->job;
-  job.digestsPixels = request_.digestsPixels;
-  job.trace = trace_.has_value();
-  job.expected_bytes = request_.worker_bytes;
+  const int perWorker = request_.workers / count;
+  const WorkerTask task{request_, folder_.path(), perWorker > 1 ? perWorker : 0};
   if (count > 1) gl::preload(request_.backend);
   for (int i = 0; i < count; ++i) {
     process::throwIfInterrupted();
-    workers_.push_back(std::make_unique<WorkerProcess>(job, i + 1));
+    workers_.push_back(std::make_unique<WorkerProcess>(task, i + 1));
     handOut(*workers_.back());
   }
 }
@@ -183,14 +175,14 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
 
 /// Of a still the size was known before.
 void RenderJob::countWritten(const request::FrameRange& segment) {
-  if (!request_.job) return;
+  if (!request_.record) return;
   for (const auto& file : segmentFiles(folder_.path(), request_.target, segment)) {
     std::error_code failure;
     const auto bytes = std::filesystem::file_size(file, failure);
     if (!failure) written_bytes_ += static_cast<double>(bytes);
   }
   constexpr auto kOutput = scene::Limit::kOutput;
-  const scene::Limits& limits = request_.scene.allowance.limits;
+  const scene::Limits& limits = request_.scene.request.allowance.limits;
   if (written_bytes_ <= static_cast<double>(limits[kOutput])) return;
   throw core::Error(core::ErrorKind::kLimit,
                     fmt::format("{:.0f} bytes are written after {} of {} frames; a run may write {}; {}",
@@ -215,9 +207,9 @@ void RenderJob::gather(core::FileBatch& results) {
   const request::OutputTarget& target = request_.target;
   if (stream_) return stream_->finish();
   if (request_.shard) return;
-  if (!request_.job) return gatherStill(results);
-  if (isFinished()) return request::addSubtitlesOfFinished(results, request_.job->subtitles, target.path);
-  assemble(results, folder_.path(), *request_.job, target, target.path);
+  if (!request_.record) return gatherStill(results);
+  if (isFinished()) return request::addSubtitlesOfFinished(results, request_.record->subtitles, target.path);
+  assemble(results, folder_.path(), *request_.record, target, target.path);
 }
 
 void RenderJob::gatherStill(core::FileBatch& results) const {
@@ -230,7 +222,7 @@ void RenderJob::gatherStill(core::FileBatch& results) const {
 void RenderJob::addManifest(core::FileBatch& results) const {
   const request::OutputTarget& target = request_.target;
   core::AtomicFile file(*request_.manifest);
-  file.write(manifestText(folder_.path(), *request_.job, target, results.contentOf(target.path), summary_));
+  file.write(manifestText(folder_.path(), *request_.record, target, results.contentOf(target.path), summary_));
   addAbout(results, std::move(file));
 }
 
@@ -249,7 +241,7 @@ void RenderJob::removeOldManifest() const {
     std::filesystem::remove(*request_.manifest, ignored);
 }
 
-std::int64_t RenderJob::framesKept() const { return request_.job && !stream_ ? segmentFramesDone_ : 0; }
+std::int64_t RenderJob::framesKept() const { return request_.record && !stream_ ? segmentFramesDone_ : 0; }
 
 void RenderJob::askToStop() {
   for (const auto& worker : workers_) worker->askToStop();

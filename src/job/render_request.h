@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "gl/offscreen_context.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "request/frame_plan.h"
 #include "request/output_target.h"
 #include "request/picture_form.h"
-#include "request/scene_request.h"
+#include "request/requested_scene.h"
 
 namespace poinsot::job {
 
-/// One render, ready to run: everything was checked.
-struct RenderRequest {
-  request::SceneRequest scene;
-  request::OutputTarget target;
-  request::FrameRange frames;
-  std::optional<double> time_s;  ///< of a still: film time in place of the frame's own
-  int jobs = 1;                  ///< most worker processes
+/// What a caller may choose of a render besides its scene, its target and its frames.
+struct RenderChoices {
+  std::optional<double> time_s = {};  ///< of a still: film time in place of the frame's own
   gl::Backend backend = gl::Backend::kAuto;
-  bool reproducible = false;
+  bool reproducible = false;  ///< always, where it is a shard: the machines of a cluster differ
   request::PictureForm form = {};
   std::int64_t segmentFrames = request::kSegmentFrames;
   bool resume = false;                                 ///< what is there and is the same is not made again
@@ -29,14 +27,30 @@ struct RenderRequest {
   std::optional<request::Shard> shard = {};            ///< only its segments, and no film of them
   std::optional<std::filesystem::path> manifest = {};  ///< of a film or a sequence
   std::optional<std::filesystem::path> trace = {};     ///< TraceFile of it
-  std::optional<JobFile> job = {};                     ///< jobFileOf() this, of a film and a sequence
   bool digestsPixels = false;  ///< of a still: whether the worker reports the pixelDigest()
-  double worker_bytes = 0;     ///< that a worker is estimated to take (memory.h), for messages
+};
+
+/// One render, ready to run: the same value from the options to the worker, which inherits it as a fork.
+struct RenderRequest : RenderChoices {
+  request::RequestedScene scene = {};
+  request::OutputTarget target = {};
+  request::FrameRange frames = {};
+  int workers = 1;                       ///< most processes
+  double worker_bytes = 0;               ///< that a worker is estimated to take
+  std::optional<JobRecord> record = {};  ///< of what is made in segments: a film, a sequence, a shard
 
   /// Returns the segments that this render makes: all, or its shard's.
   std::vector<request::FrameRange> segments() const {
     return request::segmentsOf(shard.value_or(request::Shard()), request::segmentsOf(frames, segmentFrames));
   }
 };
+
+/// The only way to make one. `workers` is left to the caller, who knows the machine.
+/// @throws core::Error(kPhysics) as describe::pictureWords().
+RenderRequest renderRequest(request::RequestedScene scene, const request::OutputTarget& target,
+                            const request::FrameRange& frames, const RenderChoices& choices = {});
+
+/// @throws core::Error(kLimit) if a worker would take more memory than the scene's allowance has.
+void expectWithinMemory(const RenderRequest& request);
 
 }  // namespace poinsot::job

@@ -9,20 +9,27 @@
 
 namespace poinsot::job {
 
-SceneFrames::SceneFrames(const scene::Scene& scene, std::unique_ptr<const stage::Composer> composer,
-                         gl::OffscreenContext& context, std::optional<double> time_s,
-                         const request::PictureForm& form, std::optional<figure::FigureMedium> medium,
-                         const std::string& settings, core::StepLedger* steps)
-    : size_{scene.output.width, scene.output.height},
-      fps_(scene.time.fps),
-      time_s_(time_s),
-      form_(form),
+SceneFrames::SceneFrames(const request::RequestedScene& requested, const RenderChoices& choices,
+                         std::optional<figure::FigureMedium> medium, const std::string& settings,
+                         gl::OffscreenContext& context, core::StepLedger* steps)
+    : size_(requested.size()),
+      fps_(requested.scene.time.fps),
+      time_s_(choices.time_s),
+      form_(choices.form),
       medium_(medium),
-      composer_(std::move(composer)),
+      composer_(request::composerOf(requested, steps)),
       renderer_(context, steps),
       rendererName_(context.renderer()),
       digestOf_(settings, rendererName_),
       steps_(steps) {}
+
+SceneFrames::SceneFrames(const RenderRequest& render, gl::OffscreenContext& context, core::StepLedger* steps)
+    : SceneFrames(render.scene, render, figure::figureMedium(render.target.path), renderSettings(render), context,
+                  steps) {}
+
+SceneFrames::SceneFrames(const request::RequestedScene& requested, const request::PictureForm& form,
+                         gl::OffscreenContext& context)
+    : SceneFrames(requested, {.form = form}, std::nullopt, "", context, nullptr) {}
 
 core::Digest SceneFrames::digest(std::int64_t k) {
   compose(k);

@@ -9,9 +9,9 @@
 #include "gl/offscreen_context.h"
 #include "job/frame_source.h"
 #include "job/job_identity.h"
+#include "job/render_request.h"
 #include "render/renderer.h"
 #include "request/picture_form.h"
-#include "scene/scene.h"
 #include "stage/composer.h"
 
 namespace poinsot::job {
@@ -19,17 +19,14 @@ namespace poinsot::job {
 /// The frames of what is drawn of a scene: stage composes, renderer draws. Needs a current context for life.
 class SceneFrames : public FrameSource {
  public:
-  /// @param scene  of which rate and size are
-  /// @param composer  of its pictures: composerOf() a request, or the scene's own stage
-  /// @param time_s  film time of every frame, in place of its own: of a still.
-  /// @param medium  of a figure: a frame is then only what the figure holds as an image.
-  /// @param settings  renderSettings(), of which digests are.
+  /// Of a render.
   /// @param steps  where the time is entered.
   /// @throws core::Error(kPhysics, kGraphics)
-  SceneFrames(const scene::Scene& scene, std::unique_ptr<const stage::Composer> composer,
-              gl::OffscreenContext& context, std::optional<double> time_s, const request::PictureForm& form = {},
-              std::optional<figure::FigureMedium> medium = std::nullopt, const std::string& settings = "",
-              core::StepLedger* steps = nullptr);
+  SceneFrames(const RenderRequest& render, gl::OffscreenContext& context, core::StepLedger* steps);
+  /// Of a scene, for who shows pictures and keeps none: they have no digests.
+  /// @throws core::Error(kPhysics, kGraphics)
+  SceneFrames(const request::RequestedScene& requested, const request::PictureForm& form,
+              gl::OffscreenContext& context);
 
   /// As if made with that time.
   void setTime(std::optional<double> time_s) {
@@ -45,6 +42,10 @@ class SceneFrames : public FrameSource {
   const std::string& renderer() const { return rendererName_; }
 
  private:
+  SceneFrames(const request::RequestedScene& requested, const RenderChoices& choices,
+              std::optional<figure::FigureMedium> medium, const std::string& settings,
+              gl::OffscreenContext& context, core::StepLedger* steps);
+
   /// Leaves the frame's picture in picture_.
   void compose(std::int64_t k);
 

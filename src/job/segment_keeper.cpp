@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job/segment_keeper.h"
 
-#include "job/job_file.h"
+#include "job/job_record.h"
 
 namespace poinsot::job {
 namespace {
@@ -15,27 +15,27 @@ bool samePictures(const SegmentRecord& record, FrameSource& source) {
 
 }  // namespace
 
-SegmentKeeper::SegmentKeeper(const WorkerJob& job, std::string renderer)
-    : target_(job.target),
-      workFolder_(job.workFolder),
-      records_(job.workFolder, job.target),
-      resume_(job.resume),
-      job_(job.job),
+SegmentKeeper::SegmentKeeper(const WorkerTask& task, std::string renderer)
+    : target_(task.render.target),
+      workFolder_(task.workFolder),
+      records_(task.workFolder, task.render.target),
+      resume_(task.resumes()),
+      jobDigest_(task.render.record ? task.render.record->digest : ""),
       renderer_(std::move(renderer)) {}
 
 bool SegmentKeeper::has(const request::FrameRange& segment, FrameSource& source) const {
   auto record = resume_ ? records_.find(segment) : std::nullopt;
   if (!record || !SegmentRecords::isWhole(*record)) return false;
-  if (record->job == job_ && record->renderer == renderer_) return true;
+  if (record->jobDigest == jobDigest_ && record->renderer == renderer_) return true;
   if (!samePictures(*record, source)) return false;
-  record->job = job_;
+  record->jobDigest = jobDigest_;
   record->renderer = renderer_;
   records_.keep(*record);
   return true;
 }
 
 void SegmentKeeper::keep(const request::FrameRange& segment, std::vector<std::string> digests) const {
-  SegmentRecord record{segment, job_, renderer_, std::move(digests), {}};
+  SegmentRecord record{segment, jobDigest_, renderer_, std::move(digests), {}};
   for (const auto& file : segmentFiles(workFolder_, target_, segment)) record.files.push_back(recordOf(file));
   records_.keep(record);
 }

@@ -6,15 +6,15 @@
 
 #include "job/frame_source.h"
 #include "job/segment_record.h"
-#include "job/worker_protocol.h"
+#include "job/worker_task.h"
 
 namespace poinsot::job {
 
-/// What a worker knows of the segments of its job, whoever made them, and tells of its own.
+/// What a worker knows of the segments of its render, whoever made them, and tells of its own.
 class SegmentKeeper {
  public:
   /// `renderer`: GL_RENDERER of this process.
-  SegmentKeeper(const WorkerJob& job, std::string renderer);
+  SegmentKeeper(const WorkerTask& task, std::string renderer);
 
   /// Whether the segment is there, as it would be made now: by the same job, or by another of the same pictures.
   bool has(const request::FrameRange& segment, FrameSource& source) const;
@@ -26,7 +26,7 @@ class SegmentKeeper {
   std::filesystem::path workFolder_;
   SegmentRecords records_;
   bool resume_;
-  std::string job_, renderer_;
+  std::string jobDigest_, renderer_;
 };
 
 }  // namespace poinsot::job

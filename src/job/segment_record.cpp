@@ -19,7 +19,7 @@
 #include "core/regular_file.h"
 #include "core/sha256.h"
 #include "core/text.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 
 namespace poinsot::job {
 namespace {
@@ -45,7 +45,7 @@ Json toJson(const SegmentRecord& record, const path& folder) {
   for (const RecordedFile& file : record.files)
     files.push_back({{"path", nameOf(file.path, folder)}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   return {{"frames", {record.frames.first, record.frames.last}},
-          {"job", record.job},
+          {"job", record.jobDigest},
           {"renderer", record.renderer},
           {"digests", record.digests},
           {"files", std::move(files)}};
@@ -55,7 +55,7 @@ Json toJson(const SegmentRecord& record, const path& folder) {
 SegmentRecord fromJson(const Json& json) {
   SegmentRecord record;
   record.frames = {core::wholeNumber(json.at("frames").at(0)), core::wholeNumber(json.at("frames").at(1))};
-  record.job = json.at("job").get<std::string>();
+  record.jobDigest = json.at("job").get<std::string>();
   record.renderer = json.at("renderer").get<std::string>();
   record.digests = json.at("digests").get<std::vector<std::string>>();
   for (const Json& file : json.at("files"))
@@ -139,7 +139,7 @@ SegmentState SegmentRecords::stateOf(const request::FrameRange& frames, const st
   const auto record = find(frames);
   if (!record) return SegmentState::kMissing;
   if (!isWhole(*record)) return SegmentState::kCorrupt;
-  return record->job == job ? SegmentState::kDone : SegmentState::kStale;
+  return record->jobDigest == job ? SegmentState::kDone : SegmentState::kStale;
 }
 
 }  // namespace poinsot::job

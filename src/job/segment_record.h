@@ -25,7 +25,7 @@ struct RecordedFile {
 /// What is kept beside a finished segment, so that another render can tell whether it is its own.
 struct SegmentRecord {
   request::FrameRange frames;
-  std::string job;                   ///< jobDigest() of the render that made it, or last found it good
+  std::string jobDigest;             ///< jobDigest() of the render that made it, or last found it good
   std::string renderer;              ///< GL_RENDERER of the process that drew it
   std::vector<std::string> digests;  ///< of each frame
   std::vector<RecordedFile> files;

@@ -7,7 +7,7 @@
 
 #include "describe/picture_words.h"
 #include "figure/figure.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "output/png_sequence.h"
 #include "output/video_segment.h"
 #include "request/film_choice.h"
@@ -67,25 +67,26 @@ class SingleFigure : public output::FrameSink {
   core::StepLedger& steps_;
 };
 
-std::unique_ptr<output::FrameSink> pictureSink(const WorkerJob& job, const scene::Scene& scene,
-                                               SceneFrames& frames, core::StepLedger& steps) {
-  const auto& path = job.target.path;
-  const auto [title, description] = describe::pictureWords(job.scene, scene);
-  const request::PrintSize print = job.form.print.value_or(request::PrintSize{});
-  if (job.target.kind == request::OutputKind::kFigure)
-    return std::make_unique<SingleFigure>(path, stagedFiles(job.workFolder, job.target),
+std::unique_ptr<output::FrameSink> pictureSink(const WorkerTask& task, SceneFrames& frames,
+                                               core::StepLedger& steps) {
+  const RenderRequest& render = task.render;
+  const auto& path = render.target.path;
+  const auto [title, description] = describe::pictureWords(render.scene);
+  const request::PrintSize print = render.form.print.value_or(request::PrintSize{});
+  if (render.target.kind == request::OutputKind::kFigure)
+    return std::make_unique<SingleFigure>(path, stagedFiles(task.workFolder, render.target),
                                           figure::FigureOptions{print.width_mm, title, description}, frames,
                                           steps);
   auto texts = figure::pngTexts(title, description);
   auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
-  if (job.target.kind == request::OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});
-  if (job.target.kind == request::OutputKind::kPicture)
-    return std::make_unique<SinglePicture>(stagedFiles(job.workFolder, job.target).front(), std::move(texts),
-                                           job.form.print ? print.dpi : 0, digestOf, steps);
+  if (render.target.kind == request::OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});
+  if (render.target.kind == request::OutputKind::kPicture)
+    return std::make_unique<SinglePicture>(stagedFiles(task.workFolder, render.target).front(), std::move(texts),
+                                           render.form.print ? print.dpi : 0, digestOf, steps);
   // What is said of the whole film is not said by its frames: they stay as they are when it changes.
   return std::make_unique<output::PngSequence>(
       output::FramePattern(path.string()),
-      output::SequenceOptions{{}, digestOf, job.resume, job.workFolder, &steps});
+      output::SequenceOptions{{}, digestOf, task.resumes(), task.workFolder, &steps});
 }
 
 }  // namespace
@@ -98,14 +99,15 @@ std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& work
   return places;
 }
 
-SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames,
-                    core::StepLedger& steps) {
+SinkMaker sinkMaker(const WorkerTask& task, SceneFrames& frames, core::StepLedger& steps) {
   return [&](const request::FrameRange& segment) -> std::unique_ptr<output::FrameSink> {
-    if (job.target.kind != request::OutputKind::kFilm) return pictureSink(job, scene, frames, steps);
-    const output::FilmFormat format = request::filmFormat(job.target, scene.output, job.form);
-    const image::PixelSize size{scene.output.width, scene.output.height};
-    return std::make_unique<output::VideoSegmentWriter>(segmentFile(job.workFolder, format.container, segment),
-                                                        size, scene.time.fps, format, segment.first, &steps);
+    const RenderRequest& render = task.render;
+    if (render.target.kind != request::OutputKind::kFilm) return pictureSink(task, frames, steps);
+    const scene::Scene& scene = render.scene.scene;
+    const output::FilmFormat format = request::filmFormat(render.target, scene.output, render.form);
+    return std::make_unique<output::VideoSegmentWriter>(segmentFile(task.workFolder, format.container, segment),
+                                                        render.scene.size(), scene.time.fps, format, segment.first,
+                                                        &steps);
   };
 }
 

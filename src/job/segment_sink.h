@@ -3,7 +3,7 @@
 
 #include "job/scene_frames.h"
 #include "job/worker.h"
-#include "job/worker_protocol.h"
+#include "job/worker_task.h"
 
 namespace poinsot::job {
 
@@ -12,8 +12,8 @@ namespace poinsot::job {
 std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& workFolder,
                                                const request::OutputTarget& target);
 
-/// Sinks for the job's kind of target: a segment of film or a still in the work folder, or frames of a sequence
-/// under their final names. All four must outlive the sinks, which enter their time into `steps`.
-SinkMaker sinkMaker(const WorkerJob& job, const scene::Scene& scene, SceneFrames& frames, core::StepLedger& steps);
+/// Sinks for the render's kind of target: a segment of film or a still in the work folder, or frames of a sequence
+/// under their final names. All three must outlive the sinks, which enter their time into `steps`.
+SinkMaker sinkMaker(const WorkerTask& task, SceneFrames& frames, core::StepLedger& steps);
 
 }  // namespace poinsot::job

@@ -48,7 +48,7 @@ int writeOut(Bytes bytes) {
 
 }  // namespace
 
-SegmentStream::SegmentStream(const request::OutputTarget& target, const JobFile& job,
+SegmentStream::SegmentStream(const request::OutputTarget& target, const JobRecord& job,
                              std::filesystem::path workFolder)
     : target_(target), workFolder_(std::move(workFolder)), next_(job.frames.first) {
   if (target.kind == request::OutputKind::kFilm) film_.emplace(writeOut, job.film);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "request/output_target.h"
 
 namespace poinsot::job {
@@ -14,7 +14,7 @@ namespace poinsot::job {
 /// in pieces.
 class SegmentStream {
  public:
-  SegmentStream(const request::OutputTarget& target, const JobFile& job, std::filesystem::path workFolder);
+  SegmentStream(const request::OutputTarget& target, const JobRecord& job, std::filesystem::path workFolder);
 
   /// A segment that is complete, in whatever order they become so; what is next is sent.
   /// @throws core::Error(kIo); core::BrokenPipe; Interrupted, also while the reader does not read.

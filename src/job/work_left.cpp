@@ -10,7 +10,7 @@
 
 namespace poinsot::job {
 
-WorkLeft workLeft(const JobFile& job, const JobStatus& status, int shards, const request::OutputTarget& output) {
+WorkLeft workLeft(const JobRecord& job, const JobStatus& status, int shards, const request::OutputTarget& output) {
   WorkLeft left;
   if (isFinished(job, output.path)) return left;
   left.joining = output.kind == request::OutputKind::kFilm || std::filesystem::exists(workFolderOf(output.path));

@@ -17,7 +17,7 @@ struct WorkLeft {
 };
 
 /// Returns the work that remains if the segments are divided among `shards`. A finished film needs no segments.
-WorkLeft workLeft(const JobFile& job, const JobStatus& status, int shards, const request::OutputTarget& output);
+WorkLeft workLeft(const JobRecord& job, const JobStatus& status, int shards, const request::OutputTarget& output);
 
 /// Returns "2,7-9", as the --array of Slurm takes it.
 std::string shardsText(const std::vector<int>& shards);

@@ -12,14 +12,12 @@
 #include "core/file_error.h"
 #include "core/text.h"
 #include "image/pixel_digest.h"
-#include "job/job_identity.h"
 #include "job/scene_frames.h"
 #include "job/segment_sink.h"
 #include "job/worker_heap.h"
 #include "job/worker_protocol.h"
 #include "process/interrupt.h"
 #include "process/sandbox.h"
-#include "request/scene_composer.h"
 
 namespace poinsot::job {
 namespace {
@@ -90,34 +88,19 @@ class SegmentMaker {
   std::int64_t frames_ = 0;
 };
 
-/// The scene's text came with the job; the files that it names are read again here.
-void expectSameScene(const WorkerJob& job, const scene::Scene& scene, const std::string& settings) {
-  if (job.job.empty() || core::toHex(jobDigest(sceneDigest(job.scene, scene), settings)) == job.job) return;
-  throw core::Error(core::ErrorKind::kIo,
-                    fmt::format("{}: a file that the scene names has changed since the render began",
-                                core::printable(job.scene.fileName)));
-}
-
-void work(process::LineReader& jobs, int reports) {
+void work(const WorkerTask& task, process::LineReader& segments, int reports) {
   process::forbidProcessesInSandbox();
-  const auto line = jobs.wait();
-  if (!line) return;
-  const WorkerJob job = jobFromLine(*line);
-  gl::pinEnvironment(job.reproducible, job.rasterThreads);
+  const RenderRequest& render = task.render;
+  gl::pinEnvironment(render.reproducible, task.rasterThreads);
   unsetenv("HOME");  // its .drirc may change what EGL's driver does; nothing else reads it from here on
-  beginHeap(job.expected_bytes);
-  const scene::Scene scene = request::loadRequested(job.scene);
-  const std::string settings = renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, scene);
-  expectSameScene(job, scene, settings);
-  const auto context = gl::openContext(job.backend);
+  beginHeap(render.worker_bytes);
+  const auto context = gl::openContext(render.backend);
   core::StepLedger steps;
-  if (job.trace) steps.trace();
-  SceneFrames frames(scene, request::composerOf(job.scene, scene, &steps), *context, job.time_s, job.form,
-                     figure::figureMedium(job.target.path), settings, &steps);
-  const bool keeps = !job.job.empty();
-  const SegmentKeeper keeper(job, context->renderer());
-  Statistics spent = makeSegments(jobs, reports, frames, sinkMaker(job, scene, frames, steps), steps,
-                                  keeps ? &keeper : nullptr, job.digestsPixels);
+  if (render.trace) steps.trace();
+  SceneFrames frames(render, *context, &steps);
+  const SegmentKeeper keeper(task, context->renderer());
+  Statistics spent = makeSegments(segments, reports, frames, sinkMaker(task, frames, steps), steps,
+                                  render.record ? &keeper : nullptr, render.digestsPixels);
   spent.cpu_s = core::processCpu_s();
   spent.peakMemory_bytes = processPeakMemory_bytes();
   report(reports, WorkerFinished{spent, context->renderer(), context->driver()});
@@ -129,10 +112,10 @@ int failed(int reports, const WorkerFailed& failure) {
 }
 
 /// @throws std::bad_alloc
-int workTellingFailures(int jobs, int reports) {
-  process::LineReader lines(jobs);
+int workTellingFailures(const WorkerTask& task, int segments, int reports) {
+  process::LineReader lines(segments);
   try {
-    work(lines, reports);
+    work(task, lines, reports);
     return EXIT_SUCCESS;
   } catch (const process::Interrupted& interrupted) {
     return 128 + interrupted.signal();
@@ -149,10 +132,10 @@ int workTellingFailures(int jobs, int reports) {
 
 }  // namespace
 
-Statistics makeSegments(process::LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
+Statistics makeSegments(process::LineReader& segments, int reports, FrameSource& source, const SinkMaker& sinkOf,
                         core::StepLedger& steps, const SegmentKeeper* keeper, bool digestsPixels) {
   SegmentMaker maker(reports, source, steps, keeper, digestsPixels);
-  while (const auto line = jobs.wait()) {
+  while (const auto line = segments.wait()) {
     const request::FrameRange segment = segmentFromLine(*line);
     const std::int64_t begin_ns = core::monotonic_ns();
     if (keeper && keeper->has(segment, source))
@@ -166,11 +149,11 @@ Statistics makeSegments(process::LineReader& jobs, int reports, FrameSource& sou
   return maker.spent();
 }
 
-int runWorker(int jobs, int reports) {
+int runWorker(const WorkerTask& task, int segments, int reports) {
   process::watchInterruptsAsWorker();
   const std::string outOfMemory = toLine(WorkerFailed{core::ErrorKind::kGraphics, "out of memory"}) + '\n';
   try {
-    return workTellingFailures(jobs, reports);
+    return workTellingFailures(task, segments, reports);
   } catch (const std::bad_alloc&) {  // perhaps while something else was told
     process::writeText(reports, outOfMemory);
     return EXIT_FAILURE;

@@ -7,6 +7,7 @@
 #include "job/frame_source.h"
 #include "job/segment_keeper.h"
 #include "job/statistics.h"
+#include "job/worker_task.h"
 #include "output/frame_sink.h"
 #include "process/line_channel.h"
 #include "request/frame_plan.h"
@@ -21,13 +22,13 @@ using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const request
 /// down. With `digestsPixels` each report of a frame has its pixelDigest(). `steps` is what the source and the
 /// sinks enter their time into; its spans are reported as they come.
 /// @throws core::Error of the source or a sink; Interrupted.
-Statistics makeSegments(process::LineReader& jobs, int reports, FrameSource& source, const SinkMaker& sinkOf,
+Statistics makeSegments(process::LineReader& segments, int reports, FrameSource& source, const SinkMaker& sinkOf,
                         core::StepLedger& steps, const SegmentKeeper* keeper = nullptr,
                         bool digestsPixels = false);
 
-/// The life of a worker process: reads its job and segments from `jobs`, reports to `reports`. Opens the one GL
-/// context of this process.
+/// The life of a worker process: reads segments from `segments`, reports to `reports`. Opens the one GL context of
+/// this process.
 /// @returns the exit status; a failure was reported before it returns.
-int runWorker(int jobs, int reports);
+int runWorker(const WorkerTask& task, int segments, int reports);
 
 }  // namespace poinsot::job

@@ -48,13 +48,13 @@ void closeAllButStandardStreams() {
 }
 
 /// In the new process.
-[[noreturn]] void becomeWorker(int jobs, int reports, pid_t parent) {
+[[noreturn]] void becomeWorker(const WorkerTask& task, int segments, int reports, pid_t parent) {
   process::dieWith(parent);
-  dup2(jobs, STDIN_FILENO);
+  dup2(segments, STDIN_FILENO);
   dup2(reports, STDOUT_FILENO);
   closeAllButStandardStreams();
   // Not a return: what the parent keeps on its stack is the parent's to clean up. But Mesa ends its work at exit.
-  std::exit(runWorker(STDIN_FILENO, STDOUT_FILENO));
+  std::exit(runWorker(task, STDIN_FILENO, STDOUT_FILENO));
 }
 
 std::string inWords(int status) {
@@ -65,18 +65,17 @@ std::string inWords(int status) {
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const WorkerJob& job, int number) : number_(number) {
-  Pipe jobs = makePipe(), reports = makePipe();
+WorkerProcess::WorkerProcess(const WorkerTask& task, int number) : number_(number) {
+  Pipe segments = makePipe(), reports = makePipe();
   const pid_t parent = getpid();
   std::fflush(nullptr);  // or both would write it
   const process::SignalsHeld held;
   pid_ = fork();
   if (pid_ < 0) cannotStart("fork");
-  if (pid_ == 0) becomeWorker(jobs.read.get(), reports.write.get(), parent);
-  jobs_ = std::move(jobs.write);
+  if (pid_ == 0) becomeWorker(task, segments.read.get(), reports.write.get(), parent);
+  segments_ = std::move(segments.write);
   reports_ = std::move(reports.read);
   reader_ = process::LineReader(reports_.get());
-  tell(toLine(job));
 }
 
 WorkerProcess::~WorkerProcess() {
@@ -91,7 +90,7 @@ void WorkerProcess::give(const request::FrameRange& segment) {
 
 /// A worker that did not hear would wait for ever. Where it is gone, the end of its reports says so.
 void WorkerProcess::tell(const std::string& line) const {
-  const int code = process::writeText(jobs_.get(), line + '\n');
+  const int code = process::writeText(segments_.get(), line + '\n');
   if (code != 0 && code != EPIPE)
     throw core::Error(core::ErrorKind::kGraphics,
                       "a message to a worker process could not be sent: " + std::generic_category().message(code));
@@ -99,7 +98,7 @@ void WorkerProcess::tell(const std::string& line) const {
 
 void WorkerProcess::giveNoMore() {
   segment_.reset();
-  jobs_.reset();
+  segments_.reset();
 }
 
 std::optional<WorkerReport> WorkerProcess::takeReport() {
@@ -108,7 +107,7 @@ std::optional<WorkerReport> WorkerProcess::takeReport() {
 }
 
 void WorkerProcess::askToStop() {
-  jobs_.reset();
+  segments_.reset();
   if (pid_ > 0) ::kill(pid_, SIGTERM);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/file_handle.h"
 #include "job/worker_protocol.h"
+#include "job/worker_task.h"
 #include "process/line_channel.h"
 #include "request/frame_plan.h"
 
@@ -17,11 +18,11 @@ namespace poinsot::job {
 /// that it works where that is forbidden (sandbox.h). Destroying one that still runs kills it.
 class WorkerProcess {
  public:
-  /// @param number  to tell it from others
+  /// @param number  to tell it from others of the same task
   /// @warning Forks: this process must have one thread, and must never have opened a context, because Mesa's
   /// threads are not forked with it.
   /// @throws core::Error(kGraphics) if no process can be started.
-  WorkerProcess(const WorkerJob& job, int number);
+  WorkerProcess(const WorkerTask& task, int number);
   ~WorkerProcess();
   WorkerProcess(WorkerProcess&&) = delete;
 
@@ -56,7 +57,7 @@ class WorkerProcess {
   int number_;
   pid_t pid_ = -1;
   int status_ = 0;  ///< as waitpid has it, once pid_ is none
-  core::FileHandle jobs_, reports_;
+  core::FileHandle segments_, reports_;
   process::LineReader reader_{-1};
   std::optional<request::FrameRange> segment_;
   bool finished_ = false;

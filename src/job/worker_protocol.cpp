@@ -18,72 +18,6 @@ request::FrameRange rangeOf(const Json& json) {
   return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()};
 }
 
-/// The values in force, in the order of the table.
-Json toJson(const scene::Allowance& allowance) {
-  Json json{{"limits", Json::array()}, {"asset_roots", Json::array()}};
-  for (std::size_t i = 0; i < scene::kLimitCount; ++i)
-    json["limits"].push_back(allowance.limits[static_cast<scene::Limit>(i)]);
-  for (const auto& root : allowance.assetRoots) json["asset_roots"].push_back(core::utf8FromBytes(root.native()));
-  return json;
-}
-
-scene::Allowance allowanceOf(const Json& json) {
-  scene::Allowance allowance;
-  for (std::size_t i = 0; i < scene::kLimitCount; ++i)
-    if (const auto value = json.at("limits").at(i).get<std::int64_t>(); value > 0)
-      allowance.limits.set(static_cast<scene::Limit>(i), value);
-  for (const Json& root : json.at("asset_roots")) allowance.assetRoots.emplace_back(textOf(root));
-  return allowance;
-}
-
-Json toJson(const request::SweepRequest& sweep) {
-  Json json{{"map", sweep.map}, {"columns", sweep.columns}, {"labels", Json::array()}};
-  for (const std::string& label : sweep.labels) json["labels"].push_back(core::utf8FromBytes(label));
-  return json;
-}
-
-request::SweepRequest sweepOf(const Json& json) {
-  request::SweepRequest sweep{json.at("map").get<bool>(), json.at("columns").get<int>()};
-  for (const Json& label : json.at("labels")) sweep.labels.push_back(textOf(label));
-  return sweep;
-}
-
-Json toJson(const request::SceneRequest& scene) {
-  Json json{{"file", core::utf8FromBytes(scene.fileName)},
-            {"text", core::utf8FromBytes(scene.text)},
-            {"overrides", Json::array()}};
-  for (const std::string& override : scene.overrides) json["overrides"].push_back(core::utf8FromBytes(override));
-  if (scene.size) json["size"] = {scene.size->width, scene.size->height};
-  json["allowance"] = toJson(scene.allowance);
-  if (scene.sweep) json["sweep"] = toJson(*scene.sweep);
-  if (scene.view) json["view"] = *scene.view;
-  return json;
-}
-
-request::SceneRequest sceneOf(const Json& json) {
-  request::SceneRequest scene{
-      textOf(json.at("file")), textOf(json.at("text")), {}, {}, allowanceOf(json.at("allowance"))};
-  for (const Json& override : json.at("overrides")) scene.overrides.push_back(textOf(override));
-  if (json.contains("size"))
-    scene.size = image::PixelSize{json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
-  if (json.contains("sweep")) scene.sweep = sweepOf(json.at("sweep"));
-  if (json.contains("view")) scene.view = json.at("view").get<std::size_t>();
-  return scene;
-}
-
-Json toJson(const request::PictureForm& form) {
-  Json json{{"transparent", form.transparent}, {"bits", form.bits}};
-  if (form.print) json["print"] = {form.print->width_mm, form.print->dpi};
-  return json;
-}
-
-request::PictureForm formOf(const Json& json) {
-  request::PictureForm form{std::nullopt, json.at("transparent").get<bool>(), json.at("bits").get<int>()};
-  if (json.contains("print"))
-    form.print = request::PrintSize{json.at("print").at(0).get<double>(), json.at("print").at(1).get<double>()};
-  return form;
-}
-
 // In the order of the fields, so that the two functions below stay readable side by side.
 Json toJson(const Statistics& s) {
   Json steps = Json::array();
@@ -126,25 +60,6 @@ auto readingLine(std::string_view line, Reading reading) try {
                     "a message between the render and a worker process was lost or damaged; run it again");
 }
 
-WorkerJob jobOf(const Json& json) {
-  const Json& target = json.at("target");
-  return {sceneOf(json.at("scene")),
-          {static_cast<request::OutputKind>(target.at("kind").get<int>()), textOf(target.at("path"))},
-          rangeOf(json.at("frames")),
-          json.at("time").is_null() ? std::nullopt : std::optional(json.at("time").get<double>()),
-          textOf(json.at("work_folder")),
-          static_cast<gl::Backend>(json.at("backend").get<int>()),
-          json.at("reproducible").get<bool>(),
-          json.at("raster_threads").get<int>(),
-          formOf(json.at("form")),
-          json.at("segment_frames").get<std::int64_t>(),
-          json.at("resume").get<bool>(),
-          json.at("job").get<std::string>(),
-          json.at("trace").get<bool>(),
-          json.at("expected_bytes").get<double>(),
-          json.at("digests_pixels").get<bool>()};
-}
-
 WorkerReport reportOf(const Json& json) {
   if (json.contains("frame"))
     return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>(),
@@ -167,30 +82,7 @@ Overloaded(Each...) -> Overloaded<Each...>;  // clang 14 wants it
 
 }  // namespace
 
-std::string toLine(const WorkerJob& job) {
-  return Json{
-      {"scene", toJson(job.scene)},
-      {"target",
-       {{"kind", static_cast<int>(job.target.kind)}, {"path", core::utf8FromBytes(job.target.path.string())}}},
-      {"frames", toJson(job.frames)},
-      {"time", job.time_s ? Json(*job.time_s) : Json()},
-      {"work_folder", core::utf8FromBytes(job.workFolder.string())},
-      {"backend", static_cast<int>(job.backend)},
-      {"reproducible", job.reproducible},
-      {"raster_threads", job.rasterThreads},
-      {"segment_frames", job.segmentFrames},
-      {"resume", job.resume},
-      {"job", job.job},
-      {"trace", job.trace},
-      {"expected_bytes", job.expected_bytes},
-      {"digests_pixels", job.digestsPixels},
-      {"form", toJson(job.form)}}
-      .dump();
-}
-
 std::string toLine(const request::FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
-
-WorkerJob jobFromLine(std::string_view line) { return readingLine(line, jobOf); }
 
 request::FrameRange segmentFromLine(std::string_view line) {
   return readingLine(line, [](const Json& json) { return rangeOf(json.at("segment")); });

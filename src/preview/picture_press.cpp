@@ -10,22 +10,17 @@
 #include "core/error.h"
 #include "image/png_file.h"
 #include "job/frames_cache.h"
-#include "request/scene_composer.h"
+#include "request/requested_scene.h"
 
 namespace poinsot::preview {
 namespace {
 
-job::Drawable drawableFor(const SceneVersion& version, const PictureAsk& ask) {
+request::RequestedScene sceneFor(const SceneVersion& version, const PictureAsk& ask) {
   request::SceneRequest request = version.request;
   request.overrides.insert(request.overrides.end(), ask.changes.overrides.begin(), ask.changes.overrides.end());
   request.size = ask.size;
   request.view = ask.changes.view;
-  scene::Scene scene = request::loadRequested(request);
-  if (request.sweep) {
-    auto composer = request::composerOf(request, scene);
-    return {std::move(scene), std::move(composer)};
-  }
-  return job::drawableOf(std::move(scene));
+  return request::requestedScene(std::move(request));
 }
 
 /// Of all that decides the scene of an ask but its version.
@@ -47,8 +42,7 @@ class PicturePress::Drawer {
     if (!version.scene) throw core::Error(core::ErrorKind::kScene, version.error);
     if (version.number != version_) cache_.clear();
     version_ = version.number;
-    auto& scene = cache_.of(
-        keyOf(ask), [&] { return drawableFor(version, ask); }, {}, version.request.allowance.limits);
+    auto& scene = cache_.of(keyOf(ask), [&] { return sceneFor(version, ask); }, {});
     const std::int64_t k = std::clamp<std::int64_t>(ask.frame, 0, scene.count - 1);
     const auto& picture = scene.frames->frame(k).picture;
     const auto bytes = std::visit([](const auto& image) { return image::encodePng(image); }, picture);

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "request/scene_composer.h"
+#include "request/requested_scene.h"
 #include "request/sweep_cells.h"
 #include "stage/stage.h"
 
@@ -82,12 +82,9 @@ SceneVersion WatchedScene::load() const {
   try {
     loaded.request = request::readSceneRequest(fileName_, overrides_, allowance_);
     request::askForSweep(loaded.request);
-    auto scene = std::make_shared<const scene::Scene>(request::loadRequested(loaded.request));
-    if (loaded.request.sweep)  // what the motion lacks is found here
-      request::checkSweep(loaded.request, *scene);
-    else
-      const stage::Stage stage(*scene);
-    loaded.scene = std::move(scene);
+    auto requested = request::requestedScene(loaded.request);
+    if (!loaded.request.sweep) const stage::Stage stage(requested.scene);  // what the motion lacks is found here
+    loaded.scene = std::make_shared<const scene::Scene>(std::move(requested.scene));
   } catch (const core::Error& error) {
     loaded.error = core::printableLines(error.what());
   }

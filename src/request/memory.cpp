@@ -120,9 +120,9 @@ double meshMemory_bytes(const scene::Scene& scene) {
   return bytes;
 }
 
-double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
-                          int cells) {
-  return workerMemory_bytes(target, scene.output, form) + cells * meshMemory_bytes(scene);
+double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested, const PictureForm& form) {
+  const double scenes = std::max(1.0, static_cast<double>(requested.cells.size()));
+  return workerMemory_bytes(target, requested.scene.output, form) + scenes * meshMemory_bytes(requested.scene);
 }
 
 std::string pictureText(image::PixelSize size) {

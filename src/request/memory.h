@@ -9,6 +9,7 @@
 #include "output/film_format.h"
 #include "request/output_target.h"
 #include "request/picture_form.h"
+#include "request/requested_scene.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
 
@@ -26,8 +27,7 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked
 double meshMemory_bytes(const scene::Scene& scene);
 
 /// Both; of a sweep with the meshes of all its cells.
-double workerMemory_bytes(const OutputTarget& target, const scene::Scene& scene, const PictureForm& form,
-                          int cells = 1);
+double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested, const PictureForm& form);
 
 /// "a worker that makes pictures of 640x360", for what follows.
 std::string pictureText(image::PixelSize size);

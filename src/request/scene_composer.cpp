@@ -8,25 +8,17 @@
 
 namespace poinsot::request {
 
-std::unique_ptr<const stage::Composer> composerOf(const SceneRequest& request, const scene::Scene& scene,
-                                                  core::StepLedger* steps) {
+std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requested, core::StepLedger* steps) {
+  const auto& [request, scene, cells] = requested;
   if (!request.sweep) return std::make_unique<stage::Stage>(scene, steps);
   if (request.sweep->map) return std::make_unique<stage::StabilityMap>(scene);
   const SweepGrid grid(request);
-  return std::make_unique<stage::SweepStage>(loadCells(request, grid),
-                                             stage::sweepLabels(grid.axes, request.sweep->labels, scene),
+  return std::make_unique<stage::SweepStage>(cells, stage::sweepLabels(grid.axes, request.sweep->labels, scene),
                                              request.sweep->columns, steps);
 }
 
 stage::Sizing sizingOf(const PictureForm& form, glm::ivec2 size_px) {
   return form.print ? stage::printSizing(form.print->dpi) : stage::screenSizing(size_px);
-}
-
-void checkSweep(const SceneRequest& request, const scene::Scene& scene) {
-  if (request.sweep->map) return static_cast<void>(stage::StabilityMap(scene));
-  const SweepGrid grid(request);
-  stage::sweepLabels(grid.axes, request.sweep->labels, scene);
-  loadCells(request, grid);
 }
 
 }  // namespace poinsot::request

@@ -20,16 +20,15 @@ struct SweepRequest {
   std::vector<std::string> labels = {};  ///< names of the swept keys in TeX, in place of their own
 };
 
-/// A scene as the user asked for it. The text is read once: workers get it from here, so that a file edited during
-/// a render cannot mix two scenes into one film.
+/// A scene as the user asked for it.
 struct SceneRequest {
-  std::string fileName;  ///< as given, for messages
-  std::string text;
-  std::vector<std::string> overrides;    ///< "key.path=value", in the order given
-  std::optional<image::PixelSize> size;  ///< in place of the scene's; may be odd, which the key may not
-  scene::Allowance allowance{};          ///< how much, and files of which folders besides its own
-  std::optional<SweepRequest> sweep{};   ///< ranges among the overrides stand for cells (sweep_cells.h)
-  std::optional<std::size_t> view{};     ///< that view as the whole picture, without the others and without plots
+  std::string fileName = {};  ///< as given, for messages
+  std::string text = {};
+  std::vector<std::string> overrides = {};    ///< "key.path=value", in the order given
+  std::optional<image::PixelSize> size = {};  ///< in place of the scene's; may be odd, which the key may not
+  scene::Allowance allowance{};               ///< how much, and files of which folders besides its own
+  std::optional<SweepRequest> sweep{};        ///< ranges among the overrides stand for cells (sweep_cells.h)
+  std::optional<std::size_t> view{};  ///< that view as the whole picture, without the others and without plots
 };
 
 /// Reads the file.

@@ -102,14 +102,12 @@ SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int
   return one;
 }
 
-std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid) {
-  std::vector<scene::Scene> cells;
-  for (int i = 0; i < grid.cells; ++i) {
-    cells.push_back(loadRequested(cellRequest(request, grid, i)));
-    if (i == 0)
-      expectWithinMemory(grid.cells * meshMemory_bytes(cells[0]),
-                         fmt::format("the meshes of {} cells", grid.cells), request.allowance.limits);
-  }
+std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid,
+                                    const scene::Scene& first) {
+  expectWithinMemory(grid.cells * meshMemory_bytes(first), fmt::format("the meshes of {} cells", grid.cells),
+                     request.allowance.limits);
+  std::vector<scene::Scene> cells{first};
+  for (int i = 1; i < grid.cells; ++i) cells.push_back(loadRequested(cellRequest(request, grid, i)));
   if (cells[0].time.loop) refuse("a sweep does not repeat: --loop changes each motion by itself");
   shareSpeed(cells);
   return cells;

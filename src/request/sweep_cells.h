@@ -38,8 +38,9 @@ SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int
 
 /// The scenes of all cells, which are one film: of one length, rate, size, paper and pace. Where no speed is
 /// given, it is the least of those that the cells would choose, so that none is too fast to watch.
-/// @throws scene::SceneErrors of a cell; core::Error(kUsage) for cells that are no one film, (kLimit) for more
-/// memory than may be taken, said before it is.
-std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid);
+/// @param first  loadRequested(request)
+/// @throws scene::SceneErrors of another cell; core::Error(kUsage) for cells that are no one film, (kLimit) for
+/// more memory than may be taken, said before it is.
+std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid, const scene::Scene& first);
 
 }  // namespace poinsot::request

@@ -173,7 +173,7 @@ def vocabulary(target):
         "torque_table": lambda: ["t,Nx,Ny,Nz", *NUMBERS],
         "trajectory_table": lambda: strings("reference/trajectory_row.h") + NUMBERS + ["\\x22", ",", "#"],
         "grade": lambda: strings("reference/trajectory_row.h") + NUMBERS + ["1e300", "-1e300", "1e308", "1e289", "4.9e-324", ",", "\\x0a"],
-        "work_folder": lambda: strings("job/job_file.cpp") + strings("job/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
+        "work_folder": lambda: strings("job/job_record.cpp") + strings("job/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
         "golden_manifest": lambda: strings("golden/manifest.cpp") + strings("golden/keys.cpp", "[a-z_]{3,12}") + TOML,
         "command_line": lambda: strings("cli/*.cpp", r"-{0,2}[a-z][a-z-]{1,20}") + NUMBERS + ["-D", "-o", "=", "--"],
     }[target]()

@@ -3,7 +3,7 @@
 
 #include "fuzz/input.h"
 #include "golden/reference.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "job/segment_record.h"
 
 namespace {
@@ -14,7 +14,7 @@ const request::OutputTarget kFilm{request::OutputKind::kFilm, "film.mp4"};
 const request::OutputTarget kSequence{request::OutputKind::kSequence, "f_{frame:03}.png"};
 
 void readJob(std::string_view text, const request::OutputTarget& target) {
-  const auto job = job::parseJobFile(text, target);
+  const auto job = job::parseJobRecord(text, target);
   if (!job) return;
   // With a million of them each input would take a second.
   if (job->frames.count() / job->segmentFrames < 1000) request::segmentsOf({1, 1}, job->segments());

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/json_file.h"
-#include "job/job_file.h"
+#include "job/job_record.h"
 #include "job/segment_record.h"
 #include "support/scratch_folder.h"
 #include "support/text_of.h"
@@ -19,9 +19,9 @@ using Json = nlohmann::ordered_json;
 
 const request::OutputTarget kFilm{request::OutputKind::kFilm, "film.mp4"};
 
-JobFile filmJob() {
-  JobFile job;
-  job.job = "5f";
+JobRecord filmJob() {
+  JobRecord job;
+  job.digest = "5f";
   job.scene = "a0";
   job.settings = "{}";
   job.film = {output::FilmContainer::kMp4, {30, 1}};
@@ -31,10 +31,10 @@ JobFile filmJob() {
   return job;
 }
 
-class JobFiles : public testing::Test {
+class JobRecords : public testing::Test {
  protected:
-  JobFiles() {
-    writeJobFile(folder_.path(), filmJob());
+  JobRecords() {
+    writeJobRecord(folder_.path(), filmJob());
     written_ = Json::parse(textOf(folder_ / "job.json"));
   }
 
@@ -42,15 +42,15 @@ class JobFiles : public testing::Test {
   bool isTaken(const std::string& key, const Json& value) const {
     Json changed = written_;
     changed[key] = value;
-    return parseJobFile(changed.dump(), kFilm).has_value();
+    return parseJobRecord(changed.dump(), kFilm).has_value();
   }
 
   ScratchFolder folder_;
   Json written_;
 };
 
-TEST_F(JobFiles, AreReadAsTheyWereWritten) {
-  const auto read = readJobFile(folder_.path(), kFilm);
+TEST_F(JobRecords, AreReadAsTheyWereWritten) {
+  const auto read = readJobRecord(folder_.path(), kFilm);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->frames, (request::FrameRange{0, 89}));
   EXPECT_EQ(read->title, "Rolling");
@@ -58,7 +58,7 @@ TEST_F(JobFiles, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read->segments().size(), 3u);
 }
 
-TEST_F(JobFiles, HaveNumbersThatCanBeGoneThrough) {
+TEST_F(JobRecords, HaveNumbersThatCanBeGoneThrough) {
   EXPECT_TRUE(isTaken("frames", {0, kMostJobFrames - 1}));
   EXPECT_FALSE(isTaken("frames", {0, kMostJobFrames}));
   EXPECT_FALSE(isTaken("frames", {0, 9'000'000'000'000'000'000}));
@@ -75,12 +75,12 @@ TEST_F(JobFiles, HaveNumbersThatCanBeGoneThrough) {
   EXPECT_FALSE(isTaken("segment_frames", 1e300));
 }
 
-TEST_F(JobFiles, AreOfTheTarget) {
+TEST_F(JobRecords, AreOfTheTarget) {
   EXPECT_FALSE(isTaken("kind", static_cast<int>(request::OutputKind::kSequence)));
   EXPECT_FALSE(isTaken("kind", 77));
   EXPECT_FALSE(isTaken("container", "gif"));
   EXPECT_FALSE(isTaken("fps", "0"));
-  EXPECT_FALSE(readJobFile(folder_.path(), {request::OutputKind::kSequence, "f_{frame}.png"}));
+  EXPECT_FALSE(readJobRecord(folder_.path(), {request::OutputKind::kSequence, "f_{frame}.png"}));
 }
 
 TEST(Json, IsNotNestedDeeply) {

@@ -10,7 +10,7 @@
 
 #include "core/file_handle.h"
 #include "image/pixel_digest.h"
-#include "job/job_identity.h"
+#include "image/png_file.h"
 #include "job/worker_protocol.h"
 #include "support/scratch_folder.h"
 
@@ -56,11 +56,11 @@ struct Pipe {
 };
 
 TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
-  Pipe jobs, reports;
-  process::writeLine(jobs.write.get(), toLine(request::FrameRange{3, 4}));
-  process::writeLine(jobs.write.get(), toLine(request::FrameRange{60, 60}));
-  jobs.write.reset();
-  process::LineReader lines(jobs.read.get());
+  Pipe segments, reports;
+  process::writeLine(segments.write.get(), toLine(request::FrameRange{3, 4}));
+  process::writeLine(segments.write.get(), toLine(request::FrameRange{60, 60}));
+  segments.write.reset();
+  process::LineReader lines(segments.read.get());
   GreySource source;
   Written written;
   source.steps.trace();
@@ -93,13 +93,13 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   EXPECT_EQ(tracedSegments, segmentStarts);
 }
 
-/// The last word of a worker, a process of its own, that is given the job and no segment.
-WorkerReport lastWordOf(const WorkerJob& job) {
-  Pipe jobs, reports;
-  process::writeLine(jobs.write.get(), toLine(job));
-  jobs.write.reset();
+/// The last word of a worker, a process of its own, that makes a sequence of the request's frames into the folder.
+WorkerReport lastWordOf(const RenderRequest& render, const std::filesystem::path& folder) {
+  Pipe segments, reports;
+  process::writeLine(segments.write.get(), toLine(render.frames));
+  segments.write.reset();
   const pid_t worker = fork();
-  if (worker == 0) _exit(runWorker(jobs.read.get(), reports.write.get()));
+  if (worker == 0) _exit(runWorker({render, folder, 0}, segments.read.get(), reports.write.get()));
   reports.write.reset();
   process::LineReader told(reports.read.get());
   WorkerReport last = FrameDone{};
@@ -108,93 +108,28 @@ WorkerReport lastWordOf(const WorkerJob& job) {
   return last;
 }
 
-TEST(Worker, TellsThatAFileOfTheSceneHasChanged) {
+// A film of two scenes would be wrong without a word.
+TEST(Worker, DrawsTheSceneAsItWasReadWhateverItsFilesHaveBecome) {
   const ScratchFolder folder;
   folder.put("style.toml", "[style]\ntheme = \"dark\"\n");
-  const std::string scene = folder / "a.toml";
-  WorkerJob job;
-  job.scene = {scene,
-               "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 2, 0.1]\n"
-               "[style]\nfile = \"style.toml\"\n",
-               {},
-               {}};
-  job.target = {request::OutputKind::kSequence, folder / "{frame}.png"};
-  job.workFolder = folder.path();
-  const scene::Scene read = request::loadRequested(job.scene);
-  job.job =
-      core::toHex(jobDigest(sceneDigest(job.scene, read),
-                            renderSettings(job.target, job.form, job.reproducible, job.segmentFrames, read)));
-  EXPECT_TRUE(std::holds_alternative<WorkerFinished>(lastWordOf(job)));
-
-  folder.put("style.toml", "[style]\ntheme = \"light\"\n");
-  const WorkerReport last = lastWordOf(job);
-  ASSERT_TRUE(std::holds_alternative<WorkerFailed>(last));
-  EXPECT_EQ(std::get<WorkerFailed>(last).kind, core::ErrorKind::kIo);
-  EXPECT_EQ(std::get<WorkerFailed>(last).message,
-            scene + ": a file that the scene names has changed since the render began");
-}
-
-TEST(WorkerProtocol, CarriesAJobUnchanged) {
-  // Bytes that are no UTF-8 and characters that JSON escapes: file names may hold both.
-  const std::string odd = "a\"b\\c\n\xff\xc3\xa9\x80";
-  scene::Allowance allowance{{}, {odd, "b"}};
-  allowance.limits.set(scene::Limit::kSide, 16384);
-  allowance.limits.set(scene::Limit::kMemory, std::int64_t{1} << 50);
-  const WorkerJob job{{odd, "schema = 1\n# " + odd, {"a.b=" + odd}, image::PixelSize{161, 90}, allowance},
-                      {request::OutputKind::kSequence, odd + "/{frame}.png"},
-                      {3, 62},
-                      0.1,
-                      odd,
-                      gl::Backend::kEgl,
-                      true,
-                      2,
-                      {request::PrintSize{86.25, 599.9}, true, 16},
-                      7,
-                      true,
-                      "0123",
-                      true,
-                      2.5e8};
-  const std::string line = toLine(job);
-  EXPECT_EQ(line.find('\n'), std::string::npos);
-  const WorkerJob read = jobFromLine(line);
-  EXPECT_EQ(read.scene.fileName, job.scene.fileName);
-  EXPECT_EQ(read.scene.text, job.scene.text);
-  EXPECT_EQ(read.scene.overrides, job.scene.overrides);
-  EXPECT_EQ(read.scene.size, job.scene.size);
-  EXPECT_EQ(read.scene.allowance.limits, allowance.limits);
-  EXPECT_EQ(read.scene.allowance.assetRoots, allowance.assetRoots);
-  EXPECT_EQ(read.target.kind, job.target.kind);
-  EXPECT_EQ(read.target.path, job.target.path);
-  EXPECT_EQ(read.frames, job.frames);
-  EXPECT_EQ(read.time_s, job.time_s);
-  EXPECT_EQ(read.workFolder, job.workFolder);
-  EXPECT_EQ(read.backend, job.backend);
-  EXPECT_EQ(read.reproducible, job.reproducible);
-  EXPECT_EQ(read.rasterThreads, job.rasterThreads);
-  ASSERT_TRUE(read.form.print);
-  EXPECT_EQ(read.form.print->width_mm, 86.25);
-  EXPECT_EQ(read.form.print->dpi, 599.9);
-  EXPECT_TRUE(read.form.transparent);
-  EXPECT_EQ(read.form.bits, 16);
-  EXPECT_EQ(read.segmentFrames, 7);
-  EXPECT_TRUE(read.resume);
-  EXPECT_EQ(read.job, job.job);
-  EXPECT_TRUE(read.trace);
-  EXPECT_EQ(read.expected_bytes, 2.5e8);
-}
-
-TEST(WorkerProtocol, LeavesOutWhatWasNotGiven) {
-  const WorkerJob read = jobFromLine(toLine(WorkerJob{}));
-  EXPECT_EQ(read.scene.size, std::nullopt);
-  EXPECT_EQ(read.scene.allowance.limits, scene::Limits());
-  EXPECT_EQ(read.time_s, std::nullopt);
-  EXPECT_FALSE(read.form.print);
-  EXPECT_FALSE(read.form.transparent);
-  EXPECT_EQ(read.form.bits, 8);
+  const auto scene = request::requestedScene(
+      {.fileName = folder / "a.toml",
+       .text = "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 2, 0.1]\n"
+               "[style]\nfile = \"style.toml\"\n[output]\nsize = [64, 36]\n"});
+  const auto render = [&](const char* name) {
+    return renderRequest(scene, {request::OutputKind::kSequence, folder / name}, {0, 0});
+  };
+  EXPECT_TRUE(std::holds_alternative<WorkerFinished>(lastWordOf(render("a{frame}.png"), folder.path())));
+  for (const char* now : {"[style]\ntheme = \"light\"\n", "no style"}) {
+    folder.put("style.toml", now);
+    EXPECT_TRUE(std::holds_alternative<WorkerFinished>(lastWordOf(render("b{frame}.png"), folder.path()))) << now;
+    EXPECT_EQ(image::pixelDigest(image::readPng(folder / "b0.png")),
+              image::pixelDigest(image::readPng(folder / "a0.png")));
+  }
 }
 
 TEST(WorkerProtocol, SaysThatALineIsLostOrDamaged) {
-  const std::string job = toLine(WorkerJob{}), segment = toLine(request::FrameRange{0, 29});
+  const std::string report = toLine(FrameDone{}), segment = toLine(request::FrameRange{0, 29});
   const auto expectSaid = [](const auto& reading) {
     try {
       reading();
@@ -204,9 +139,8 @@ TEST(WorkerProtocol, SaysThatALineIsLostOrDamaged) {
                    "a message between the render and a worker process was lost or damaged; run it again");
     }
   };
-  expectSaid([&] { jobFromLine(segment); });  // the job's own line did not come
-  expectSaid([&] { segmentFromLine(job); });
-  expectSaid([&] { jobFromLine(job.substr(0, job.size() / 2)); });
+  expectSaid([&] { segmentFromLine(report); });
+  expectSaid([&] { segmentFromLine(segment.substr(0, segment.size() / 2)); });
   expectSaid([&] { reportFromLine(segment.substr(1)); });
   expectSaid([&] { reportFromLine("{}"); });
 }

@@ -102,7 +102,8 @@ TEST(WorkerMemory, OfASweepHasTheMeshesOfAllCells) {
   scene::Scene scene;
   scene.body.parts.push_back({.figure = mesh});
   const OutputTarget picture{OutputKind::kPicture, "a.png"};
-  const double one = workerMemory_bytes(picture, scene, {}), nine = workerMemory_bytes(picture, scene, {}, 9);
+  const double one = workerMemory_bytes(picture, RequestedScene{{}, scene}, {});
+  const double nine = workerMemory_bytes(picture, RequestedScene{{}, scene, std::vector(9, scene)}, {});
   EXPECT_EQ(nine - one, 8 * meshMemory_bytes(scene));
   EXPECT_GE(meshMemory_bytes(scene), 1000 * 3 * sizeof(float));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "job/job_file.h"
+#include "job/job_record.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ output::FilmTrack filmOf(const Json& json) {
 }
 
 /// Frames that can be gone through.
-bool isSound(const JobFile& job) {
+bool isSound(const JobRecord& job) {
   const auto [first, last] = job.frames;
   return first >= 0 && last >= first && last < kMostJobFrames && job.segmentFrames > 0 &&
          job.segmentFrames <= kMostJobFrames;
@@ -49,8 +49,8 @@ bool isSound(const JobFile& job) {
 
 }  // namespace
 
-void writeJobFile(const path& workFolder, const JobFile& job) {
-  const Json json{{"job", job.job},
+void writeJobRecord(const path& workFolder, const JobRecord& job) {
+  const Json json{{"job", job.digest},
                   {"scene", job.scene},
                   {"settings", job.settings},
                   {"kind", static_cast<int>(job.kind)},
@@ -66,10 +66,10 @@ void writeJobFile(const path& workFolder, const JobFile& job) {
   core::writeFileAtomically(fileIn(workFolder), text);
 }
 
-std::optional<JobFile> parseJobFile(std::string_view text, const request::OutputTarget& target) try {
+std::optional<JobRecord> parseJobRecord(std::string_view text, const request::OutputTarget& target) try {
   const Json json = core::parseJson(text);
-  JobFile job;
-  job.job = json.at("job").get<std::string>();
+  JobRecord job;
+  job.digest = json.at("job").get<std::string>();
   job.scene = json.at("scene").get<std::string>();
   job.settings = json.at("settings").get<std::string>();
   job.kind = target.kind;
@@ -92,9 +92,9 @@ std::optional<JobFile> parseJobFile(std::string_view text, const request::Output
   return std::nullopt;
 }
 
-std::optional<JobFile> readJobFile(const path& workFolder, const request::OutputTarget& target) try {
-  return parseJobFile(core::readRegularFile(fileIn(workFolder), core::kMostJsonBytes, core::ErrorKind::kIo),
-                      target);
+std::optional<JobRecord> readJobRecord(const path& workFolder, const request::OutputTarget& target) try {
+  return parseJobRecord(core::readRegularFile(fileIn(workFolder), core::kMostJsonBytes, core::ErrorKind::kIo),
+                        target);
 } catch (const core::Error&) {
   return std::nullopt;
 }

@@ -16,8 +16,8 @@ namespace poinsot::job {
 
 /// What a render leaves in its work folder about itself: enough for others to tell how far it is, and to finish it
 /// without the scene.
-struct JobFile {
-  std::string job;       ///< jobDigest()
+struct JobRecord {
+  std::string digest;    ///< jobDigest()
   std::string scene;     ///< sceneDigest()
   std::string settings;  ///< renderSettings()
   request::OutputKind kind = request::OutputKind::kFilm;
@@ -36,13 +36,14 @@ struct JobFile {
 inline constexpr std::int64_t kMostJobFrames = 1'000'000;
 
 /// @throws core::Error(kIo).
-void writeJobFile(const std::filesystem::path& workFolder, const JobFile& job);
+void writeJobRecord(const std::filesystem::path& workFolder, const JobRecord& job);
 
-/// What writeJobFile() wrote for this target. Nothing where it cannot be understood, is of another kind of output,
-/// or has frames or shards beyond the limits: a work folder may come from anyone.
-std::optional<JobFile> parseJobFile(std::string_view text, const request::OutputTarget& target);
+/// What writeJobRecord() wrote for this target. Nothing where it cannot be understood, is of another kind of
+/// output, or has frames or shards beyond the limits: a work folder may come from anyone.
+std::optional<JobRecord> parseJobRecord(std::string_view text, const request::OutputTarget& target);
 /// Likewise of a work folder; nothing where there is none, too.
-std::optional<JobFile> readJobFile(const std::filesystem::path& workFolder, const request::OutputTarget& target);
+std::optional<JobRecord> readJobRecord(const std::filesystem::path& workFolder,
+                                       const request::OutputTarget& target);
 
 /// File of a film's segment in the work folder.
 std::filesystem::path segmentFile(const std::filesystem::path& workFolder, output::FilmContainer container,

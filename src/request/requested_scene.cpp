@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/requested_scene.h"
+
+#include <utility>
+
+#include "request/sweep_cells.h"
+#include "stage/stability_map.h"
+#include "stage/type/sweep_label.h"
+
+namespace poinsot::request {
+
+void RequestedScene::resize(image::PixelSize size) {
+  request.size = size;
+  const auto set = [&](scene::Scene& one) {
+    one.output.width = size.width;
+    one.output.height = size.height;
+  };
+  set(scene);
+  for (scene::Scene& cell : cells) set(cell);
+}
+
+RequestedScene requestedScene(SceneRequest request) {
+  RequestedScene requested{std::move(request)};
+  const auto& sweep = requested.request.sweep;
+  requested.scene = loadRequested(requested.request);
+  if (sweep && sweep->map) stage::StabilityMap checked(requested.scene);
+  if (!sweep || sweep->map) return requested;
+  const SweepGrid grid(requested.request);
+  stage::sweepLabels(grid.axes, sweep->labels, requested.scene);
+  requested.cells = loadCells(requested.request, grid, requested.scene);
+  return requested;
+}
+
+}  // namespace poinsot::request
