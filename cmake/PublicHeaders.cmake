@@ -18,7 +18,7 @@ set(POINSOT_PUBLIC_HEADERS
   core/sha256.h
   core/version.h
   describe/alt_text.h
-  describe/report_scene.h
+  describe/report.h
   draw/camera.h
   draw/color.h
   draw/draw_list.h
@@ -65,7 +65,7 @@ set(POINSOT_PUBLIC_HEADERS
   process/interrupt.h
   reference/grade.h
   reference/grade_text.h
-  reference/trajectory_text.h
+  reference/trajectory.h
   render/reference.h
   render/renderer.h
   request/scene_request.h

@@ -11,7 +11,7 @@
 #include "diff.h"
 #include "grade.h"
 #include "reference/scene_grade.h"
-#include "reference/trajectory_row.h"
+#include "reference/trajectory.h"
 #include "scene/keys/explanation.h"
 #include "signals.h"
 #include "stability.h"

@@ -15,7 +15,7 @@
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "output/film_reader.h"
-#include "request/user_limits.h"
+#include "request/user_files.h"
 #include "signals.h"
 
 namespace poinsot::python {

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "core/frame_clock.h"
-#include "request/user_limits.h"
+#include "request/user_files.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::python {

@@ -8,7 +8,7 @@
 #include "answers.h"
 #include "core/version.h"
 #include "describe/alt_text.h"
-#include "describe/report_scene.h"
+#include "describe/report.h"
 #include "errors.h"
 #include "loaded_scene.h"
 #include "pictures.h"

@@ -12,7 +12,6 @@
 
 #include "core/error.h"
 #include "physics/motion.h"
-#include "reference/trajectory_accuracy.h"
 #include "reference/trajectory_times.h"
 #include "signals.h"
 

@@ -10,8 +10,8 @@
 #include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "process/time_limit.h"
-#include "request/user_limits.h"
+#include "process/interrupt.h"
+#include "request/user_files.h"
 
 namespace poinsot::cli {
 namespace {

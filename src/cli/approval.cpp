@@ -7,6 +7,7 @@
 #include "core/error.h"
 
 namespace poinsot::cli {
+
 namespace {
 
 [[noreturn]] void refuse(const char* message) { throw core::Error(core::ErrorKind::kUsage, message); }
@@ -18,6 +19,11 @@ void expectMayApprove(const AllowanceOptions& options) {
   const char* ci = std::getenv("CI");
   if (ci && *ci && std::string_view(ci) != "0" && std::string_view(ci) != "false")
     refuse("--update: nothing is approved where the environment says CI; look at the pictures first");
+}
+
+std::filesystem::path attachmentRoot() {
+  const char* folder = std::getenv("CI_PROJECT_DIR");
+  return folder ? folder : "";
 }
 
 }  // namespace poinsot::cli

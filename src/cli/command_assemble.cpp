@@ -10,8 +10,8 @@
 #include "cli/exit_code.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "job/next_step.h"
 #include "job/work_folder.h"
+#include "job/work_left.h"
 #include "output/run_files.h"
 #include "request/subtitles.h"
 

@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/choice_notes.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/notes.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "core/error.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cli/approval.h"
-#include "cli/ci_environment.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -32,7 +31,7 @@
 #include "job/render_job.h"
 #include "output/film_reader.h"
 #include "output/run_files.h"
-#include "request/user_limits.h"
+#include "request/user_files.h"
 
 namespace poinsot::cli {
 namespace {

@@ -6,7 +6,6 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "cli/paragraph.h"
 #include "job/checkup.h"
 #include "process/interrupt.h"
 

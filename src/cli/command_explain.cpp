@@ -8,7 +8,6 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "cli/paragraph.h"
 #include "golden/explanation.h"
 #include "scene/keys/explanation.h"
 

@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "cli/approval.h"
-#include "cli/ci_environment.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/golden_options.h"
-#include "cli/renderer_note.h"
+#include "cli/notes.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "compare/diff_json.h"
@@ -37,7 +36,7 @@
 #include "job/render_job.h"
 #include "output/run_files.h"
 #include "process/interrupt.h"
-#include "request/user_limits.h"
+#include "request/user_files.h"
 
 namespace poinsot::cli {
 namespace {

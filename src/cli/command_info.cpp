@@ -7,11 +7,10 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "cli/paragraph.h"
 #include "cli/scene_options.h"
 #include "cli/untrusted.h"
 #include "describe/alt_text.h"
-#include "describe/report_scene.h"
+#include "describe/report.h"
 #include "describe/report_units.h"
 
 namespace poinsot::cli {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/picture_bits.h"
+#include "cli/option_values.h"
 #include "cli/still_options.h"
 
 namespace poinsot::cli {

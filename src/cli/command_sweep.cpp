@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/film_options.h"
-#include "cli/picture_bits.h"
+#include "cli/option_values.h"
 #include "cli/still_options.h"
 #include "core/error.h"
 #include "output/film_format.h"

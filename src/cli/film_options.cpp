@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "cli/picture_bits.h"
+#include "cli/option_values.h"
 #include "core/error.h"
 #include "core/frame_clock.h"
 #include "output/film_format.h"

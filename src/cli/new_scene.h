@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "request/user_defaults.h"
+#include "request/user_files.h"
 
 namespace poinsot::cli {
 

@@ -8,12 +8,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/choice_notes.h"
 #include "cli/console.h"
 #include "cli/dry_run.h"
 #include "cli/exit_code.h"
-#include "cli/renderer_note.h"
-#include "cli/shard_run.h"
+#include "cli/notes.h"
 #include "cli/worker_count.h"
 #include "core/error.h"
 #include "core/temporary_folder.h"
@@ -24,7 +22,7 @@
 #include "output/png_sequence.h"
 #include "output/run_files.h"
 #include "process/interrupt.h"
-#include "request/film_choice.h"
+#include "request/output_target.h"
 #include "request/subtitles.h"
 
 namespace poinsot::cli {

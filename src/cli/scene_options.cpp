@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "request/scene_request.h"
-#include "request/user_limits.h"
+#include "request/user_files.h"
 
 namespace poinsot::cli {
 

@@ -5,9 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/picture_bits.h"
-#include "cli/print_size.h"
-#include "cli/time_word.h"
+#include "cli/option_values.h"
 #include "core/error.h"
 #include "core/text.h"
 

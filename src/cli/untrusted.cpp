@@ -5,8 +5,7 @@
 #include "core/atomic_file.h"
 #include "gl/shader_cache.h"
 #include "process/supervisor.h"
-#include "request/user_defaults.h"
-#include "request/user_limits.h"
+#include "request/user_files.h"
 
 namespace poinsot::cli {
 namespace {

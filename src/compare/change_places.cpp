@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/change_places.h"
+#include "compare/change_measures.h"
 
 #include <algorithm>
 #include <tuple>

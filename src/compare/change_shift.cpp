@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/change_shift.h"
+#include "compare/change_measures.h"
 
 #include <algorithm>
 #include <cstring>

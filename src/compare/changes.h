@@ -7,10 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/change_places.h"
-#include "compare/change_shift.h"
-#include "compare/change_symmetry.h"
-#include "compare/change_tone.h"
+#include "compare/change_measures.h"
 #include "image/image.h"
 
 namespace poinsot::compare {

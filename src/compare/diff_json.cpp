@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/json_file.h"
+#include "core/json.h"
 
 namespace poinsot::compare {
 namespace {

@@ -10,8 +10,7 @@
 #include <numeric>
 #include <optional>
 
-#include "compare/flip_color.h"
-#include "compare/flip_filters.h"
+#include "compare/flip_stages.h"
 #include "core/expect.h"
 #include "core/interruption.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "describe/alt_sections.h"
-#include "describe/alt_words.h"
 
 namespace poinsot::describe {
 namespace {

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "describe/alt_sections.h"
-#include "describe/alt_words.h"
 #include "physics/heavy_top.h"
 #include "physics/herpolhode.h"
 #include "physics/polhode.h"

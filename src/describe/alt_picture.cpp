@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "describe/alt_sections.h"
-#include "describe/alt_words.h"
 #include "draw/color.h"
 #include "scene/state_quantity.h"
 #include "stage/palette.h"

@@ -6,7 +6,6 @@
 #include "core/text.h"
 #include "describe/alt_sections.h"
 #include "describe/alt_text.h"
-#include "describe/alt_words.h"
 #include "request/sweep_cells.h"
 #include "stage/stability_map.h"
 #include "stage/type/sweep_label.h"

@@ -2,7 +2,6 @@
 #include "describe/report.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,8 +11,11 @@
 
 #include "core/expect.h"
 #include "core/text.h"
+#include "describe/report_sections.h"
+#include "stage/picture_motion.h"
 
 namespace poinsot::describe {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -191,6 +193,15 @@ std::string reportJson(const Report& report) {
   json["units"] = units;
   json["from"] = from;
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+Report sceneReport(const scene::Scene& scene) {
+  const double start_s = scene.time.start_s;
+  const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
+  return {scene.name,
+          {bodySection(scene), startSection(scene), flightSection(scene), constructionSection(scene),
+           symmetricSection(scene), heavyTopSection(scene), lossSection(scene), stabilitySection(scene),
+           loopSection(scene), accuracySection(scene, span)}};
 }
 
 }  // namespace poinsot::describe

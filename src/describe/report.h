@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/abi.h"
+#include "scene/scene.h"
 
 namespace poinsot::describe {
 
@@ -53,5 +54,9 @@ std::string reportTable(const Report& report, int digits = kUsualDigits);
 /// One object: scene, each key with its value in full precision (infinite: null), units by key, from by key.
 /// Bare numbers, words and truth values have no unit.
 std::string reportJson(const Report& report);
+
+/// What one would work out by hand about a scene: every number from the physics layer.
+/// @throws core::Error(kPhysics) for a motion that has no solution.
+Report sceneReport(const scene::Scene& scene);
 
 }  // namespace poinsot::describe

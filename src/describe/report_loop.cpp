@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
+#include "describe/report_loop.h"
 
+#include <fmt/format.h>
 #include <numbers>
 
-#include "describe/loop_text.h"
 #include "describe/report_sections.h"
 
 namespace poinsot::describe {
+
 namespace {
 
 double speedChange(const scene::Loop& loop, const scene::Time& time) { return *time.speed / loop.speedAsked - 1; }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "describe/report.h"
-#include "request/user_defaults.h"
+#include "request/user_files.h"
 
 namespace poinsot::describe {
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "figure/visibility_order.h"
+#include "figure/visibility_pieces.h"
 
 namespace poinsot::figure {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "figure/visibility_order.h"
+#include "figure/visibility_pieces.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

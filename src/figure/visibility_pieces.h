@@ -26,4 +26,8 @@ struct Piece {
 std::vector<Piece> visiblePieces(const Visibility& visibility, const draw::Camera& camera,
                                  const draw::Curve& curve);
 
+/// The pieces in an order to be painted in: wherever two of different colour meet, the farther one first. Pieces
+/// that are over one another in one place and under in another are cut.
+std::vector<Piece> inPaintingOrder(const std::vector<Piece>& pieces);
+
 }  // namespace poinsot::figure

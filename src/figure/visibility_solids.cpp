@@ -9,8 +9,6 @@
 #include <limits>
 
 #include "figure/visibility.h"
-#include "figure/visibility_triangles.h"
-#include "figure/visibility_tubes.h"
 
 namespace poinsot::figure {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "figure/visibility_tubes.h"
+#include "figure/visibility_solids.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <set>
 #include <system_error>
 
-#include "core/folder.h"
 #include "core/error.h"
-#include "core/json_file.h"
+#include "core/folder.h"
+#include "core/json.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "core/wildcard.h"

@@ -15,7 +15,7 @@
 #include "compare/file_diff.h"
 #include "compare/memory.h"
 #include "core/atomic_file.h"
-#include "core/json_file.h"
+#include "core/json.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "core/wildcard.h"

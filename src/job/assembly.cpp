@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "job/next_step.h"
+#include "job/work_left.h"
 #include "output/film.h"
 
 namespace poinsot::job {

@@ -10,7 +10,7 @@
 #include "describe/picture_words.h"
 #include "image/png_file.h"
 #include "output/library_versions.h"
-#include "request/film_choice.h"
+#include "request/output_target.h"
 
 namespace poinsot::job {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/json_file.h"
+#include "core/json.h"
 #include "core/regular_file.h"
 #include "output/frame_pattern.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/json_text.h"
+#include "core/json.h"
 #include "core/version.h"
 #include "job/segment_record.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "job/job_record.h"
-#include "job/render_summary.h"
+#include "job/statistics.h"
 #include "output/file_kind.h"
 
 namespace poinsot::job {

@@ -12,8 +12,8 @@
 
 #include "core/file_batch.h"
 #include "job/render_request.h"
-#include "job/render_summary.h"
 #include "job/segment_stream.h"
+#include "job/statistics.h"
 #include "job/trace_file.h"
 #include "job/work_folder.h"
 #include "job/worker_process.h"

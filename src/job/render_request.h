@@ -53,4 +53,14 @@ RenderRequest renderRequest(request::RequestedScene scene, const request::Output
 /// @throws core::Error(kLimit) if a worker would take more memory than the scene's allowance has.
 void expectWithinMemory(const RenderRequest& request);
 
+/// What all workers of a render inherit.
+struct WorkerTask {
+  const RenderRequest& render;
+  std::filesystem::path workFolder;  ///< takes the segments of a film
+  int rasterThreads = 0;             ///< llvmpipe's; 0 rasterises in the worker itself
+
+  /// Whether segments that are there are taken.
+  bool resumes() const { return render.resume || render.shard; }
+};
+
 }  // namespace poinsot::job

@@ -5,7 +5,7 @@
 
 #include "core/frame_clock.h"
 #include "figure/alpha.h"
-#include "request/scene_composer.h"
+#include "request/requested_scene.h"
 
 namespace poinsot::job {
 

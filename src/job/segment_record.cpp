@@ -14,8 +14,7 @@
 
 #include "core/atomic_file.h"
 #include "core/file_error.h"
-#include "core/json_file.h"
-#include "core/json_text.h"
+#include "core/json.h"
 #include "core/regular_file.h"
 #include "core/sha256.h"
 #include "core/text.h"

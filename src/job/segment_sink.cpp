@@ -10,7 +10,7 @@
 #include "job/job_record.h"
 #include "output/png_sequence.h"
 #include "output/video_segment.h"
-#include "request/film_choice.h"
+#include "request/output_target.h"
 
 namespace poinsot::job {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "job/render_request.h"
 #include "job/scene_frames.h"
 #include "job/worker.h"
-#include "job/worker_task.h"
 
 namespace poinsot::job {
 

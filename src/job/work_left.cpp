@@ -2,9 +2,11 @@
 #include "job/work_left.h"
 
 #include <fmt/format.h>
-
 #include <filesystem>
+#include <system_error>
 
+#include "core/shell_word.h"
+#include "core/text.h"
 #include "job/work_folder.h"
 #include "output/film.h"
 
@@ -37,6 +39,41 @@ std::string shardsText(const std::vector<int>& shards) {
 
 bool isReadyFilm(const request::OutputTarget& output) {
   return output.kind == request::OutputKind::kFilm && output::isWholeFilm(output.path);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string renderText(const request::OutputTarget& output) {
+  return "poinsot render SCENE -o " + core::printable(core::shellWord(output.path.native()));
+}
+
+}  // namespace
+
+std::string nothingUnderWayText(const request::OutputTarget& output, const fs::path& workFolder) {
+  std::error_code ignored;
+  const std::string render = renderText(output);
+  if (fs::is_directory(workFolder, ignored))
+    return fmt::format("{}/job.json is missing or damaged; {} --resume writes it again and keeps whole segments",
+                       core::printable(workFolder.native()), render);
+  if (isReadyFilm(output)) return "the film itself is whole";
+  if (output.kind != request::OutputKind::kFilm || !fs::exists(output.path, ignored))
+    return "there is nothing of that name; make it: " + render;
+  if (output::isOwnFilm(output.path))
+    return fmt::format("the film itself is not as it was written; {} --resume makes it again", render);
+  return fmt::format(
+      "the file there was written by another program, or is too damaged to be recognised; {} --force replaces it",
+      render);
+}
+
+std::string makeText(const JobRecord& job, const JobStatus& status, const request::OutputTarget& output) {
+  const WorkLeft left = workLeft(job, status, job.shards, output);
+  if (job.shards == 1) return "make them: " + renderText(output) + " --resume";
+  const std::string shards = shardsText(left.shards);
+  const bool isOne = left.shards.size() == 1;
+  return fmt::format("make them: {} --shard {}/{}{}", renderText(output), isOne ? shards : "K", job.shards,
+                     isOne ? "" : " for each K of " + shards);
 }
 
 }  // namespace poinsot::job

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "job/assembly.h"
 
+/// Words about an output that is not ready: why, and the command to run next.
 namespace poinsot::job {
 
 /// Work that remains of an output made in parts.
@@ -24,5 +26,12 @@ std::string shardsText(const std::vector<int>& shards);
 
 /// Returns whether a whole film of this program stands there. Use isFinished() if its job is known.
 bool isReadyFilm(const request::OutputTarget& output);
+
+/// Returns why there is nothing to tell or to join of an output: nothing is there, a file of somebody else, a film
+/// that was damaged, or a work folder without its job.json. With the command that makes the output.
+std::string nothingUnderWayText(const request::OutputTarget& output, const std::filesystem::path& workFolder);
+
+/// Returns the command that makes the segments that are missing.
+std::string makeText(const JobRecord& job, const JobStatus& status, const request::OutputTarget& output);
 
 }  // namespace poinsot::job

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/file_handle.h"
+#include "job/render_request.h"
 #include "job/worker_protocol.h"
-#include "job/worker_task.h"
 #include "process/line_channel.h"
 #include "request/frame_plan.h"
 

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/frame_clock.h"
 #include "core/text.h"
-#include "describe/report_scene.h"
+#include "describe/report.h"
 #include "describe/report_units.h"
 #include "scene/state_quantity.h"
 #include "stage/picture_motion.h"

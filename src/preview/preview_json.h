@@ -6,7 +6,7 @@
 
 #include "preview/film_errand.h"
 #include "preview/watched_scene.h"
-#include "request/user_defaults.h"
+#include "request/user_files.h"
 
 /// What the page is told.
 namespace poinsot::preview {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gl/offscreen_context.h"
-#include "request/user_defaults.h"
+#include "request/user_files.h"
 #include "scene/limits.h"
 
 namespace poinsot::preview {

@@ -7,7 +7,6 @@
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -18,9 +17,9 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/interruption.h"
-#include "process/time_limit.h"
 
 namespace poinsot::process {
+
 namespace {
 
 // `timeout` signals its child and then the child's whole group, so one wish to end may arrive twice within

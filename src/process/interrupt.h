@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signal.h>
-
+#include <cstdint>
 #include <exception>
 
 #include "core/abi.h"
@@ -49,5 +49,11 @@ int interruptFd();
 
 /// @throws Interrupted once a signal was noted; core::Error(kLimit) if the time is over (time_limit.h).
 void throwIfInterrupted();
+
+/// Ends this process after so many seconds by the clock, as a limit that was exceeded. Where interrupts are
+/// watched throwIfInterrupted() throws core::Error(kLimit) then, so that what is complete is kept; where nothing
+/// looks for them, or for 5 s more, the process says why and ends with `exitCode` at once.
+/// @pre seconds > 0.
+void limitTime(std::int64_t seconds, int exitCode);
 
 }  // namespace poinsot::process

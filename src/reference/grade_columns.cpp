@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/text.h"
-#include "reference/trajectory_row.h"
+#include "reference/trajectory.h"
 
 namespace poinsot::reference {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "reference/trajectory_row.h"
+#include "reference/trajectory.h"
 
 namespace poinsot::reference {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "output/file_kind.h"
-#include "reference/trajectory_text.h"
+#include "reference/trajectory.h"
 
 namespace poinsot::reference {
 

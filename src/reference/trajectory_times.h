@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/rational.h"
+#include "scene/scene.h"
 
 namespace poinsot::reference {
 
@@ -34,5 +36,10 @@ class TrajectoryTimes {
   std::int64_t count_ = 0;
   double earliest_s_ = 0, latest_s_ = 0;
 };
+
+/// A sentence if the attitude at the farthest of these motion times is uncertain by more than 0.02 rad: the body
+/// has turned too far for a double's phase, or the run amplifies the rounding of its input, most of all close to
+/// the separatrix. Empty otherwise, and for driven motion.
+std::string accuracyNote(const scene::Scene& scene, const TrajectoryTimes& times);
 
 }  // namespace poinsot::reference

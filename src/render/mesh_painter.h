@@ -71,4 +71,8 @@ class MeshPainter {
   ResolvedPixels resolved_;
 };
 
+/// A box as the mesh that it is: twelve triangles, all edges sharp. All boxes share one surface. A box without
+/// volume has none.
+draw::Mesh boxMesh(const draw::Box& box);
+
 }  // namespace poinsot::render

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "request/film_choice.h"
+#include "request/output_target.h"
 
 namespace poinsot::request {
 namespace {

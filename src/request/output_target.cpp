@@ -2,17 +2,18 @@
 #include "request/output_target.h"
 
 #include <fmt/format.h>
-
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
+#include "core/expect.h"
 #include "core/text.h"
 #include "figure/figure.h"
 #include "output/film_format.h"
 #include "output/frame_pattern.h"
 
 namespace poinsot::request {
+
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, std::string_view why) {
@@ -78,6 +79,28 @@ OutputTarget parseStillTarget(const std::string& name) {
   throw core::Error(core::ErrorKind::kUsage,
                     fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex{}",
                                 core::printable(name), hint));
+}
+
+namespace {
+
+output::Effort effortOf(const std::string& word) {
+  if (word == "fast") return output::Effort::kFast;
+  return word == "slow" ? output::Effort::kSlow : output::Effort::kMedium;
+}
+
+}  // namespace
+
+output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureForm& form) {
+  const auto container = output::filmContainer(target.path);
+  POINSOT_EXPECT(container);
+  output::FilmFormat format;
+  format.container = *container;
+  format.codec = output::filmCodec(asked.codec).value_or(output::codecsOf(*container).front());
+  format.chroma = asked.chroma == "4:4:4" ? output::Chroma::k444 : output::Chroma::k420;
+  format.effort = effortOf(asked.effort);
+  format.transparent = form.transparent;
+  format.crf = asked.crf;
+  return format;
 }
 
 }  // namespace poinsot::request

@@ -5,6 +5,9 @@
 #include <string>
 
 #include "core/abi.h"
+#include "output/film_format.h"
+#include "request/picture_form.h"
+#include "scene/scene.h"
 
 namespace poinsot::request {
 
@@ -36,5 +39,8 @@ OutputTarget streamTarget(const std::string& format);
 /// Of a still: a picture or a figure.
 /// @throws core::Error(kUsage) saying which names work.
 OutputTarget parseStillTarget(const std::string& name);
+
+/// How a film of that name is made: what the scene asks for, and else what its kind of file usually holds.
+output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureForm& form);
 
 }  // namespace poinsot::request

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/expect.h"
-#include "stage/common_scale.h"
 #include "stage/picture_motion.h"
+#include "stage/scales.h"
 #include "stage/timed_motion.h"
 #include "stage/type/note_rows.h"
 

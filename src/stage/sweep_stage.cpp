@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/expect.h"
-#include "stage/common_scale.h"
 #include "stage/plot/plot_frame.h"
+#include "stage/scales.h"
 #include "stage/timed_motion.h"
 #include "stage/type/picture_writing.h"
 #include "text/math_setter.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "text/math_alphabet.h"
-#include "text/math_spacing.h"
+#include "text/math_layout.h"
 
 namespace poinsot::text {
 

@@ -5,11 +5,21 @@
 #include <vector>
 
 #include "text/math_box.h"
-#include "text/math_spacing.h"
 
 /// How parts of a formula are put together, by the font's MATH table.
 /// Source: OpenType 1.9, "MATH - the mathematical typesetting table"; The TeXbook, appendix G.
 namespace poinsot::text {
+
+/// What part a piece of a formula plays; the space around it follows.
+enum class AtomClass { kOrdinary, kFunction, kBinary, kRelation, kOpening, kClosing, kPunctuation, kInner };
+
+/// Space between two neighbours in em of the current size: thin 3/18, medium 4/18 (around + - ×), thick 5/18
+/// (around = < →). In scripts only functions keep theirs. Source: D. E. Knuth, The TeXbook, chapter 18, the table
+/// of atom spacing.
+double spaceBetween_em(AtomClass left, AtomClass right, bool inScript);
+
+/// Whether a binary operator between these two is only a sign (as in "-1", "= -x"): then it is ordinary.
+bool isSign(const AtomClass* left, const AtomClass* right);
 
 /// A box and its part in the formula; a space has no part and lets its neighbours see each other.
 struct Atom {

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "compare/flip.h"
-#include "compare/flip_color.h"
-#include "compare/flip_filters.h"
+#include "compare/flip_stages.h"
 
 namespace poinsot::compare {
 namespace {

@@ -18,7 +18,6 @@
 #include <sstream>
 
 #include "describe/report.h"
-#include "describe/report_scene.h"
 #include "request/scene_request.h"
 
 namespace poinsot::describe {

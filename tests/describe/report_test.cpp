@@ -14,7 +14,6 @@
 #include <numbers>
 #include <regex>
 
-#include "describe/report_scene.h"
 #include "request/scene_request.h"
 
 namespace poinsot::describe {

@@ -11,7 +11,6 @@
 
 #include "describe/alt_text.h"
 #include "describe/report.h"
-#include "describe/report_scene.h"
 #include "request/scene_request.h"
 
 namespace poinsot::describe {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "describe/report_scene.h"
+#include "describe/report.h"
 #include "docs/pages.h"
 #include "physics/catalogue.h"
 #include "physics/heavy_top.h"

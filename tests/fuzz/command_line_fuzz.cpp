@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command_line.h"
+#include "cli/option_values.h"
 #include "cli/render_options.h"
-#include "cli/time_word.h"
 #include "compare/picture_rule.h"
 #include "core/error.h"
 #include "fuzz/input.h"

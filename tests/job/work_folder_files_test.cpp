@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/json_file.h"
+#include "core/json.h"
 #include "job/job_record.h"
 #include "job/segment_record.h"
 #include "support/scratch_folder.h"

@@ -38,7 +38,7 @@ constexpr Door kDoors[] = {
     // What is linked is seen by the packagers' tools; what is opened is not, so there is one way to do it.
     {R"(dlfcn\.h)", R"(core/shared_library\.cpp)"},
     {R"(CLI/.*)", R"(cli/.*)"},
-    {R"(nlohmann/json_fwd\.hpp)", R"([\w/]+\.cpp|core/json_file\.h)"},
+    {R"(nlohmann/json_fwd\.hpp)", R"([\w/]+\.cpp|core/json\.h)"},
     {R"(nlohmann/json\.hpp)", R"([\w/]+\.cpp)"},
     // Doubles up to the draw list, floats from there on.
     {R"(Eigen/.*|unsupported/Eigen/.*)",

@@ -1,169 +1,278 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparing films takes no more memory than it reckons, and what would take too much is refused before it is
-// taken. Films are made by ffmpeg, of every kind of pixels; what was taken is the kernel's figure.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
+#include <cmath>
+#include <limits>
+#include <utility>
 
-#include <cstdlib>
+#include "compare/change_measures.h"
+#include "compare/changes.h"
+#include "compare/difference.h"
+#include "geometry/mesh_integrals.h"
+#include "geometry/primitives.h"
+#include "physics/binet.h"
+#include "physics/driven_motion.h"
+#include "physics/free_motion.h"
+#include "physics/heavy_top.h"
+#include "physics/herpolhode.h"
+#include "physics/mass_properties.h"
+#include "physics/particle_system.h"
+#include "physics/polhode.h"
+#include "physics/stability.h"
+#include "physics/start.h"
+#include "preconditions/breaches.h"
+#include "scene/document/problem.h"
+#include "scene/motion/film_clock.h"
+#include "scene/state_quantity.h"
+#include "scene/units.h"
 
-#include "output/film_reader.h"
-#include "compare/memory.h"
-#include "support/sanitized.h"
-#include "support/scratch_folder.h"
-#include "support/shell_run.h"
-
-namespace poinsot::faults {
+namespace poinsot {
 namespace {
 
-using testing::HasSubstr;
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using geometry::Vector2;
+using physics::PrincipalMoments;
 
-constexpr double kMiB = 1 << 20;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+const PrincipalMoments kMoments(1, 2, 2.5);
 
-struct Kind {
-  const char *name, *file, *encoder;
-  int frames = 24;  // more than any encoder here keeps
-};
-
-/// What GoogleTest and ctest print of a kind.
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
-
-const char* const kMost =
-    "-preset ultrafast -refs 16 -bf 8 -b_strategy 0 -level 6.2";  // that H.264 has of references
-
-std::vector<Kind> allKinds() {
-  static const std::string most = std::string("-c:v libx264 -pix_fmt yuv420p ") + kMost,
-                           fine = std::string("-c:v libx264 -pix_fmt yuv444p10le ") + kMost;
-  return {{"H264", "mp4", "-c:v libx264 -preset veryfast -bf 3 -refs 3 -pix_fmt yuv420p"},
-          {"H264OfOneReference", "mp4", "-c:v libx264 -preset ultrafast -pix_fmt yuv420p", 2},
-          {"H264OfManyReferences", "mp4", most.c_str(), 40},
-          {"H264Deep", "mp4", fine.c_str(), 40},
-          {"Hevc", "mp4", "-c:v libx265 -preset medium -pix_fmt yuv420p -x265-params log-level=error"},
-          {"Vp9", "webm", "-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -pix_fmt yuv420p"},
-          {"Vp9Transparent", "webm", "-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -pix_fmt yuva420p"},
-          {"Av1", "mkv", "-c:v libaom-av1 -cpu-used 8 -usage realtime -pix_fmt yuv420p", 12},
-          {"ProRes", "mov", "-c:v prores_ks -profile:v 4444 -pix_fmt yuva444p10le", 2},
-          {"Gif", "gif", "", 4},
-          {"Apng", "apng", "-pix_fmt rgb24", 3},
-          {"ApngTransparent", "apng", "-pix_fmt rgba", 2},
-          {"Ffv1", "avi", "-c:v ffv1 -pix_fmt yuv420p", 4}};
+/// Asks a motion that was moved from.
+template <typename Motion>
+void askMovedFrom(Motion motion) {
+  const Motion taken = std::move(motion);
+  motion.at(0.0);  // NOLINT(bugprone-use-after-move): the breach
 }
 
-/// Kinds and sizes of which a run of all tests has time for a few; the night has all, and larger.
-bool isNight() { return std::getenv("POINSOT_ALL_FILMS") != nullptr; }
+physics::FreeMotion freeMotion() { return {kMoments, {0.05, 2, 0.1}, Quaterniond::Identity()}; }
 
-std::vector<Kind> kinds() {
-  const std::vector<Kind> all = allKinds();
-  return isNight() ? all : std::vector<Kind>{all[1], all[8], all[11]};
+std::vector<Breach> ofPhysics() {
+  const physics::ParticleSystem particles({{1, {0, 0, 0}, {0, 0, 0}}});
+  const physics::Separatrix separatrix = *physics::separatrix(kMoments);
+  return {
+      {"physics/binet.h", "count >= 3", [=] { separatrix.momentumCircle(1, 2, false); }},
+      {"physics/binet.h", "count >= 4", [] { physics::momentumPolhodes(kMoments, 1, 2, 3); }},
+      {"physics/binet.h", "L > 0", [] { physics::evenEnergies(kMoments, 0, 1); }},
+      {"physics/binet.h", "perSide >= 1", [] { physics::evenEnergies(kMoments, 1, 0); }},
+      {"physics/binet.h", "T > 0",
+       [] {
+         physics::onEnergyEllipsoid({1, physics::PolhodeRegime::kSteady, {}}, kMoments, 0);
+       }},
+      {"physics/binet.h", "curve.kineticEnergy > 0", [] { physics::onEnergyEllipsoid({}, kMoments, 1); }},
+      {"physics/driven_motion.h", "the motion was not moved from",
+       [] {
+         askMovedFrom(physics::DrivenMotion(kMoments, {0, 0, 1}, Quaterniond::Identity(), {}, {0, 1}));
+       }},
+      {"physics/free_motion.h", "the motion was not moved from", [] { askMovedFrom(freeMotion()); }},
+      {"physics/heavy_top.h", "up_P is of unit length",
+       [] {
+         physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->nutation({0, 0, 9}, {0, 0, 0});
+       }},
+      {"physics/heavy_top.h", "up_P is of unit length",
+       [] {
+         physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->nutation({0, 0, 9}, {0, kNaN, 1});
+       }},
+      {"physics/herpolhode.h", "radius > 0",
+       [] {
+         physics::Herpolhode(kMoments, {0.05, 2, 0.1}).rate(0);
+       }},
+      {"physics/mass_properties.h", "at least one piece", [] { physics::combined({}); }},
+      {"physics/motion.h", "the motion was not moved from",
+       [] {
+         physics::FreeMotion motion = freeMotion();
+         const physics::FreeMotion taken = std::move(motion);
+         const physics::Motion& asked = motion;  // NOLINT(bugprone-use-after-move): the breach
+         asked.at(0.0);
+       }},
+      {"physics/particle_system.h", "one force for each",
+       [=] {
+         particles.torqueAbout({0, 0, 0}, {});
+       }},
+      {"physics/polhode.h", "count >= 4",
+       [] {
+         physics::Polhode(kMoments, {0.05, 2, 0.1}).samples(3);
+       }},
+      {"physics/principal_moments.h", "axis is 0, 1 or 2", [] { static_cast<void>(kMoments[3]); }},
+      {"physics/principal_moments.h", "axis is 0, 1 or 2", [] { static_cast<void>(kMoments[-1]); }},
+      {"physics/principal_axes.h", "of unit length",
+       [] { physics::PrincipalAxes(kMoments, Quaterniond(1, 1, 0, 0)); }},
+      {"physics/stability.h", "axis is 0, 1 or 2", [] { physics::spinStability(kMoments, 3, 1); }},
+      {"physics/stability.h", "omega_P is along a principal axis",
+       [] {
+         physics::spinStability(kMoments, {0, 1, 1e-9});
+       }},
+      {"physics/stability.h", "the three moments are not all equal",
+       [] {
+         physics::flipInterval(PrincipalMoments(1, 1, 1), {0, 0, 1});
+       }},
+      {"physics/stability.h", "m_P is not 0",
+       [] {
+         physics::flipInterval(kMoments, {0, 0, 0});
+       }},
+      {"physics/start.h", "q_WB is not 0",
+       [] {
+         physics::omegaFromSpace(Quaterniond(0, 0, 0, 0), {0, 0, 1});
+       }},
+      {"physics/start.h", "q_WB is not 0",
+       [] {
+         physics::omegaFromMomentum(kMoments, Quaterniond(0, 0, 0, 0), {0, 0, 1});
+       }},
+  };
 }
 
-std::vector<image::PixelSize> sizes() {
-  if (isNight()) return {{1280, 720}, {1920, 1080}};
-  return {{320, 180}, {640, 360}};
+geometry::Mesh triangle(double x, std::uint32_t last) {
+  return {{{x, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, last}}};
 }
 
-std::vector<int> jobs() { return isNight() ? std::vector<int>{1, 2} : std::vector<int>{2}; }
-
-class FilmMemory : public testing::TestWithParam<Kind> {
- protected:
-  void SetUp() override { POINSOT_NOT_SANITIZED("it takes more memory than is given"); }
-
-  /// Makes a film of moving stripes and digits, in other colours if `filter` says so.
-  std::string film(const std::string& name, image::PixelSize size, const std::string& filter) const {
-    const Kind& kind = GetParam();
-    const std::string file = fmt::format("{}.{}", name, kind.file);
-    const ShellResult made =
-        runShell(folder_.path(),
-                 fmt::format("ffmpeg -v error -y -f lavfi -i testsrc2=s={}x{}:r=10:d=9,{} {} -frames:v {} {}",
-                             size.width, size.height, filter, kind.encoder, kind.frames, file));
-    EXPECT_EQ(made.exitCode, 0) << made.out;
-    return file;
-  }
-
-  double reckoned_MiB(const std::string& first, const std::string& second, int jobs) const {
-    const output::FilmReader a(folder_ / first), b(folder_ / second);
-    const compare::PixelKind kind{a.isTransparent() || b.isTransparent(), a.isDeep() || b.isDeep()};
-    return compare::compareFilmsMemory_bytes(a.size(), kind, a.memory_bytes() + b.memory_bytes(), jobs) / kMiB;
-  }
-
-  ScratchFolder folder_;
-};
-
-// Measured at 1280x720 and 1920x1080: reckoned are 1.13 times the peak (AV1) to 2.2 times (FFV1).
-TEST_P(FilmMemory, IsNoMoreThanIsReckoned) {
-  for (const image::PixelSize size : sizes()) {
-    const std::string a = film("a", size, "null"), b = film("b", size, "negate,fade=in:0:3:alpha=1");
-    for (const int together : jobs()) {
-      const ShellResult run =
-          runShell(folder_.path(), fmt::format("exec " POINSOT_PROGRAM " diff {} {} -j {} --max-memory 64GiB "
-                                               "--map m.png --diff-image d.png --force",
-                                               a, b, together));
-      EXPECT_EQ(run.exitCode, 1) << run.out;
-      const double reckoned = reckoned_MiB(a, b, together);
-      std::printf("%s %dx%d -j %d: peak %.0f MiB, reckoned %.0f MiB, ratio %.2f\n", GetParam().name, size.width,
-                  size.height, together, run.peak_MiB, reckoned, reckoned / run.peak_MiB);
-      EXPECT_LE(run.peak_MiB, reckoned);
-    }
-  }
+std::vector<Breach> ofGeometry() {
+  using namespace geometry;
+  const Mesh whole = triangle(0, 2), beyond = triangle(0, 3), notANumber = triangle(kNaN, 2);
+  const std::vector<Vector2> bent = {{0, 0}, {2, 0}, {2, 2}, {1.5, 0.5}, {0, 2}};
+  return {
+      {"geometry/mesh.h", "at least one vertex", [] { boundsOf({}); }},
+      {"geometry/mesh.h", "det A > 0", [=] { transformed(whole, -Matrix3d::Identity()); }},
+      {"geometry/mesh.h", "det A > 0", [=] { transformed(whole, Matrix3d::Zero()); }},
+      {"geometry/mesh.h", "finite", [=] { welded(notANumber); }},
+      {"geometry/mesh.h", "indices in range", [=] { welded(beyond); }},
+      {"geometry/mesh.h", "as many targets as vertices",
+       [=] {
+         merged(whole, {0, 1});
+       }},
+      {"geometry/mesh.h", "target[target[i]] == target[i]",
+       [=] {
+         merged(whole, {1, 2, 2});
+       }},
+      {"geometry/mesh.h", "target[target[i]] == target[i]",
+       [=] {
+         merged(whole, {0, 1, 9});
+       }},
+      {"geometry/mesh_integrals.h", "at least one vertex", [] { integrals({}); }},
+      {"geometry/mesh_integrals.h", "indices in range", [=] { integrals(beyond); }},
+      {"geometry/mesh_integrals.h", "coordinates finite", [=] { integrals(notANumber); }},
+      {"geometry/mesh_integrals.h", "indices in range", [=] { checkClosed(beyond); }},
+      {"geometry/mesh_integrals.h", "coordinates finite", [=] { checkClosed(notANumber); }},
+      {"geometry/primitives.h", "segments >= 3",
+       [] {
+         turnedMesh(std::vector<Vector2>{{0, 0}, {1, 0}, {0, 1}}, 2);
+       }},
+      {"geometry/primitives.h", "three corners or more",
+       [] {
+         turnedMesh(std::vector<Vector2>{{0, 0}, {1, 0}}, 9);
+       }},
+      {"geometry/primitives.h", "none with r < 0",
+       [] {
+         turnedMesh(std::vector<Vector2>{{0, 0}, {-1, 0}, {0, 1}}, 9);
+       }},
+      {"geometry/primitives.h", "three corners or more",
+       [] {
+         prismMesh(std::vector<Vector2>{{0, 0}, {1, 0}}, 1);
+       }},
+      {"geometry/primitives.h", "the first one sees every other", [=] { prismMesh(bent, 1); }},
+      {"geometry/primitives.h", "subdivisions <= 8",
+       [] {
+         ellipsoidMesh({1, 1, 1}, 9);
+       }},
+      {"geometry/primitives.h", "tubeRadius_m < radius_m", [] { torusMesh(1, 1, 9); }},
+      {"geometry/primitives.h", "low_m < high_m", [] { frustumMesh(1, 1, 0, 0, 9); }},
+      {"geometry/primitives.h", "not both radii 0", [] { frustumMesh(0, 0, 0, 1, 9); }},
+      {"geometry/primitives.h", "innerRadius_m < radius_m", [] { tubeMesh(1, 1, 1, 9); }},
+      {"geometry/primitives.h", "arm_m < both edges",
+       [] {
+         lPrismMesh({1, 1}, 1, 1);
+       }},
+  };
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, FilmMemory, testing::ValuesIn(kinds()),
-                         [](const auto& each) { return std::string(each.param.name); });
-
-/// Two frames of one colour: a small file of large pictures.
-class LargeFilm : public testing::Test {
- protected:
-  void SetUp() override { POINSOT_NOT_SANITIZED("it takes more memory than is given"); }
-
-  void make(image::PixelSize size) const {
-    const ShellResult made =
-        runShell(folder_.path(),
-                 fmt::format("ffmpeg -v error -f lavfi -i color=black:s={}x{}:r=4:d=1 -frames:v 4 -c:v libx264 "
-                             "-preset ultrafast -pix_fmt yuv420p x.mp4",
-                             size.width, size.height));
-    ASSERT_EQ(made.exitCode, 0) << made.out;
-  }
-  ShellResult diff(const std::string& more) const {
-    return runShell(folder_.path(), "exec " POINSOT_PROGRAM " diff x.mp4 x.mp4 " + more);
-  }
-
-  ScratchFolder folder_;
-};
-
-// Measured 44 MiB: what the program takes with FFmpeg's libraries.
-TEST_F(LargeFilm, IsRefusedBeforeItsMemoryIsTaken) {
-  make({4096, 1024});
-  const ShellResult refused = diff("--max-memory 150MiB");
-  EXPECT_EQ(refused.exitCode, 2) << refused.out;
-  EXPECT_THAT(refused.out,
-              HasSubstr("comparing films of 4096x1024: about 0.2 GiB of memory, more than the 150 MiB"));
-  EXPECT_LE(refused.peak_MiB, 64);
+std::vector<Breach> ofScene() {
+  using namespace scene;
+  const int beyond = static_cast<int>(stateQuantities().size());
+  return {
+      {"scene/motion/eased_track.h", "no turn before this one",
+       [] {
+         EasedTrack track(1);
+         track.turnTo(2, 0, 1);
+         track.turnTo(1, 0, 1);
+       }},
+      {"scene/motion/eased_track.h", "at_s >= 0", [] { EasedTrack(1).turnTo(-1, 0, 1); }},
+      {"scene/motion/eased_track.h", "over_s >= 0", [] { EasedTrack(1).turnTo(0, -1, 1); }},
+      {"scene/motion/film_clock.h", "a finite time", [] { FilmClock(0, 1, {}).motionTime_s(INFINITY); }},
+      {"scene/motion/film_clock.h", "a finite time", [] { FilmClock(0, 0, {}).played_s(kNaN); }},
+      {"scene/motion/film_clock.h", "not NaN", [] { FilmClock(0, 1, {}).pace(kNaN); }},
+      {"scene/document/problem.h", "at least one problem", [] { SceneErrors({}); }},
+      {"scene/state_quantity.h", "index of a quantity", [] { stateQuantity(-1); }},
+      {"scene/state_quantity.h", "index of a quantity", [=] { quantityTex(beyond, {}); }},
+      {"scene/units.h", "has this dimension", [] { unitFactor("kg", Dimension::kAngle); }},
+      {"scene/units.h", "the unit exists", [] { unitFactor("furlong", Dimension::kLength); }},
+  };
 }
 
-// Its header says 64x64, its pictures are larger: in an MP4 the size stands in the description of the track
-// (ISO/IEC 14496-12, 12.1.3) as well as in the stream.
-TEST_F(LargeFilm, IsNotDecodedIfItsHeaderNamesASmallerOne) {
-  make({4096, 1024});
-  const ShellResult forged = runShell(folder_.path(),
-                                      R"(python3 -c "
-b = bytearray(open('x.mp4', 'rb').read())
-at = b.index(b'avc1', b.index(b'stsd')) + 28
-assert b[at:at + 4] == bytes([16, 0, 4, 0])
-b[at:at + 4] = bytes([0, 64, 0, 64])
-open('x.mp4', 'wb').write(b)
-")");
-  ASSERT_EQ(forged.exitCode, 0) << forged.out;
-  const ShellResult refused = diff("--max-memory 100MiB");
-  EXPECT_THAT(refused.exitCode, testing::AnyOf(2, 4)) << refused.out;
-  EXPECT_LE(refused.peak_MiB, 64);
-}
-
-// One pair takes 0.2 GiB, sixteen would take 2.2.
-TEST_F(LargeFilm, IsComparedByAsManyAtATimeAsThereIsMemoryFor) {
-  make({4096, 1024});
-  const ShellResult compared = diff("-j 16 --max-memory 300MiB");
-  EXPECT_EQ(compared.exitCode, 0) << compared.out;
-  EXPECT_LE(compared.peak_MiB, 300);
+std::vector<Breach> ofImage() {
+  using namespace compare;
+  using namespace image;
+  const Image small({4, 4}, 3), large({5, 4}, 3), withAlpha({4, 4}, 4);
+  const DeepImage deep({4, 4}, 3);
+  return {
+      {"image/image.h", "width, height > 0",
+       [] {
+         Image({0, 4}, 3);
+       }},
+      {"image/image.h", "channels 3 or 4",
+       [] {
+         Image({4, 4}, 2);
+       }},
+      {"image/image.h", "inside the picture", [=] { small.at(0, 10); }},
+      {"image/image.h", "inside the picture", [=] { small.at(4, 0); }},
+      {"image/image.h", "inside the picture", [=] { deep.at(-1, 1); }},
+      {"compare/change_measures.h", "the same shape", [=] { symmetryOf(small, large); }},
+      {"compare/change_measures.h", "and differ", [=] { symmetryOf(small, small); }},
+      {"compare/change_measures.h", "the same shape", [=] { toneChange(small, withAlpha, nullptr); }},
+      {"compare/changes.h", "the same size", [=] { changesBetween(small, large); }},
+      {"compare/changes.h", "number of channels", [=] { changesBetween(small, withAlpha); }},
+      {"compare/difference.h", "the same sample type", [=] { compareCommon(small, deep); }},
+      {"compare/flip.h", "same size", [=] { flip(small, large); }},
+      {"compare/flip.h", "pixelsPerDegree > 0", [=] { flip(small, small, 0); }},
+      {"compare/ignore_mask.h", "width, height > 0",
+       [] {
+         IgnoreMask({4, 0});
+       }},
+      {"compare/ignore_mask.h", "same size",
+       [=] {
+         IgnoreMask({4, 4}).add(AnyImage(large));
+       }},
+      {"compare/ignore_mask.h", "inside the picture",
+       [] {
+         IgnoreMask({4, 4}).ignores(4, 0);
+       }},
+      {"compare/ignore_mask.h", "inside the picture",
+       [] {
+         IgnoreMask({4, 4}).ignores(1, -1);
+       }},
+      {"compare/ignore_mask.h", "inside the picture",
+       [] {
+         IgnoreMask({4, 4}).ignoresPixel(16);
+       }},
+      {"compare/ignore_mask.h", "of one size",
+       [=] {
+         withIgnoredOf(small, small, IgnoreMask({5, 4}));
+       }},
+      {"compare/ignore_mask.h", "number of channels",
+       [=] {
+         withIgnoredOf(small, withAlpha, IgnoreMask({4, 4}));
+       }},
+      {"compare/ignore_mask.h", "one sample type",
+       [=] {
+         withIgnoredOf(AnyImage(small), AnyImage(deep), IgnoreMask({4, 4}));
+       }},
+      {"compare/ssim.h", "same size", [=] { ssim(small, large); }},
+  };
 }
 
 }  // namespace
-}  // namespace poinsot::faults
+
+std::vector<Breach> breachesOfValues() {
+  std::vector<Breach> all;
+  for (const auto& part : {ofPhysics(), ofGeometry(), ofScene(), ofImage()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace poinsot

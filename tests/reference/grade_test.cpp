@@ -15,7 +15,7 @@
 #include "physics/free_motion.h"
 #include "reference/grade_engines.h"
 #include "reference/grade_text.h"
-#include "reference/trajectory_text.h"
+#include "reference/trajectory.h"
 
 namespace poinsot::reference {
 namespace {

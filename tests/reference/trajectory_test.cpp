@@ -11,8 +11,8 @@
 #include "core/number.h"
 #include "physics/driven_motion.h"
 #include "physics/free_motion.h"
+#include "reference/trajectory.h"
 #include "reference/trajectory_target.h"
-#include "reference/trajectory_text.h"
 #include "reference/trajectory_times.h"
 #include "support/scratch_folder.h"
 

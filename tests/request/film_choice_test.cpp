@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "request/film_choice.h"
+#include "request/output_target.h"
 
 #include <gtest/gtest.h>
 

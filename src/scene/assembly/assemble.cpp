@@ -4,15 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/frame_clock.h"
-#include "scene/assembly/body_assembly.h"
-#include "scene/assembly/forcing_assembly.h"
-#include "scene/assembly/motion_assembly.h"
-#include "scene/assembly/named_assembly.h"
-#include "scene/assembly/plot_assembly.h"
-#include "scene/assembly/show_assembly.h"
-#include "scene/assembly/style_assembly.h"
-#include "scene/assembly/timeline_assembly.h"
-#include "scene/assembly/view_assembly.h"
+#include "scene/assembly/parts.h"
 #include "scene/limits.h"
 
 namespace poinsot::scene {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/body_assembly.h"
+#include "scene/assembly/parts.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/forcing_assembly.h"
+#include "scene/assembly/parts.h"
 
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "scene/assembly/body_assembly.h"
 #include "scene/assembly/torque_table.h"
 
 namespace poinsot::scene {

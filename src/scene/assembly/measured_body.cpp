@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "scene/assembly/body_assembly.h"
+#include "scene/assembly/parts.h"
 
 namespace poinsot::scene {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/plot_assembly.h"
+#include "scene/assembly/parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/text.h"
-#include "scene/assembly/body_assembly.h"
 #include "scene/state_quantity.h"
 
 namespace poinsot::scene {

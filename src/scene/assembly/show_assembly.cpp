@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/show_assembly.h"
+#include "scene/assembly/parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "scene/assembly/body_assembly.h"
 #include "scene/assembly/shape_reader.h"
 #include "scene/assembly/steady_precession.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/assembly/motion_assembly.h"
+#include "scene/assembly/parts.h"
 #include "scene/scene.h"
 
 namespace poinsot::scene {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/style_assembly.h"
+#include "scene/assembly/parts.h"
 
 namespace poinsot::scene {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/view_assembly.h"
+#include "scene/assembly/parts.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 
 #include "physics/precession_cones.h"
 #include "physics/transcendental.h"
-#include "scene/assembly/show_assembly.h"
 #include "scene/assembly/steady_precession.h"
 #include "scene/camera_preset.h"
 

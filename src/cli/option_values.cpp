@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/option_values.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/number.h"
+#include "core/text.h"
+#include "figure/figure.h"
+#include "scene/limits.h"
+#include "scene/units.h"
+
+namespace poinsot::cli {
+
+double parseTime_s(std::string_view option, const std::string& word) {
+  if (const auto seconds = core::parseNumber(word)) return *seconds;
+  const auto quantity = scene::parseQuantity(word, scene::Dimension::kTime);
+  if (!quantity.ok())
+    throw core::Error(core::ErrorKind::kUsage,
+                      fmt::format("{} '{}': {}", option, core::printable(word), quantity.problem));
+  return quantity.value;
+}
+
+std::vector<double> parseTimes_s(std::string_view option, std::string_view words) {
+  std::vector<double> times_s;
+  for (bool last = false; !last;) {
+    const auto comma = words.find(',');
+    last = comma == std::string_view::npos;
+    std::string_view word = words.substr(0, comma);
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    while (word.ends_with(' ')) word.remove_suffix(1);
+    times_s.push_back(parseTime_s(option, std::string(word)));
+    if (!last) words.remove_prefix(comma + 1);
+  }
+  return times_s;
+}
+
+namespace {
+
+struct PaperUnit {
+  std::string_view name;
+  double unit_mm;
+};
+
+constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72.27}};
+
+[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
+
+constexpr double kLeastWidth_mm = 15;  // type of the size it is printed in takes that
+
+/// The sides, unbounded.
+struct Sides {
+  double width, height;
+};
+
+Sides sidesOf(const request::PrintSize& print, image::PixelSize proportion) {
+  const double width = std::round(print.width_mm / 25.4 * print.dpi);
+  return {width, std::round(width * proportion.height / proportion.width)};
+}
+
+bool fits(const Sides& sides, double most) {
+  const auto within = [most](double side) { return side >= scene::kLeastSide && side <= most; };
+  return within(sides.width) && within(sides.height);
+}
+
+/// The whole number of dpi nearest to those asked that fits, in words; empty where none does.
+std::string advice(request::PrintSize print, image::PixelSize proportion, double longest) {
+  const Sides asked = sidesOf(print, proportion);
+  const auto [least, most] = std::minmax(asked.width, asked.height);
+  const double shrink = longest / most;
+  print.dpi = shrink < 1 ? std::floor(print.dpi * shrink) : std::ceil(print.dpi * scene::kLeastSide / least);
+  return fits(sidesOf(print, proportion), longest) ? fmt::format("; --dpi {:.0f} would do", print.dpi) : "";
+}
+
+}  // namespace
+
+double parseWidth_mm(const std::string& word) {
+  for (const PaperUnit& unit : kUnits) {
+    if (!word.ends_with(unit.name)) continue;
+    std::string_view number = std::string_view(word).substr(0, word.size() - unit.name.size());
+    while (number.ends_with(' ')) number.remove_suffix(1);
+    const auto value = core::parseNumber(number);
+    if (!value || !(*value > 0) || !std::isfinite(*value)) break;
+    if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
+    refuse(
+        fmt::format("--width '{}': must be at least {} mm, because type does not shrink below its size in points",
+                    core::printable(word), kLeastWidth_mm));
+  }
+  refuse(fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
+                     core::printable(word)));
+}
+
+image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,
+                               const scene::Limits& limits) {
+  const auto longest = static_cast<double>(limits[scene::Limit::kSide]);
+  const Sides sides = sidesOf(print, proportion);
+  if (fits(sides, longest)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
+  throw core::Error(
+      core::ErrorKind::kLimit,
+      fmt::format("{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels{}",
+                  print.width_mm, print.dpi, sides.width, sides.height, scene::kLeastSide, longest,
+                  advice(print, proportion, longest)));
+}
+
+void addBitsOption(CLI::App& command, int& bits) {
+  command.add_option("--bits", bits, "of a sample in a PNG: 8, or 16 for gradients to work on (default: 8)")
+      ->type_name("N")
+      ->check(CLI::IsMember({8, 16}));
+}
+
+void checkBits(int bits, const request::OutputTarget& target) {
+  if (bits == 8 || request::takesDeepPictures(target)) return;
+  throw core::Error(
+      core::ErrorKind::kUsage,
+      fmt::format("--bits {}: {}", bits,
+                  target.kind == request::OutputKind::kFigure
+                      ? "the pictures in a figure have 8; NAME.png can have 16"
+                      : "the pictures of a film have 8; NAME_{frame:05}.png and NAME.png can have 16"));
+}
+
+}  // namespace poinsot::cli

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "describe/alt_sections.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <numbers>
+
+namespace poinsot::describe {
+
+namespace {
+
+constexpr double kRounding = 1e-12;  // of the scale: a few thousand roundings of a double
+
+std::string raised(int exponent) {
+  constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent))) text += kDigits[digit - '0'];
+  return text;
+}
+
+/// Three digits, without zeros at the end.
+std::string threeDigits(double value) { return fmt::format("{:.3g}", value); }
+
+}  // namespace
+
+std::string numberWords(double value, double scale) {
+  if (value == 0 || std::abs(value) <= kRounding * std::abs(scale)) return "0";
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  if (exponent < -4 || exponent > 5)
+    return fmt::format("{} × 10{}", threeDigits(value / std::pow(10.0, exponent)), raised(exponent));
+  if (exponent < 3) return threeDigits(value);
+  const double unit = std::pow(10.0, exponent - 2);
+  return fmt::format("{:.0f}", std::round(value / unit) * unit);
+}
+
+std::string timeWords(double time_s) {
+  if (std::isinf(time_s)) return "an infinite time";
+  const double size = std::abs(time_s);
+  if (size < 0.1 && size > 0) return numberWords(1e3 * time_s) + " ms";
+  if (size < 120) return numberWords(time_s) + " s";
+  if (size < 7200) return numberWords(time_s / 60) + " minutes";
+  if (size < 172800) return numberWords(time_s / 3600) + " hours";
+  return numberWords(time_s / 86400) + " days";
+}
+
+std::string lengthWords(double length_m) {
+  return std::abs(length_m) < 1 ? numberWords(100 * length_m) + " cm" : numberWords(length_m) + " m";
+}
+
+std::string angleWords(double angle_rad) { return numberWords(angle_rad * 180 / std::numbers::pi, 180) + "°"; }
+
+std::string rateWords(double rate) { return numberWords(rate) + " rad/s"; }
+
+std::string turningWords(double rate) {
+  constexpr double kTooFastToTime_s = 0.5;
+  const double turn_s = 2 * std::numbers::pi / rate;
+  if (turn_s < kTooFastToTime_s)
+    return fmt::format("{}, {} turns a second", rateWords(rate), numberWords(1 / turn_s));
+  return fmt::format("{}, one turn in {}", rateWords(rate), timeWords(turn_s));
+}
+
+std::string listWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+}  // namespace poinsot::describe

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request/user_files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/regular_file.h"
+#include "core/text.h"
+#include "request/scene_request.h"
+#include "scene/document/document.h"
+
+namespace poinsot::request {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of an environment variable; empty unless it is an absolute path, as the XDG specification has it.
+fs::path folderNamed(const char* variable) {
+  const char* value = std::getenv(variable);
+  const fs::path folder = value ? value : "";
+  return folder.is_absolute() ? folder : fs::path();
+}
+
+}  // namespace
+
+fs::path userFile(std::string_view name) {
+  fs::path folder = folderNamed("XDG_CONFIG_HOME");
+  if (const fs::path home = folderNamed("HOME"); folder.empty() && !home.empty()) folder = home / ".config";
+  return folder.empty() ? folder : folder / "poinsot" / name;
+}
+
+void readUserFile(const fs::path& file, const std::function<void(const scene::Entry&, scene::Problems&)>& take) {
+  std::error_code ignored;  // what cannot even be looked for is not there
+  if (file.empty() || !fs::exists(file, ignored)) return;
+  const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
+  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
+  scene::Problems problems;
+  const scene::Node document = parseDocument(source);
+  for (const scene::Entry& entry : *document.as<scene::Node::Table>()) take(entry, problems);
+  problems.throwIfAny();
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Entry;
+using scene::Node;
+using scene::Problems;
+
+std::optional<scene::Dimension> dimensionNamed(std::string_view word) {
+  const auto all = scene::dimensions();
+  const auto found = std::ranges::find(all, word, dimensionWord);
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
+  const auto dimension = dimensionNamed(entry.key);
+  const auto* unit = entry.value.as<std::string>();
+  if (!dimension) {
+    std::vector<std::string> words;
+    for (const scene::Dimension one : scene::dimensions()) words.push_back(dimensionWord(one));
+    const auto near = core::closest(entry.key.substr(0, 64), words);
+    return problems.add(entry.keyPlace, fmt::format("units.{}: {}", core::printable(entry.key),
+                                                    near ? fmt::format("did you mean {}?", *near)
+                                                         : fmt::format("there is {}", fmt::join(words, ", "))));
+  }
+  if (!unit || !scene::parseQuantity("1 " + *unit, *dimension).ok())
+    return problems.add(entry.value.place, fmt::format("units.{}: expected a unit such as {}, got {}", entry.key,
+                                                       scene::someUnits(*dimension), describe(entry.value)));
+  units[*dimension] = *unit;
+}
+
+/// What is wrong with it in a scene that says nothing else; empty: nothing.
+std::string problemOf(const DefaultKey& key) {
+  if (key.path.starts_with("body.") || key.path.starts_with("motion."))
+    return key.path + ": of what a scene is about there is no default";
+  constexpr const char* kScene = "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0.1, 1]\n";
+  try {
+    loadRequested({"defaults.toml", kScene, {key.path + "=" + key.value}, std::nullopt, {}});
+  } catch (const scene::SceneErrors& errors) {
+    return errors.problems().front().message;
+  }
+  return {};
+}
+
+void takeKeys(const Node::Table& table, const std::string& above, UserDefaults& defaults, Problems& problems) {
+  for (const Entry& entry : table) {
+    const std::string path = above + entry.key;
+    if (const auto* below = entry.value.as<Node::Table>()) {
+      takeKeys(*below, path + ".", defaults, problems);
+      continue;
+    }
+    DefaultKey key{path, tomlText(entry.value)};
+    if (const std::string problem = problemOf(key); problem.empty())
+      defaults.keys.push_back(std::move(key));
+    else
+      problems.add(entry.keyPlace, problem);
+  }
+}
+
+void take(const Entry& entry, UserDefaults& defaults, Problems& problems) {
+  const auto* table = entry.value.as<Node::Table>();
+  if (table && entry.key == "units")
+    for (const Entry& unit : *table) takeUnit(unit, defaults.units, problems);
+  else if (table && entry.key == "scene")
+    takeKeys(*table, "", defaults, problems);
+  else
+    problems.add(entry.keyPlace,
+                 fmt::format("{}: there are the tables [units] and [scene]", core::printable(entry.key)));
+}
+
+}  // namespace
+
+fs::path userDefaultsFile() { return userFile("defaults.toml"); }
+
+UserDefaults defaultsOf(const fs::path& file) {
+  UserDefaults defaults;
+  readUserFile(file, [&](const Entry& entry, Problems& problems) { take(entry, defaults, problems); });
+  return defaults;
+}
+
+std::string dimensionWord(scene::Dimension dimension) {
+  const std::string_view name = scene::quantityName(dimension);  // "an angular velocity"
+  std::string word(name.substr(name.find(' ') + 1));
+  std::ranges::replace(word, ' ', '_');
+  return word;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Limits;
+using scene::Node;
+
+void take(const Node& value, scene::Limit limit, Limits& limits) {
+  if (const auto* number = value.as<std::int64_t>()) return limits.set(limit, *number);
+  if (const auto* text = value.as<std::string>()) return limits.set(limit, std::string_view(*text));
+  throw core::Error(core::ErrorKind::kUsage,
+                    fmt::format("expected a whole number, or a size such as \"4 GiB\", got {}", describe(value)));
+}
+
+}  // namespace
+
+fs::path userLimitsFile() { return userFile("limits.toml"); }
+
+Limits limitsOf(const fs::path& file) {
+  Limits limits;
+  readUserFile(file, [&](const scene::Entry& entry, scene::Problems& problems) {
+    scene::Place place = entry.keyPlace;
+    try {
+      const scene::Limit limit = scene::limitNamed(entry.key);
+      place = entry.value.place;
+      take(entry.value, limit, limits);
+    } catch (const core::Error& error) {
+      problems.add(place, fmt::format("{}: {}", core::printable(entry.key), error.message()));
+    }
+  });
+  return limits;
+}
+
+}  // namespace poinsot::request
