@@ -24,8 +24,6 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 /// Pixels of 1 to 4 channels as RGB or RGBA.
 template <class Sample>
 image::BasicImage<Sample> expanded(const Sample* samples, image::PixelSize size, int channels) {
@@ -70,7 +68,7 @@ compare::NearRule limitsOf(const DiffAsk& ask) {
     if (known == compare::ruleLimits().end()) {
       std::vector<std::string_view> keys{"like"};
       for (const compare::RuleLimit& limit : compare::ruleLimits()) keys.emplace_back(limit.key);
-      refuse(
+      throw core::usageError(
           fmt::format("rule: no limit is called '{}'; there are {}", core::printable(key), fmt::join(keys, ", ")));
     }
     known->set(limits, "rule: " + key, word);
@@ -128,10 +126,11 @@ std::string comparedJson(Source reference, Source test, const compare::DiffReque
   const compare::DiffNames names{nameOf(reference), nameOf(test)};
   const bool film = isFilm(reference), testIsFilm = isFilm(test);
   if (film != testIsFilm)
-    refuse(fmt::format("the {} is a film, the {} a picture: give two of a kind", film ? "reference" : "test",
-                       film ? "test" : "reference"));
+    throw core::usageError(fmt::format("the {} is a film, the {} a picture: give two of a kind",
+                                       film ? "reference" : "test", film ? "test" : "reference"));
   const auto expectOneSize = [](const std::string& mismatch, bool compared) {
-    if (!compared && !mismatch.empty()) refuse(mismatch + ": pictures of different sizes are not compared");
+    if (!compared && !mismatch.empty())
+      throw core::usageError(mismatch + ": pictures of different sizes are not compared");
   };
   if (film) {
     const compare::FilmDiff diff = compare::diffFilms(names.reference, names.test, request, jobs);

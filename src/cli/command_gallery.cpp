@@ -46,8 +46,6 @@ struct Item {
   job::RenderRequest request;
 };
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 std::vector<fs::path> sceneFiles(const GalleryOptions& options) {
   std::vector<fs::path> files;
   std::error_code ignored;  // what is no folder is read as a scene, which says what is wrong with it
@@ -66,8 +64,8 @@ void checkOnly(const std::vector<std::string>& only, const std::vector<fs::path>
   for (const std::string& word : only) {
     if (std::find(names.begin(), names.end(), word) != names.end()) continue;
     const auto near = core::closest(word, names);
-    refuse(fmt::format("--only {}: no such scene{}", core::printable(word),
-                       near ? fmt::format("; did you mean '{}'?", core::printable(*near)) : ""));
+    throw core::usageError(fmt::format("--only {}: no such scene{}", core::printable(word),
+                                       near ? fmt::format("; did you mean '{}'?", core::printable(*near)) : ""));
   }
 }
 
@@ -76,7 +74,8 @@ void checkNames(const std::vector<fs::path>& files) {
   std::set<std::string> seen{kSheetName};
   for (const fs::path& file : files)
     if (!seen.insert(file.stem()).second)
-      refuse(fmt::format("{}: another picture of the gallery has that name", core::printable(file.native())));
+      throw core::usageError(
+          fmt::format("{}: another picture of the gallery has that name", core::printable(file.native())));
 }
 
 std::vector<fs::path> chosenFiles(const GalleryOptions& options) {

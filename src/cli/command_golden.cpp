@@ -47,8 +47,6 @@ using compare::OutcomeStatus;
 using core::Error;
 using core::ErrorKind;
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::kUsage, message); }
-
 gl::Backend backendOf(const std::string& word) {
   return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
 }
@@ -89,8 +87,8 @@ std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
 /// Enters the reports, which are of four kinds.
 void enterReports(output::RunFiles& files, const GoldenOptions& options) {
   if (!options.outcome.empty() && fs::path(options.outcome).extension() != ".js")
-    refuse(fmt::format("outcome '{}': works: NAME.js{}", core::printable(options.outcome),
-                       core::smallLettersHint(options.outcome, {".js"})));
+    throw core::usageError(fmt::format("outcome '{}': works: NAME.js{}", core::printable(options.outcome),
+                                       core::smallLettersHint(options.outcome, {".js"})));
   files.writes(options.report, "--report", compare::reportKind());
   files.writes(options.junit, "--junit", compare::junitKind());
   files.writes(options.outcome, "--outcome", compare::outcomeScriptKind());
@@ -148,9 +146,9 @@ class Golden {
 
   void checkOptions() const {
     if (options_.update) expectMayApprove(options_);
-    if (options_.beside && !options_.update) refuse("--beside: goes with --update");
+    if (options_.beside && !options_.update) throw core::usageError("--beside: goes with --update");
     if (options_.unused && (options_.update || !options_.only.empty()))
-      refuse("--unused: looks at all tests and approves nothing; leave out --only and --update");
+      throw core::usageError("--unused: looks at all tests and approves nothing; leave out --only and --update");
     if (!options_.update && !options_.unused)
       golden::expectKnownVariants(manifest_, request_,
                                   options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
@@ -167,7 +165,7 @@ class Golden {
   void expectOnlyScenes() const {
     for (const golden::GoldenCase& one : golden::casesOf(manifest_, request_))
       if (one.test.scene.empty())
-        refuse(fmt::format(
+        throw core::usageError(fmt::format(
             "--beside: {}: of a picture that another program made, the renderer is not known: name it by "
             "--variant, or choose tests with --only",
             core::printable(one.name)));
@@ -357,7 +355,8 @@ class Golden {
 /// Checks that an approval is asked for no reports, which only a comparison has.
 void expectNoReports(const GoldenOptions& options) {
   const auto expectNone = [](const char* option, bool given) {
-    if (given) refuse(fmt::format("--update: approves, and writes no reports; leave out {}", option));
+    if (given)
+      throw core::usageError(fmt::format("--update: approves, and writes no reports; leave out {}", option));
   };
   expectNone("--junit", !options.junit.empty());
   expectNone("--report", !options.report.empty());

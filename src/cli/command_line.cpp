@@ -93,22 +93,20 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
   return near ? fmt::format("; did you mean '{}'?", *near) : "";
 }
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 /// "help" and "help render" are "--help" and "render --help".
 std::vector<std::string> withoutHelpWord(std::vector<std::string> words) {
   if (words.empty()) return {"--help"};
   if (words[0] != "help") return words;
   words.erase(words.begin());
-  if (words.size() > 1) refuse("help takes one command");
+  if (words.size() > 1) throw core::usageError("help takes one command");
   words.push_back("--help");
   return words;
 }
 
 void checkCommandWord(const CLI::App& program, const std::string& word) {
   if (word.starts_with('-') || isCommand(program, word)) return;
-  refuse(fmt::format("unknown command '{}'{} (poinsot --help lists the commands)", core::printable(word),
-                     didYouMean(word, commandNames(program))));
+  throw core::usageError(fmt::format("unknown command '{}'{} (poinsot --help lists the commands)",
+                                     core::printable(word), didYouMean(word, commandNames(program))));
 }
 
 std::vector<std::string> optionNames(const CLI::App& command) {
@@ -124,8 +122,8 @@ std::vector<std::string> optionNames(const CLI::App& command) {
   const auto extra = program.remaining(true);
   const std::string word = extra.empty() ? "" : extra.front();
   const std::string help = used.empty() ? "poinsot --help" : fmt::format("poinsot {} --help", command.get_name());
-  refuse(fmt::format("unexpected '{}'{} ({} lists what works)", core::printable(word),
-                     didYouMean(word.substr(0, word.find('=')), optionNames(command)), help));
+  throw core::usageError(fmt::format("unexpected '{}'{} ({} lists what works)", core::printable(word),
+                                     didYouMean(word.substr(0, word.find('=')), optionNames(command)), help));
 }
 
 /// CLI11's "--size: 1 required WxH missing" in words.
@@ -148,9 +146,9 @@ void parse(CLI::App& program, std::vector<std::string> words) {
   } catch (const CLI::Success&) {
     throw;  // help and version
   } catch (const CLI::ArgumentMismatch& error) {
-    refuse(core::printable(withoutValue(error.what())));
+    throw core::usageError(core::printable(withoutValue(error.what())));
   } catch (const CLI::ParseError& error) {
-    refuse(core::printable(error.what()));
+    throw core::usageError(core::printable(error.what()));
   }
 }
 

@@ -13,11 +13,9 @@
 namespace poinsot::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 void checkFrameCount(const request::OutputTarget& target, const request::FrameRange& frames) {
   if (target.kind != request::OutputKind::kPicture || frames.count() == 1) return;
-  refuse(
+  throw core::usageError(
       fmt::format("{0} takes one frame, and {1} are selected: choose one with --frames {2}, or number them as "
                   "NAME_{{frame:05}}.png",
                   core::printable(target.path.string()), frames.count(), frames.first));

@@ -21,8 +21,6 @@ struct SweepOptions : FilmOptions {
   request::SweepRequest asked;
 };
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 /// By the name of the output; without one it is a picture.
 bool isFilm(const SweepOptions& options) {
   return options.output == "-" || output::filmContainer(options.output).has_value() ||
@@ -38,15 +36,18 @@ request::OutputTarget pictureTarget(const SweepOptions& options, const std::stri
 void checkWords(const SweepOptions& options) {
   const PartsOptions& parts = options.parts;
   if (isFilm(options)) {
-    if (options.asked.map) refuse("--map: a map stands still; -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
-    if (options.still.any()) refuse("--time, --width and --dpi are for one picture, not for a film");
+    if (options.asked.map)
+      throw core::usageError("--map: a map stands still; -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
+    if (options.still.any())
+      throw core::usageError("--time, --width and --dpi are for one picture, not for a film");
     return;
   }
   if (!options.frames.empty() || !options.format.empty() || parts.resume || parts.keep || !parts.shard.empty() ||
       parts.shardsLeft > 0 || !parts.manifest.empty())
-    refuse("--frames, --format, --resume, --keep, --shard and --manifest are for films; one picture has --time");
+    throw core::usageError(
+        "--frames, --format, --resume, --keep, --shard and --manifest are for films; one picture has --time");
   if (options.asked.map && (options.asked.columns > 0 || !options.asked.labels.empty()))
-    refuse("--columns and --label are for a grid, not for --map");
+    throw core::usageError("--columns and --label are for a grid, not for --map");
 }
 
 int makeFilm(const SweepOptions& options) {

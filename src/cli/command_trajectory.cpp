@@ -31,8 +31,6 @@ struct TrajectoryOptions : SceneOptions {
   bool force = false;
 };
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 reference::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
   std::vector<double> times_s;
   for (const std::string& word : words)
@@ -43,7 +41,7 @@ reference::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
 core::Rational parsedRate(const std::string& word) {
   const auto rate_hz = core::parseRational(word);
   if (!rate_hz)
-    refuse(fmt::format(
+    throw core::usageError(fmt::format(
         "--rate '{}': rows per second of motion: a plain number above 0, or a fraction, such as 100, 0.5 or "
         "30000/1001",
         core::printable(word)));
@@ -69,7 +67,7 @@ void writeToFile(const reference::TrajectoryTarget& target,
 
 void checkTimesGiven(const TrajectoryOptions& options) {
   if (options.at.empty() == options.rate.empty())
-    refuse("say at which times: --at T1,T2,... or --rate HZ, one of them");
+    throw core::usageError("say at which times: --at T1,T2,... or --rate HZ, one of them");
 }
 
 void noteFarTimes(const scene::Scene& scene, const reference::TrajectoryTimes& times) {

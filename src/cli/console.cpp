@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <string>
-#include <system_error>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -38,8 +37,7 @@ void writeOut(std::string_view text) {
   const int status = process::writeText(STDOUT_FILENO, core::printableLines(text));
   if (status == EPIPE) throw core::BrokenPipe();
   if (status != 0)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("standard output: {}", std::generic_category().message(status)));
+    throw core::Error(core::ErrorKind::kIo, fmt::format("standard output: {}", core::systemReason(status)));
 }
 
 void writeErr(std::string_view text) { process::writeText(STDERR_FILENO, core::printableLines(text)); }

@@ -11,12 +11,6 @@
 #include "scene/sweep.h"
 
 namespace poinsot::cli {
-namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
-}  // namespace
-
 void addFilmOptions(CLI::App& command, FilmOptions& options) {
   command
       .add_option("-o,--output", options.output,
@@ -82,19 +76,21 @@ void addPartsOptions(CLI::App& command, PartsOptions& parts) {
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target) {
   if (!parts.shard.empty()) request::parseShard(parts.shard);
   const bool shards = !parts.shard.empty() || parts.shardsLeft > 0;
-  if (!parts.shard.empty() && parts.shardsLeft > 0) refuse("--shards-left: is of all shards; give no --shard");
+  if (!parts.shard.empty() && parts.shardsLeft > 0)
+    throw core::usageError("--shards-left: is of all shards; give no --shard");
   if (shards && !parts.manifest.empty())
-    refuse("--manifest: tells of a whole film, and a shard makes a part of one");
+    throw core::usageError("--manifest: tells of a whole film, and a shard makes a part of one");
   if (target.stream && (shards || !parts.manifest.empty() || parts.resume || parts.keep))
-    refuse("-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
+    throw core::usageError(
+        "-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
   if (target.kind != request::OutputKind::kPicture) return;
-  if (shards) refuse("--shard: one picture is made by one process");
-  if (!parts.manifest.empty()) refuse("--manifest: is of a film or a sequence");
+  if (shards) throw core::usageError("--shard: one picture is made by one process");
+  if (!parts.manifest.empty()) throw core::usageError("--manifest: is of a film or a sequence");
 }
 
 std::optional<request::OutputTarget> namedTarget(const FilmOptions& options) {
   if (options.output == "-") return request::streamTarget(options.format);
-  if (!options.format.empty()) refuse("--format goes with -o -; a file's name says what it is");
+  if (!options.format.empty()) throw core::usageError("--format goes with -o -; a file's name says what it is");
   return options.output.empty() ? std::nullopt : std::optional(request::parseTarget(options.output));
 }
 

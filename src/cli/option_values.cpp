@@ -47,8 +47,6 @@ struct PaperUnit {
 
 constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72.27}};
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 constexpr double kLeastWidth_mm = 15;  // type of the size it is printed in takes that
 
 /// The sides, unbounded.
@@ -85,12 +83,13 @@ double parseWidth_mm(const std::string& word) {
     const auto value = core::parseNumber(number);
     if (!value || !(*value > 0) || !std::isfinite(*value)) break;
     if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
-    refuse(
+    throw core::usageError(
         fmt::format("--width '{}': must be at least {} mm, because type does not shrink below its size in points",
                     core::printable(word), kLeastWidth_mm));
   }
-  refuse(fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
-                     core::printable(word)));
+  throw core::usageError(
+      fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
+                  core::printable(word)));
 }
 
 image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,

@@ -4,21 +4,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 
 #include "core/error.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "scene/document/problem.h"
 #include "scene/limits.h"
 
 namespace poinsot::cli {
 namespace {
-
-std::optional<int> parseSide(std::string_view text) {
-  int side = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), side);
-  return status == std::errc() && end == text.data() + text.size() ? std::optional(side) : std::nullopt;
-}
 
 std::vector<std::string> qualityNames() {
   std::vector<std::string> names;
@@ -109,9 +103,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
 
 image::PixelSize parseSize(const std::string& text, const scene::Limits& limits) {
   const auto cross = text.find('x');
-  const auto width = parseSide(std::string_view(text).substr(0, cross));
-  const auto height =
-      cross == std::string::npos ? std::nullopt : parseSide(std::string_view(text).substr(cross + 1));
+  const auto width = core::parseInteger<int>(std::string_view(text).substr(0, cross));
+  const auto height = cross == std::string::npos
+                          ? std::nullopt
+                          : core::parseInteger<int>(std::string_view(text).substr(cross + 1));
   if (!width || !height)
     throw core::Error(core::ErrorKind::kUsage,
                       fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));

@@ -12,13 +12,12 @@
 namespace poinsot::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 /// A figure has a size on paper, a picture only where one is asked for.
 request::PictureForm printed(request::PictureForm form, const StillOptions& options, request::OutputKind kind) {
   if (kind == request::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
   if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
-  if (options.dpi && !form.print) refuse("--dpi needs --width: pixels to the inch of a picture that has a width");
+  if (options.dpi && !form.print)
+    throw core::usageError("--dpi needs --width: pixels to the inch of a picture that has a width");
   if (options.dpi) form.print->dpi = *options.dpi;
   return form;
 }
@@ -57,13 +56,13 @@ int makeStill(const RenderOptions& options, const StillOptions& still, request::
   checkBits(form.bits, named);
   form = printed(form, still, named.kind);
   if (form.print && !options.quality.empty())
-    refuse("-q: how many pixels a picture on paper has, --width and --dpi say");
+    throw core::usageError("-q: how many pixels a picture on paper has, --width and --dpi say");
   const auto asked_s = askedTime_s(still);
   request::RequestedScene requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;
   if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
-    refuse(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
-                       scene.time.duration_s));
+    throw core::usageError(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
+                                       scene.time.duration_s));
   setPixels(form, requested);
   const double time_s = asked_s.value_or(scene.time.stillTime_s());
   const request::OutputTarget target = targetOf(scene.name);

@@ -11,22 +11,7 @@ namespace poinsot::compare {
 namespace {
 
 /// For the content of an element. A log of CI is read on a terminal, too.
-std::string xml(std::string_view text) {
-  std::string out;
-  for (const char c : core::printableLines(text)) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
+std::string xml(std::string_view text) { return core::xmlAttribute(core::printableLines(text)); }
 
 /// For an attribute, in which an end of line would become a blank.
 std::string attribute(std::string_view text) {

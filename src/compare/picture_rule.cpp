@@ -17,10 +17,8 @@
 namespace poinsot::compare {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 [[noreturn]] void refuse(std::string_view name, std::string_view word, std::string_view why) {
-  refuse(fmt::format("{} '{}': {}", name, core::printable(word), why));
+  throw core::usageError(fmt::format("{} '{}': {}", name, core::printable(word), why));
 }
 
 /// The upper end of "0-N", or of "0-N%".
@@ -82,8 +80,8 @@ bool isWhole(double value) { return value == std::floor(value) && std::abs(value
 void addMask(IgnoreMask& mask, const image::AnyImage& painted, const std::string& name) {
   const image::PixelSize size = std::visit([](const auto& p) { return p.size; }, painted);
   if (size != mask.size())
-    refuse(fmt::format("{}: its size is {}x{}; the picture's is {}x{}", name, size.width, size.height,
-                       mask.size().width, mask.size().height));
+    throw core::usageError(fmt::format("{}: its size is {}x{}; the picture's is {}x{}", name, size.width,
+                                       size.height, mask.size().width, mask.size().height));
   mask.add(painted);
 }
 
@@ -119,10 +117,11 @@ NearRule namedLimits(std::string_view name, std::string_view word) {
 
 image::PixelRect ignoredBox(std::string_view name, std::span<const double> numbers) {
   constexpr const char* kForm = "write x, y, width and height in pixels from the top left, such as 10,20,300,40";
-  if (numbers.size() != 4 || !std::ranges::all_of(numbers, isWhole)) refuse(fmt::format("{}: {}", name, kForm));
+  if (numbers.size() != 4 || !std::ranges::all_of(numbers, isWhole))
+    throw core::usageError(fmt::format("{}: {}", name, kForm));
   const auto whole = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
   if (whole(0) < 0 || whole(1) < 0 || whole(2) < 1 || whole(3) < 1)
-    refuse(fmt::format("{}: x and y must be at least 0, width and height at least 1", name));
+    throw core::usageError(fmt::format("{}: x and y must be at least 0, width and height at least 1", name));
   return {whole(0), whole(1), whole(0) + whole(2), whole(1) + whole(3)};
 }
 
@@ -139,7 +138,7 @@ image::PixelRect ignoredBox(std::string_view name, std::string_view word) {
 void expectCanRefuse(const NearRule& limits, std::string_view name, std::optional<std::int64_t> pixels) {
   if (limits.canRefuse(pixels)) return;
   const std::string many = pixels ? fmt::format(" of {} pixels", *pixels) : "";
-  refuse(fmt::format("{}: every picture{} would pass; lower at least one limit", name, many));
+  throw core::usageError(fmt::format("{}: every picture{} would pass; lower at least one limit", name, many));
 }
 
 std::optional<IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::PixelSize size) {
@@ -147,14 +146,15 @@ std::optional<IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::PixelSize
   IgnoreMask mask(size);
   for (const image::PixelRect& box : rule.ignore) {
     if (box.left >= size.width || box.top >= size.height)
-      refuse(fmt::format("ignore {}: outside of the picture, whose size is {}x{}", boxText(box), size.width,
-                         size.height));
+      throw core::usageError(fmt::format("ignore {}: outside of the picture, whose size is {}x{}", boxText(box),
+                                         size.width, size.height));
     mask.add(box);
   }
   if (!rule.mask.empty())
     addMask(mask, image::readPngAsStored(rule.mask).picture, "mask " + core::printable(rule.mask.native()));
   if (rule.painted) addMask(mask, *rule.painted, "mask");
-  if (mask.comparedPixels() == 0) refuse("the ignored places cover the whole picture: nothing is left to compare");
+  if (mask.comparedPixels() == 0)
+    throw core::usageError("the ignored places cover the whole picture: nothing is left to compare");
   return mask;
 }
 

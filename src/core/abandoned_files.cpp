@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -17,6 +16,7 @@
 #include <system_error>
 
 #include "core/kernel_start.h"
+#include "core/number.h"
 
 namespace poinsot::core {
 namespace {
@@ -33,11 +33,8 @@ std::optional<std::string_view> takeLast(std::string_view& name, char mark) {
 }
 
 std::optional<pid_t> numberOf(std::optional<std::string_view> digits) {
-  pid_t number = 0;
-  if (!digits || digits->empty()) return std::nullopt;
-  const char* end = digits->data() + digits->size();
-  const auto read = std::from_chars(digits->data(), end, number);
-  return read.ec == std::errc() && read.ptr == end && number >= 0 ? std::optional(number) : std::nullopt;
+  const auto number = digits ? parseInteger<pid_t>(*digits) : std::nullopt;
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 /// Returns the process that writes a file of this name; nothing if the name is not one of temporaryName(), or the

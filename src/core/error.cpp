@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/error.h"
 
+#include <system_error>
+
 #include <fmt/format.h>
 
 namespace poinsot::core {
@@ -16,5 +18,11 @@ Error::Error(ErrorKind kind, const std::string& message, std::optional<SourceLoc
       kind_(kind),
       message_(message),
       where_(std::move(where)) {}
+
+Error usageError(const std::string& message) { return {ErrorKind::kUsage, message}; }
+Error sceneError(const std::string& message) { return {ErrorKind::kScene, message}; }
+Error physicsError(const std::string& message) { return {ErrorKind::kPhysics, message}; }
+
+std::string systemReason(int code) { return std::generic_category().message(code); }
 
 }  // namespace poinsot::core

@@ -47,6 +47,14 @@ class Error : public std::runtime_error {
   std::optional<SourceLocation> where_;
 };
 
+/// Errors of the kinds that are thrown most.
+Error usageError(const std::string& message);
+Error sceneError(const std::string& message);
+Error physicsError(const std::string& message);
+
+/// Returns the system's words for an errno: "No space left on device".
+std::string systemReason(int code);
+
 /// The reader of standard output is gone: nothing is left to do, and nothing to say.
 class BrokenPipe : public std::exception {};
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/rational.h"
+#include "core/number.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <numeric>
 
 namespace poinsot::core {
@@ -12,11 +12,8 @@ namespace {
 constexpr std::int64_t kLargestPart = 1'000'000'000;
 
 std::optional<std::int64_t> parseDigits(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if (text.front() == '-' || value > kLargestPart) return std::nullopt;
-  return value;
+  const auto value = parseInteger<std::int64_t>(text);
+  return value && text.front() != '-' && *value <= kLargestPart ? value : std::nullopt;
 }
 
 std::optional<Rational> reduced(std::int64_t num, std::int64_t den) {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 #include "core/file_error.h"
 #include "core/text.h"
@@ -19,7 +18,7 @@ namespace {
 /// Its caller knows the name.
 [[noreturn]] void failByErrno(ErrorKind kind) {
   const int code = errno;
-  throw FileError(kind, std::generic_category().message(code), {}, code);
+  throw FileError(kind, systemReason(code), {}, code);
 }
 
 /// Its size as the file says.

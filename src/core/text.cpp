@@ -99,6 +99,12 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
   return best;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
+
 std::string lowered(std::string_view text) {
   std::string small(text);
   for (char& c : small)
@@ -133,6 +139,30 @@ std::string printableLines(std::string_view untrusted) {
     if (!untrusted.empty()) appendShown(untrusted, shown);
   }
   return shown;
+}
+
+std::string xmlText(std::string_view text) {
+  std::string escaped;
+  for (const char c : text)
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else
+      escaped += c;
+  return escaped;
+}
+
+std::string xmlAttribute(std::string_view text) {
+  std::string escaped;
+  for (const char c : xmlText(text))
+    if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += c;
+  return escaped;
 }
 
 }  // namespace poinsot::core

@@ -25,6 +25,9 @@ int editDistance(std::string_view a, std::string_view b);
 /// differ, or two of five and more, and not all), else the first that contains it; for "did you mean".
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// Returns the text without the blanks at its ends: spaces, tabs, and the carriage return of a line from Windows.
+std::string_view trimmed(std::string_view text);
+
 /// Returns the text with its ASCII capitals as small letters.
 std::string lowered(std::string_view text);
 
@@ -40,5 +43,11 @@ std::string printable(std::string_view untrusted);
 
 /// The same of text of several lines: line ends and tabs stay, and it is not cut.
 std::string printableLines(std::string_view untrusted);
+
+/// Returns the text as it stands between the tags of XML and HTML: & < and > are escaped.
+std::string xmlText(std::string_view text);
+
+/// The same for the value of an attribute: quotation marks, too.
+std::string xmlAttribute(std::string_view text);
 
 }  // namespace poinsot::core

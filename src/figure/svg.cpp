@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/text.h"
 #include "figure/ink.h"
 #include "figure/mark.h"
 #include "figure/parts.h"
@@ -34,21 +35,10 @@ std::string base64(const Bytes& bytes) {
 }
 
 /// Text between tags or in an attribute. Control characters, which no XML may hold, become spaces.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += static_cast<unsigned char>(c) < 0x20 && c != '\n' ? ' ' : c;
-  }
-  return result;
+std::string escaped(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\n') c = ' ';
+  return core::xmlAttribute(text);
 }
 
 /// At most three decimals, none that say nothing.

@@ -16,8 +16,6 @@
 namespace poinsot::geometry {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kScene, message); }
-
 std::string text(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
 std::string ends(const Mesh& mesh, Edge e) {
@@ -54,9 +52,9 @@ int facing(Mesh::Triangle t) {
 [[noreturn]] void refuseTwice(const Mesh& mesh, std::vector<std::size_t> same, int way) {
   std::erase_if(same, [&](std::size_t i) { return facing(mesh.triangles[i]) != way; });
   const Mesh::Triangle& t = mesh.triangles[same[0]];
-  refuse(fmt::format("the mesh has the triangle {}, {}, {} more than once{}; remove all but one",
-                     text(mesh.vertices_M[t[0]]), text(mesh.vertices_M[t[1]]), text(mesh.vertices_M[t[2]]),
-                     inFile(mesh, "at", {same[0], same[1]})));
+  throw core::sceneError(fmt::format("the mesh has the triangle {}, {}, {} more than once{}; remove all but one",
+                                     text(mesh.vertices_M[t[0]]), text(mesh.vertices_M[t[1]]),
+                                     text(mesh.vertices_M[t[2]]), inFile(mesh, "at", {same[0], same[1]})));
 }
 
 Mesh::Triangle sortedCorners(Mesh::Triangle t) {
@@ -84,19 +82,19 @@ void expectDistinct(const Mesh& mesh, std::vector<std::size_t> triangles) {
   const std::vector<std::size_t> along = trianglesAlong(mesh, edge);
   const std::string between = ends(mesh, edge);
   if (along.size() == 1)
-    refuse(fmt::format(
+    throw core::sceneError(fmt::format(
         "the mesh is open at the edge from {}{}; only a closed surface has a volume: close the hole in "
         "a mesh program",
         between, inFile(mesh, "of the triangle at", along)));
   expectDistinct(mesh, along);
   if (along.size() == 2)
-    refuse(fmt::format(
+    throw core::sceneError(fmt::format(
         "two neighbouring triangles of the mesh run the same way along the edge from {}{}; one of them "
         "faces inward: swap two of its corners",
         between, inFile(mesh, "at", along)));
   const auto up = static_cast<std::size_t>(
       std::ranges::count_if(edges, [&](Edge e) { return withoutSense(e) == withoutSense(edge) && runsUp(e); }));
-  refuse(
+  throw core::sceneError(
       fmt::format("{} triangles of the mesh run one way along the edge from {} and {} the other way{}; a closed "
                   "surface has as many of each: remove a triangle, or add what is missing, in a mesh program",
                   std::max(up, along.size() - up), between, std::min(up, along.size() - up),
@@ -107,12 +105,13 @@ void checkVolume(const Mesh& mesh) {
   const Eigen::Vector3d size = boundsOf(mesh).size_m();
   const double volume = integrals(mesh).volume_m3, box = size[0] * size[1] * size[2];
   if (std::isinf(volume))
-    refuse("the mesh is too large for its volume to be a number; give its lengths in a larger unit");
+    throw core::sceneError(
+        "the mesh is too large for its volume to be a number; give its lengths in a larger unit");
   if (volume < -kNoVolume * box)
-    refuse(fmt::format(
+    throw core::sceneError(fmt::format(
         "the mesh is inside out: its volume is {} m³; flip its triangles (swap two corners of each)", volume));
   if (!(volume > kNoVolume * box))  // not a number where it is exactly 0: there is no centre
-    refuse(
+    throw core::sceneError(
         "the volume of the mesh is 0: its triangles lie in one plane, or each faces another at the same place; "
         "remove the triangles that face inward, or give the surface a thickness");
 }
@@ -121,7 +120,7 @@ void checkParts(const Mesh& mesh) {
   const std::optional<std::size_t> triangle = strayCavity(mesh);
   if (!triangle) return;
   const Eigen::Vector3d& corner = mesh.vertices_M[mesh.triangles[*triangle][0]];
-  refuse(fmt::format(
+  throw core::sceneError(fmt::format(
       "the part of the mesh that has a corner at {}{} is inside out and lies in no other part; flip its "
       "triangles (swap two corners of each)",
       text(corner), inFile(mesh, "of the triangle at", {*triangle})));
@@ -139,7 +138,7 @@ void checkDistinct(const Mesh& mesh, const std::vector<Edge>& edges) {
 }  // namespace
 
 void checkClosed(const Mesh& mesh) {
-  if (mesh.triangles.empty()) refuse("the mesh has no triangles; a body is bounded by triangles");
+  if (mesh.triangles.empty()) throw core::sceneError("the mesh has no triangles; a body is bounded by triangles");
   POINSOT_EXPECT(mesh.vertices_M.size() < std::size_t{1} << 31);
   expectIndicesInRange(mesh);
   expectFinite(mesh);

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <system_error>
 
 #include "core/atomic_file.h"
 #include "core/file_error.h"
@@ -30,8 +29,7 @@ using std::filesystem::path;
   const int code = errno;
   throw core::FileError(
       core::ErrorKind::kIo,
-      fmt::format("cannot read {}: {}", core::printable(file.native()), std::generic_category().message(code)),
-      file, code);
+      fmt::format("cannot read {}: {}", core::printable(file.native()), core::systemReason(code)), file, code);
 }
 
 // From the work folder, so that both can be moved, or seen from elsewhere.

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
-#include <system_error>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -42,8 +41,7 @@ int writeOut(Bytes bytes) {
 
 [[noreturn]] void fail(int code) {
   if (code == EPIPE) throw core::BrokenPipe();
-  throw core::Error(core::ErrorKind::kIo,
-                    fmt::format("standard output: {}", std::generic_category().message(code)));
+  throw core::Error(core::ErrorKind::kIo, fmt::format("standard output: {}", core::systemReason(code)));
 }
 
 }  // namespace

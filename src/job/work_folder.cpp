@@ -27,7 +27,7 @@ namespace {
 
 [[noreturn]] void failWithErrno(const std::filesystem::path& folder) {
   const int code = errno;
-  fail(folder, std::generic_category().message(code), code);
+  fail(folder, core::systemReason(code), code);
 }
 
 /// Whether the name still leads to the folder that was opened: its last holder may have removed it meanwhile.

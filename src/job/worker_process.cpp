@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <system_error>
 
 #include "core/error.h"
 #include "job/worker.h"
@@ -28,8 +27,8 @@ struct Pipe {
 };
 
 [[noreturn]] void cannotStart(const char* what) {
-  throw core::Error(core::ErrorKind::kGraphics, fmt::format("cannot start a worker process: {}: {}", what,
-                                                            std::generic_category().message(errno)));
+  throw core::Error(core::ErrorKind::kGraphics,
+                    fmt::format("cannot start a worker process: {}: {}", what, core::systemReason(errno)));
 }
 
 Pipe makePipe() {
@@ -93,7 +92,7 @@ void WorkerProcess::tell(const std::string& line) const {
   const int code = process::writeText(segments_.get(), line + '\n');
   if (code != 0 && code != EPIPE)
     throw core::Error(core::ErrorKind::kGraphics,
-                      "a message to a worker process could not be sent: " + std::generic_category().message(code));
+                      "a message to a worker process could not be sent: " + core::systemReason(code));
 }
 
 void WorkerProcess::giveNoMore() {

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <functional>
 #include <optional>
-#include <system_error>
 
 #include "core/file_error.h"
 #include "core/regular_file.h"
@@ -40,10 +39,10 @@ void readThrough(int descriptor, const std::filesystem::path& file, const Listen
   const auto expect = [&](bool good) {
     const int code = errno;
     if (!good)
-      throw core::FileError(core::ErrorKind::kIo,
-                            fmt::format("{}: cannot be read: {}", core::printable(file.native()),
-                                        std::generic_category().message(code)),
-                            file, code);
+      throw core::FileError(
+          core::ErrorKind::kIo,
+          fmt::format("{}: cannot be read: {}", core::printable(file.native()), core::systemReason(code)), file,
+          code);
   };
   struct stat status {};
   expect(::fstat(descriptor, &status) == 0);

@@ -16,8 +16,6 @@
 namespace poinsot::physics {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
-
 /// Drag of one rate, or nothing at all.
 bool hasClosedForm(const Forcing& f) {
   Forcing other = f;
@@ -27,9 +25,10 @@ bool hasClosedForm(const Forcing& f) {
 
 void requireSpan(const TimeSpan& span, double tolerance) {
   if (!std::isfinite(span.from_s) || !std::isfinite(span.to_s))
-    refuse(fmt::format("the span of a driven motion must be finite, got {} s to {} s", span.from_s, span.to_s));
+    throw core::physicsError(
+        fmt::format("the span of a driven motion must be finite, got {} s to {} s", span.from_s, span.to_s));
   if (!(tolerance > 0 && std::isfinite(tolerance)))
-    refuse(fmt::format("the tolerance must be positive and finite, got {} rad", tolerance));
+    throw core::physicsError(fmt::format("the tolerance must be positive and finite, got {} rad", tolerance));
 }
 
 Rotor<DoubleDouble> exact(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
@@ -101,7 +100,7 @@ void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, 
   const double d = forcing.dragRate_P[0];
   closed.emplace(axes, omega0_B, q0_WB, d);
   if (d > 0 && !closed->find(span.from_s))
-    refuse(
+    throw core::physicsError(
         fmt::format("{} s before its start a body with drag of {} 1/s would spin beyond the range of numbers; "
                     "start the run later",
                     -span.from_s, d));

@@ -12,21 +12,21 @@
 namespace poinsot::physics {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
-
 std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
 void requireAscending(const char* what, const TorqueHistory& history, std::size_t i) {
   const double t = history.t_s[i];
-  if (!std::isfinite(t)) refuse(fmt::format("times of {} must be finite, time {} is {} s", what, i + 1, t));
+  if (!std::isfinite(t))
+    throw core::physicsError(fmt::format("times of {} must be finite, time {} is {} s", what, i + 1, t));
   if (i > 0 && t <= history.t_s[i - 1])
-    refuse(fmt::format("times of {} must ascend, time {} is {} s after {} s", what, i + 1, t, history.t_s[i - 1]));
+    throw core::physicsError(
+        fmt::format("times of {} must ascend, time {} is {} s after {} s", what, i + 1, t, history.t_s[i - 1]));
 }
 
 void validateHistory(const char* what, const TorqueHistory& history) {
   if (history.t_s.size() != history.torque.size())
-    refuse(fmt::format("{} needs one torque for each time, got {} times and {} torques", what, history.t_s.size(),
-                       history.torque.size()));
+    throw core::physicsError(fmt::format("{} needs one torque for each time, got {} times and {} torques", what,
+                                         history.t_s.size(), history.torque.size()));
   for (std::size_t i = 0; i < history.t_s.size(); ++i) {
     requireAscending(what, history, i);
     requireFinite(history.torque[i], what);
@@ -41,10 +41,11 @@ void validate(const Forcing& forcing) {
   requireFinite(forcing.torque_W, "the torque in space axes (N·m)");
   requireFinite(forcing.dragRate_P, "the drag rates (1/s)");
   if (forcing.dragRate_P.minCoeff() < 0)
-    refuse(fmt::format("drag rates must not be negative, got {} 1/s", triple(forcing.dragRate_P)));
+    throw core::physicsError(
+        fmt::format("drag rates must not be negative, got {} 1/s", triple(forcing.dragRate_P)));
   if (!(forcing.dissipation >= 0 && std::isfinite(forcing.dissipation)))
-    refuse(fmt::format("the dissipation alpha must be finite and not negative, got {} s/(kg·m²)",
-                       forcing.dissipation));
+    throw core::physicsError(fmt::format("the dissipation alpha must be finite and not negative, got {} s/(kg·m²)",
+                                         forcing.dissipation));
   validateHistory("the torque table in body axes", forcing.torqueHistory_B);
   validateHistory("the torque table in space axes", forcing.torqueHistory_W);
 }

@@ -17,11 +17,9 @@
 namespace poinsot::physics {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
-
 void requirePlace(double mass_kg, const Eigen::Vector3d& centre_B) {
   if (!std::isfinite(mass_kg) || mass_kg <= 0)
-    refuse(fmt::format("mass must be positive and finite, got {}", mass_kg));
+    throw core::physicsError(fmt::format("mass must be positive and finite, got {}", mass_kg));
   requireFinite(centre_B, "centre of mass", " m");
 }
 
@@ -34,10 +32,11 @@ void requireMatter(const Eigen::Matrix3d& inertia_B, double scale_kgm2) {
   const auto& [low, middle, high] = moments;
   const double slack = kTensorSlack * std::max(high, scale_kgm2);
   if (low >= -slack && high <= low + middle + slack) return;
-  refuse(fmt::format("{}, got principal moments ({}, {}, {}) kg·m²",
-                     low < -slack ? "moments of inertia must not be negative"
-                                  : "no moment may exceed the sum of the other two (no matter has these values)",
-                     low, middle, high));
+  throw core::physicsError(
+      fmt::format("{}, got principal moments ({}, {}, {}) kg·m²",
+                  low < -slack ? "moments of inertia must not be negative"
+                               : "no moment may exceed the sum of the other two (no matter has these values)",
+                  low, middle, high));
 }
 
 /// Adds tensors and M(a² - a a) for a = (x, y, z), about whose tip they then are (eq 14).
@@ -107,8 +106,8 @@ Eigen::Matrix3d MassProperties::inertiaAbout(const Eigen::Vector3d& point_B) con
   sum.add(*this, point_B);
   const Eigen::Matrix3d inertia = sum.tensor();
   if (!inertia.allFinite())
-    refuse(fmt::format("the inertia about ({}, {}, {}) m is beyond the range of numbers", point_B[0], point_B[1],
-                       point_B[2]));
+    throw core::physicsError(fmt::format("the inertia about ({}, {}, {}) m is beyond the range of numbers",
+                                         point_B[0], point_B[1], point_B[2]));
   return inertia;
 }
 

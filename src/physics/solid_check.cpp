@@ -13,8 +13,6 @@ namespace {
 // Wings may touch the hub; 1.1 - 1.2/2 is not 0.5 in doubles.
 constexpr double kTouching = 1e-12;
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
-
 template <typename Vector>
 void requireEach(const Vector& lengths_m, const char* name) {
   for (const double length : lengths_m) requirePositive(length, name);
@@ -22,15 +20,15 @@ void requireEach(const Vector& lengths_m, const char* name) {
 
 void requireInner(double inner_m, double outer_m, const char* name) {
   if (inner_m >= 0 && inner_m < outer_m) return;
-  refuse(fmt::format("inner radius of the {} must be at least 0 and less than its radius {}, got {}", name,
-                     outer_m, inner_m));
+  throw core::physicsError(fmt::format(
+      "inner radius of the {} must be at least 0 and less than its radius {}, got {}", name, outer_m, inner_m));
 }
 
 void requireTorus(double radius_m, double tubeRadius_m) {
   requirePositive(radius_m, "radius of the torus");
   requirePositive(tubeRadius_m, "tube radius of the torus");
   if (tubeRadius_m >= radius_m)
-    refuse(
+    throw core::physicsError(
         fmt::format("tube radius of the torus must be less than its radius {}, got {}", radius_m, tubeRadius_m));
 }
 
@@ -45,8 +43,9 @@ struct Check {
     requireEach(s.edges_m, "edge of the hollow box");
     requirePositive(s.wall_m, "wall of the hollow box");
     if (2 * s.wall_m >= s.edges_m.minCoeff())
-      refuse(fmt::format("two walls of the hollow box must be less than its least edge {}, got a wall of {}",
-                         s.edges_m.minCoeff(), s.wall_m));
+      throw core::physicsError(
+          fmt::format("two walls of the hollow box must be less than its least edge {}, got a wall of {}",
+                      s.edges_m.minCoeff(), s.wall_m));
   }
   void operator()(const Plate& s) const { requireEach(s.edges_m, "edge of the plate"); }
   void operator()(const Ellipsoid& s) const { requireEach(s.semiAxes_m, "semi-axis of the ellipsoid"); }
@@ -80,15 +79,16 @@ struct Check {
   }
   void operator()(const Polyhedron& s) const {
     if (s.kind < PolyhedronKind::kTetrahedron || s.kind > PolyhedronKind::kIcosahedron)
-      refuse(fmt::format("kind of the polyhedron must be 0 to 4, got {}", static_cast<int>(s.kind)));
+      throw core::physicsError(
+          fmt::format("kind of the polyhedron must be 0 to 4, got {}", static_cast<int>(s.kind)));
     requirePositive(s.edge_m, "edge of the polyhedron");
   }
   void operator()(const LPlate& s) const {
     requireEach(s.edges_m, "edge of the L plate");
     requirePositive(s.arm_m, "arm width of the L plate");
     if (s.arm_m >= s.edges_m.minCoeff())
-      refuse(fmt::format("arm width of the L plate must be less than its least edge {}, got {}",
-                         s.edges_m.minCoeff(), s.arm_m));
+      throw core::physicsError(fmt::format("arm width of the L plate must be less than its least edge {}, got {}",
+                                           s.edges_m.minCoeff(), s.arm_m));
   }
   void operator()(const THandle& s) const {
     requirePositive(s.barLength_m, "length of the T-handle's bar");
@@ -105,10 +105,11 @@ struct Check {
     requireEach(s.wing_m, "edge of the wing nut's wing");
     const double inner = s.wingCentre_m - s.wing_m[0] / 2;
     if (!(inner >= s.hubRadius_m * (1 - kTouching)) || !std::isfinite(inner))
-      refuse(fmt::format("wings of the wing nut must not enter its hub of radius {}, got an inner edge at {}",
-                         s.hubRadius_m, inner));
+      throw core::physicsError(
+          fmt::format("wings of the wing nut must not enter its hub of radius {}, got an inner edge at {}",
+                      s.hubRadius_m, inner));
     if (!std::isfinite(s.wingRise_m))
-      refuse(fmt::format("rise of the wing nut's wings must be finite, got {}", s.wingRise_m));
+      throw core::physicsError(fmt::format("rise of the wing nut's wings must be finite, got {}", s.wingRise_m));
   }
 };
 
@@ -116,7 +117,7 @@ struct Check {
 
 void requirePositive(double value, const char* name) {
   if (std::isfinite(value) && value > 0) return;
-  refuse(fmt::format("{} must be positive and finite, got {}", name, value));
+  throw core::physicsError(fmt::format("{} must be positive and finite, got {}", name, value));
 }
 
 void requirePossible(const Solid& solid) { std::visit(Check{}, solid); }

@@ -21,8 +21,6 @@ namespace {
 
 using DD = DoubleDouble;
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); }
-
 int exponentOf(double x) {
   int exponent = 0;
   std::frexp(x, &exponent);
@@ -69,7 +67,7 @@ bool circlesSmallest(const ScaledEnergy& s) {
 [[noreturn]] void refuseMomentum(const PrincipalMoments& moments, const EnergyStart& start) {
   const auto axis = moments.ascendingAxes();
   const auto bound = [&](int i) { return std::sqrt(2 * start.kineticEnergy) * std::sqrt(moments[i]); };
-  refuse(fmt::format(
+  throw core::physicsError(fmt::format(
       "with a kinetic energy of {} J the angular momentum must lie between {:.10g} and {:.10g} kg·m²/s "
       "(sqrt(2 T I) of the smallest and the largest moment), got {}",
       start.kineticEnergy, bound(axis[0]), bound(axis[2]), start.angularMomentum));
@@ -79,12 +77,12 @@ void requireValid(const PrincipalMoments& moments, const EnergyStart& start) {
   requireFinite(start.kineticEnergy, "kinetic energy");
   requireFinite(start.angularMomentum, "angular momentum");
   if (start.kineticEnergy < 0)
-    refuse(fmt::format("kinetic energy must not be negative, got {} J", start.kineticEnergy));
+    throw core::physicsError(fmt::format("kinetic energy must not be negative, got {} J", start.kineticEnergy));
   if (start.angularMomentum < 0)
-    refuse(fmt::format("the magnitude of the angular momentum must not be negative, got {} kg·m²/s",
-                       start.angularMomentum));
+    throw core::physicsError(fmt::format(
+        "the magnitude of the angular momentum must not be negative, got {} kg·m²/s", start.angularMomentum));
   if (!(start.phase >= 0 && start.phase < 1))
-    refuse(fmt::format("the phase must be at least 0 and below 1, got {}", start.phase));
+    throw core::physicsError(fmt::format("the phase must be at least 0 and below 1, got {}", start.phase));
   if ((start.kineticEnergy == 0) != (start.angularMomentum == 0)) refuseMomentum(moments, start);
 }
 
@@ -126,8 +124,8 @@ Eigen::Vector3d omegaFromSpin(const PrincipalAxes& axes, const SpinStart& start)
   requireFinite(start.spin, "spin");
   requireFinite(start.towards_rad, "direction of the tilt");
   if (!(start.tilt_rad >= 0 && start.tilt_rad < kHalfPi.hi))
-    refuse(fmt::format("the tilt of a spin must be at least 0 and below 90 deg, got {:.10g} deg",
-                       start.tilt_rad * 180 / kPi.hi));
+    throw core::physicsError(fmt::format("the tilt of a spin must be at least 0 and below 90 deg, got {:.10g} deg",
+                                         start.tilt_rad * 180 / kPi.hi));
   const PrincipalMoments& I = axes.moments();
   const int k = start.axis, next = (k + 1) % 3, last = (k + 2) % 3;
   const SineCosine tilt = sineCosine(start.tilt_rad), side = sineCosine(start.towards_rad);
@@ -148,7 +146,7 @@ Eigen::Vector3d omegaFromEnergy(const PrincipalAxes& axes, const EnergyStart& st
   if (start.phase == 0 || polhode.regime() == PolhodeRegime::kSteady) return axes.toB(omega0_P);
   const ScaledEnergy s = scaledEnergy(moments, start);
   if (excess(s, s.I[1]) == DD(0))
-    refuse(
+    throw core::physicsError(
         fmt::format("on the separatrix (L² = 2 T I of the middle moment) there is no period: the phase must be "
                     "0, got {}",
                     start.phase));

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -22,8 +21,7 @@ namespace poinsot::preview {
 namespace {
 
 [[noreturn]] void refuse(int why) {
-  throw core::Error(core::ErrorKind::kGraphics,
-                    "no process can be started: " + std::generic_category().message(why));
+  throw core::Error(core::ErrorKind::kGraphics, "no process can be started: " + core::systemReason(why));
 }
 
 /// Its standard error goes to `errors`; it reads nothing and prints nothing else.

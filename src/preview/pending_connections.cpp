@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <exception>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -36,8 +35,7 @@ Header headerAt(int socket) {
 PendingConnections::PendingConnections(std::function<void(core::FileHandle)> admit)
     : admit_(std::move(admit)), events_(epoll_create1(EPOLL_CLOEXEC)) {
   if (!events_)
-    throw core::Error(core::ErrorKind::kIo,
-                      "connections cannot be watched: " + std::generic_category().message(errno));
+    throw core::Error(core::ErrorKind::kIo, "connections cannot be watched: " + core::systemReason(errno));
   watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <semaphore>
@@ -17,6 +16,7 @@
 
 #include "core/base64.h"
 #include "core/error.h"
+#include "core/number.h"
 #include "preview/film_errand.h"
 #include "preview/listener.h"
 #include "preview/picture_press.h"
@@ -66,11 +66,7 @@ bool isLocalName(std::string_view host) {
 }
 
 std::optional<std::int64_t> number(const Request& request, const char* name) {
-  const std::string word = request.get_param_value(name);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || word.empty()) return std::nullopt;
-  return value;
+  return core::parseInteger<std::int64_t>(request.get_param_value(name));
 }
 
 void refuse(Response& response, int status, const std::string& why) {

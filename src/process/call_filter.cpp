@@ -8,7 +8,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <system_error>
 
 #include "core/error.h"
 
@@ -54,8 +53,8 @@ using Filter = std::unique_ptr<void, Release>;
 /// libseccomp answers with -errno.
 void expect(int status) {
   if (status < 0)
-    throw core::Error(core::ErrorKind::kGraphics, "--untrusted: the kernel takes no filter of system calls: " +
-                                                      std::generic_category().message(-status));
+    throw core::Error(core::ErrorKind::kGraphics,
+                      "--untrusted: the kernel takes no filter of system calls: " + core::systemReason(-status));
 }
 
 /// All is allowed that it does not forbid. A call by another architecture's numbers would not be told by them.

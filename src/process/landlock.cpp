@@ -10,7 +10,6 @@
 
 #include <cerrno>
 #include <cstdint>
-#include <system_error>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -55,7 +54,7 @@ int versionOfKernel() {
   if (version >= kWithRenaming) return static_cast<int>(version);
   fail(fmt::format(
       "this kernel cannot hold a process to its files ({}); it takes Linux 5.19 with Landlock switched on",
-      version < 0 ? std::generic_category().message(errno) : "its Landlock is too old"));
+      version < 0 ? core::systemReason(errno) : "its Landlock is too old"));
 }
 
 core::FileHandle makeRules(int version) {
@@ -75,7 +74,7 @@ core::FileHandle makeRules(int version) {
 }  // namespace
 
 Landlock::Landlock() : version_(versionOfKernel()), rules_(makeRules(version_)) {
-  if (!rules_) fail("no rules for files: " + std::generic_category().message(errno));
+  if (!rules_) fail("no rules for files: " + core::systemReason(errno));
 }
 
 void Landlock::mayRead(const std::filesystem::path& path) { allow(path, kReading); }
@@ -87,20 +86,19 @@ void Landlock::allow(const std::filesystem::path& path, unsigned long long right
   if (!file && (errno == ENOENT || errno == ENOTDIR)) return;
   struct stat facts {};
   if (!file || ::fstat(file.get(), &facts) != 0)
-    throw core::Error(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()),
-                                                        std::generic_category().message(errno)));
+    throw core::Error(core::ErrorKind::kIo,
+                      fmt::format("{}: {}", core::printable(path.native()), core::systemReason(errno)));
   if (!S_ISDIR(facts.st_mode)) rights &= kReadingFile | kWritingFile;
   landlock_path_beneath_attr rule{};
   rule.allowed_access = rights & knownRights(version_);
   rule.parent_fd = file.get();
   if (syscall(SYS_landlock_add_rule, rules_.get(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
-    fail(
-        fmt::format("no rule for {}: {}", core::printable(path.native()), std::generic_category().message(errno)));
+    fail(fmt::format("no rule for {}: {}", core::printable(path.native()), core::systemReason(errno)));
 }
 
 void Landlock::enforce() const {
   if (syscall(SYS_landlock_restrict_self, rules_.get(), 0) != 0)
-    fail("the rules for files do not hold: " + std::generic_category().message(errno));
+    fail("the rules for files do not hold: " + core::systemReason(errno));
 }
 
 }  // namespace poinsot::process

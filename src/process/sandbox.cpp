@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include "core/error.h"
 #include "process/call_filter.h"
@@ -37,7 +36,7 @@ constexpr const char* kOfTheSystem[] = {"/usr/lib",
 
 [[noreturn]] void fail(const char* what) {
   throw core::Error(core::ErrorKind::kGraphics,
-                    std::string("--untrusted: ") + what + ": " + std::generic_category().message(errno));
+                    std::string("--untrusted: ") + what + ": " + core::systemReason(errno));
 }
 
 /// Never above what is allowed already. The last `warned` of it are told by a signal first.

@@ -77,7 +77,7 @@ int runConfined(Confinement confinement, const std::function<int(const std::func
   const pid_t process = fork();
   if (process < 0)
     throw core::Error(core::ErrorKind::kGraphics,
-                      "--untrusted: no process can be started: " + std::generic_category().message(errno));
+                      "--untrusted: no process can be started: " + core::systemReason(errno));
   if (process == 0) {
     held.reset();
     dieWith(supervisor);

@@ -29,12 +29,6 @@ struct Field {
 
 constexpr std::string_view kBlanks = " \t\r";
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 /// Returns the end of the field that starts at `from`: a separator outside quotes, or the end of the line.
 std::size_t endOfField(std::string_view line, std::size_t from, std::string_view separators) {
   bool quoted = false;
@@ -53,7 +47,7 @@ void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t 
   for (std::size_t from = start; from <= line.size();) {
     if (!commas) from = std::min(line.find_first_not_of(kBlanks, from), line.size());
     const std::size_t end = endOfField(line, from, commas ? "," : kBlanks);
-    std::string_view text = trimmed(line.substr(from, end - from));
+    std::string_view text = core::trimmed(line.substr(from, end - from));
     const auto column = text.empty() ? from : static_cast<std::size_t>(text.data() - line.data());
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
     if (commas || from < line.size()) fields.push_back({text, static_cast<int>(column) + 1});
@@ -103,7 +97,7 @@ class Reader {
       cursor_.rest.remove_prefix(std::min(line.size() + 1, cursor_.rest.size()));
       if (++cursor_.number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
       if (line.size() > kLongestTableLine) refuse(fmt::format("a line of more than {} bytes", kLongestTableLine));
-      const std::string_view text = trimmed(line);
+      const std::string_view text = core::trimmed(line);
       if (text.empty()) continue;
       if (text.front() != '#') return true;
       if (columns_.empty()) readComment();

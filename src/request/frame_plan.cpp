@@ -4,20 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/number.h"
 #include "core/text.h"
 
 namespace poinsot::request {
 namespace {
 
 std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
-  std::int64_t k = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), k);
-  const bool whole = status == std::errc() && end == text.data() + text.size();
-  return whole && !text.empty() && text.front() != '-' ? std::optional(k) : std::nullopt;
+  return text.starts_with('-') ? std::nullopt : core::parseInteger<std::int64_t>(text);
 }
 
 [[noreturn]] void refuse(std::string_view frames, std::string_view why) {

@@ -12,6 +12,7 @@
 #include "core/frame_clock.h"
 #include "core/regular_file.h"
 #include "core/sha256.h"
+#include "core/text.h"
 #include "figure/mark.h"
 #include "output/film.h"
 #include "output/film_format.h"
@@ -31,22 +32,6 @@ std::string stamp(std::int64_t time_ms, char sign) {
 
 std::string span(const Subtitle& subtitle, char sign) {
   return fmt::format("{} --> {}", stamp(subtitle.from_ms, sign), stamp(subtitle.to_ms, sign));
-}
-
-/// WebVTT's text is marked up like HTML.
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else
-      safe += c;
-  }
-  return safe;
 }
 
 constexpr std::string_view kDigestOfSrt = "NOTE sha256 of the .srt: ";
@@ -91,7 +76,7 @@ std::string srtText(const std::vector<Subtitle>& subtitles) {
 std::string vttText(const std::vector<Subtitle>& subtitles) {
   std::string text = fmt::format("{}{}\n\n", kDigestOfSrt, core::toHex(core::sha256(srtText(subtitles))));
   for (const Subtitle& subtitle : subtitles)
-    text += fmt::format("{}\n{}\n\n", span(subtitle, '.'), escaped(subtitle.text));
+    text += fmt::format("{}\n{}\n\n", span(subtitle, '.'), core::xmlText(subtitle.text));
   return figure::marked(figure::kVttMark, text);
 }
 

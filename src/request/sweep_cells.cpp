@@ -19,28 +19,27 @@ using scene::Limit;
 
 constexpr std::size_t kMostAxes = 2;  // rows and columns
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 /// What belongs to the film as a whole: its cells are one.
 void expectOneFilm(const scene::SweepAxis& axis) {
   if (axis.key == "time.duration" || axis.key.starts_with("output."))
-    refuse(fmt::format("a sweep of {}: its cells would differ in length, rate, size or paper, and are one film",
-                       axis.key));
+    throw core::usageError(fmt::format(
+        "a sweep of {}: its cells would differ in length, rate, size or paper, and are one film", axis.key));
 }
 
 void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   const std::size_t ranges = grid.axes.size();
   if (request.sweep->map) {
-    if (ranges > 0) refuse(fmt::format("--map is of one body; leave out the range of {}", grid.axes[0].key));
+    if (ranges > 0)
+      throw core::usageError(fmt::format("--map is of one body; leave out the range of {}", grid.axes[0].key));
     return;
   }
   if (ranges == 0)
-    refuse(
+    throw core::usageError(
         "a sweep has one range or two: -D KEY=FROM..TO:COUNT, such as -D 'time.start=0..4 s:9'; --map has none");
-  if (ranges > kMostAxes) refuse(fmt::format("a sweep has one range or two, got {}", ranges));
+  if (ranges > kMostAxes) throw core::usageError(fmt::format("a sweep has one range or two, got {}", ranges));
   if (grid.cells > scene::kMostCells)
-    refuse(fmt::format("{} x {} are {} cells: a sweep has at most {}", grid.axes[0].values.size(),
-                       grid.axes.back().values.size(), grid.cells, scene::kMostCells));
+    throw core::usageError(fmt::format("{} x {} are {} cells: a sweep has at most {}", grid.axes[0].values.size(),
+                                       grid.axes.back().values.size(), grid.cells, scene::kMostCells));
   for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
 }
 
@@ -51,7 +50,8 @@ void expectOnce(const std::vector<std::string>& overrides, const std::string& ke
     return word.compare(from, key.size(), key) == 0 &&
            word.find_first_not_of(' ', from + key.size()) == word.find('=');
   };
-  if (std::ranges::count_if(overrides, isOfKey) > 1) refuse(fmt::format("-D {}: given more than once", key));
+  if (std::ranges::count_if(overrides, isOfKey) > 1)
+    throw core::usageError(fmt::format("-D {}: given more than once", key));
 }
 
 void shareSpeed(std::vector<scene::Scene>& cells) {
@@ -108,7 +108,7 @@ std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid
                      request.allowance.limits);
   std::vector<scene::Scene> cells{first};
   for (int i = 1; i < grid.cells; ++i) cells.push_back(loadRequested(cellRequest(request, grid, i)));
-  if (cells[0].time.loop) refuse("a sweep does not repeat: --loop changes each motion by itself");
+  if (cells[0].time.loop) throw core::usageError("a sweep does not repeat: --loop changes each motion by itself");
   shareSpeed(cells);
   return cells;
 }

@@ -46,8 +46,6 @@ struct Size {
 };
 constexpr Size kSizes[] = {{"TiB", kTi}, {"GiB", kGi}, {"MiB", kMi}, {"KiB", kKi}};
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kUsage, message); }
-
 std::string bytesText(std::int64_t value) {
   for (const Size& size : kSizes)
     if (value >= size.bytes && value % size.bytes == 0) return fmt::format("{} {}", value / size.bytes, size.unit);
@@ -105,7 +103,7 @@ Limits::Limits() {
 void Limits::set(Limit limit, std::int64_t value) {
   const LimitRow& row = rowOf(limit);
   if (value < 1 || value > row.highest)
-    refuse(
+    throw core::usageError(
         fmt::format("the limit {} may be from 1 to {}, got {}", row.name, limitText(limit, row.highest), value));
   values_[static_cast<std::size_t>(limit)] = value;
 }
@@ -113,14 +111,15 @@ void Limits::set(Limit limit, std::int64_t value) {
 void Limits::set(Limit limit, std::string_view value) {
   const LimitRow& row = rowOf(limit);
   if (const auto number = parsed(value, row.unit)) return set(limit, *number);
-  refuse(fmt::format("the limit {} is a whole number{}, got '{}'", row.name,
-                     row.unit == kBytes ? ", of bytes or with KiB, MiB, GiB or TiB" : "", core::printable(value)));
+  throw core::usageError(fmt::format("the limit {} is a whole number{}, got '{}'", row.name,
+                                     row.unit == kBytes ? ", of bytes or with KiB, MiB, GiB or TiB" : "",
+                                     core::printable(value)));
 }
 
 void Limits::setByWord(std::string_view word) {
   const auto equals = word.find('=');
   if (equals == std::string_view::npos)
-    refuse(fmt::format("'{}': a limit is NAME=VALUE, such as side=16384", core::printable(word)));
+    throw core::usageError(fmt::format("'{}': a limit is NAME=VALUE, such as side=16384", core::printable(word)));
   set(limitNamed(word.substr(0, equals)), word.substr(equals + 1));
 }
 
@@ -132,7 +131,7 @@ Limit limitNamed(std::string_view name) {
   }
   constexpr std::size_t kLongest = 64;  // the edit distance of kilobytes is not worth its time
   const auto near = name.size() <= kLongest ? core::closest(name, names) : std::nullopt;
-  refuse(
+  throw core::usageError(
       fmt::format("there is no limit '{}'{}", core::printable(name),
                   near ? fmt::format("; did you mean {}?", *near) : fmt::format(": {}", fmt::join(names, ", "))));
 }

@@ -36,12 +36,6 @@ namespace {
 
 // --- Overrides ---
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 bool looksLikeToml(std::string_view value) {
   return !value.empty() && std::string_view("\"'[{").find(value[0]) != std::string_view::npos;
 }
@@ -60,8 +54,9 @@ Node overrideValue(const Source& source, std::string_view value, const Limits& l
 
 void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& leaves, Problems& problems) {
   const std::size_t equals = text.find('=');
-  const std::string key(trimmed(std::string_view(text).substr(0, equals)));
-  const std::string value(equals == std::string::npos ? "" : trimmed(std::string_view(text).substr(equals + 1)));
+  const std::string key(core::trimmed(std::string_view(text).substr(0, equals)));
+  const std::string value(equals == std::string::npos ? ""
+                                                      : core::trimmed(std::string_view(text).substr(equals + 1)));
   Source& source = sources.emplace_back("-D " + text, "v = " + value);
   source.setWithoutLines();
   const Place place{&source, 0, 0, 1};

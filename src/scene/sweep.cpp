@@ -12,7 +12,6 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/keys/keys.h"
-#include "scene/trimmed.h"
 
 namespace poinsot::scene {
 namespace {
@@ -26,13 +25,13 @@ struct Number {
 
 /// "10 rpm"; nothing where no number begins.
 std::optional<Number> numberIn(std::string_view text) {
-  text = trimmed(text);
+  text = core::trimmed(text);
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
   double value = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (status != std::errc() || !std::isfinite(value)) return std::nullopt;
   const auto length = static_cast<std::size_t>(end - text.data());
-  return Number{value, std::string(text.substr(0, length)), std::string(trimmed(text.substr(length)))};
+  return Number{value, std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
 }
 
 /// What of a word after -D may be a range, and what is around it.
@@ -106,9 +105,9 @@ class Reader {
 
   std::pair<int, bool> countIn(std::string_view text) const {
     const auto colon = text.find(':');
-    const std::string_view word = colon == std::string_view::npos ? "" : trimmed(text.substr(colon + 1));
+    const std::string_view word = colon == std::string_view::npos ? "" : core::trimmed(text.substr(colon + 1));
     if (colon != std::string_view::npos && word != "log") refuse(std::string(kForms));
-    const std::string_view digits = trimmed(text.substr(0, colon));
+    const std::string_view digits = core::trimmed(text.substr(0, colon));
     int count = 0;
     const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     const bool whole = end == digits.data() + digits.size() && status != std::errc::invalid_argument;
@@ -217,9 +216,9 @@ Found foundAt(const std::string& override, std::size_t equals, std::size_t place
   constexpr std::string_view kDelimiters = "[],\"'";
   const auto begin = std::max(override.find_last_of(kDelimiters, place) + 1, equals + 1);  // npos + 1 is 0
   const auto end = std::min(override.find_first_of(kDelimiters, place), override.size());
-  Found found{std::string(trimmed(std::string_view(override).substr(0, equals))), override.substr(0, begin),
-              std::string(trimmed(std::string_view(override).substr(begin, end - begin))), override.substr(end),
-              elementAt(std::string_view(override).substr(equals + 1), place - equals - 1)};
+  Found found{std::string(core::trimmed(std::string_view(override).substr(0, equals))), override.substr(0, begin),
+              std::string(core::trimmed(std::string_view(override).substr(begin, end - begin))),
+              override.substr(end), elementAt(std::string_view(override).substr(equals + 1), place - equals - 1)};
   found.quoted = found.before.ends_with('"') || found.before.ends_with('\'');
   return found;
 }
@@ -230,13 +229,13 @@ std::string SweepAxis::override(std::size_t value) const { return before + value
 
 bool hasRange(std::string_view override) {
   const auto equals = override.find('=');
-  return equals != std::string_view::npos && takesNumbers(trimmed(override.substr(0, equals))) &&
+  return equals != std::string_view::npos && takesNumbers(core::trimmed(override.substr(0, equals))) &&
          isRange(override.substr(equals));
 }
 
 std::optional<SweepAxis> sweepAxis(const std::string& override) {
   const auto equals = override.find('=');
-  if (equals == std::string::npos || !takesNumbers(trimmed(std::string_view(override).substr(0, equals))))
+  if (equals == std::string::npos || !takesNumbers(core::trimmed(std::string_view(override).substr(0, equals))))
     return std::nullopt;
   if (!hasRange(override)) {
     if (!meansRange(std::string_view(override).substr(equals))) return std::nullopt;

@@ -148,12 +148,6 @@ bool isUnitOf(const ParsedUnit& parsed, Dimension dimension) {
   return parsed.problem.empty() && productOf(parsed.terms).exponents == textOf(dimension).exponents;
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 /// The unit with every name replaced by what `other` gives for it.
 template <class F>
 std::string renamed(std::string_view unit, F other) {
@@ -208,7 +202,7 @@ std::string someUnits(Dimension dimension) {
 
 Quantity parseQuantity(std::string_view text, Dimension dimension) {
   const std::string shown = core::printable(text);
-  text = trimmed(text);
+  text = core::trimmed(text);
   if (skip(text, "+") && text.starts_with('-')) return refused(expected(dimension) + ", got \"" + shown + "\"");
   double number = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -237,6 +231,6 @@ double unitFactor(std::string_view unit, Dimension dimension) {
   return productOf(parsed.terms).factor;
 }
 
-std::vector<UnitTerm> unitTerms(std::string_view unit) { return parseUnit(trimmed(unit)).terms; }
+std::vector<UnitTerm> unitTerms(std::string_view unit) { return parseUnit(core::trimmed(unit)).terms; }
 
 }  // namespace poinsot::scene

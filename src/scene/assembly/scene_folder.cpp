@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 #include "core/open_beneath.h"
 #include "core/regular_file.h"
@@ -27,7 +26,7 @@ std::string reason(int error) {
   if (error == EXDEV) return "it does not lie in the scene's folder or below it";
   if (error == EISDIR) return "it is a directory";
   if (error == EINVAL) return "it is not a regular file";
-  return std::generic_category().message(error);
+  return core::systemReason(error);
 }
 
 bool isAddress(std::string path) {

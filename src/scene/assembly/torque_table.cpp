@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "core/error.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "scene/limits.h"
 
@@ -20,20 +20,9 @@ constexpr std::string_view kHeader = "t,Nx,Ny,Nz";
 // A second of torque at audio rate and more; each line is a piece of the integration.
 constexpr std::size_t kMostLines = 100'000;
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::optional<double> number(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = status == std::errc() && end == text.data() + text.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const auto value = core::parseNumber(core::trimmed(text));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 /// Takes the text up to the separator, which goes too.
@@ -52,17 +41,13 @@ class TableReader {
     if (csv.starts_with("\xef\xbb\xbf")) csv.remove_prefix(3);
     while (!csv.empty()) {
       ++line_;
-      read(trimmed(take(csv, '\n')));
+      read(core::trimmed(take(csv, '\n')));
     }
-    if (history_.empty()) refuse("there are no lines of numbers t,Nx,Ny,Nz");
+    if (history_.empty()) throw core::sceneError("there are no lines of numbers t,Nx,Ny,Nz");
     return std::move(history_);
   }
 
  private:
-  [[noreturn]] static void refuse(const std::string& message) {
-    throw core::Error(core::ErrorKind::kScene, message);
-  }
-
   void read(std::string_view line) {
     if (line_ == 1 && line == kHeader) return;
     std::array<double, 4> row{};
@@ -79,16 +64,20 @@ class TableReader {
   }
 
   [[noreturn]] void expected(std::string_view line) const {
-    refuse(fmt::format("line {}: expected four numbers {}, got \"{}\"", line_, kHeader, core::printable(line)));
+    throw core::sceneError(
+        fmt::format("line {}: expected four numbers {}, got \"{}\"", line_, kHeader, core::printable(line)));
   }
 
   void add(const std::array<double, 4>& row) {
     if (!history_.empty() && !(row[0] > history_.t_s.back()))
-      refuse(fmt::format("line {}: times must ascend, got {} after {}", line_, row[0], history_.t_s.back()));
+      throw core::sceneError(
+          fmt::format("line {}: times must ascend, got {} after {}", line_, row[0], history_.t_s.back()));
     for (std::size_t i = 0; i < row.size(); ++i)
       if (const double most = i == 0 ? kMostInstant_s : kMostTorque; std::abs(row[i]) > most)
-        refuse(fmt::format("line {}: numbers must be at most {:g} in size, got {}", line_, most, row[i]));
-    if (history_.t_s.size() == kMostLines) refuse(fmt::format("line {}: more than {} lines", line_, kMostLines));
+        throw core::sceneError(
+            fmt::format("line {}: numbers must be at most {:g} in size, got {}", line_, most, row[i]));
+    if (history_.t_s.size() == kMostLines)
+      throw core::sceneError(fmt::format("line {}: more than {} lines", line_, kMostLines));
     history_.t_s.push_back(row[0]);
     history_.torque.emplace_back(row[1], row[2], row[3]);
   }

@@ -9,7 +9,6 @@
 
 #include "core/text.h"
 #include "scene/document/text_limits.h"
-#include "scene/trimmed.h"
 
 namespace poinsot::scene {
 namespace {
@@ -45,14 +44,14 @@ std::string continued(std::string text) { return text.replace(0, 1, core::lowere
 
 // ---- given twice
 
-bool isHeader(std::string_view line) { return trimmed(line).starts_with('['); }
+bool isHeader(std::string_view line) { return core::trimmed(line).starts_with('['); }
 
 /// What a line gives: the path between its brackets, or the key before its equals sign; else empty. By hand, as it
 /// is asked of every line of a file.
 std::string_view givenBy(std::string_view line) {
   const std::size_t equals = line.find('='), path = std::min(line.find_first_not_of(" \t["), line.size());
-  if (!isHeader(line)) return equals == line.npos ? "" : trimmed(line.substr(0, equals));
-  return trimmed(line.substr(path, line.find(']') - path));
+  if (!isHeader(line)) return equals == line.npos ? "" : core::trimmed(line.substr(0, equals));
+  return core::trimmed(line.substr(path, line.find(']') - path));
 }
 
 /// The line above that gives what this one does; a key is sought in its own table.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/number.h"
 #include "scene/document/document.h"
 #include "scene/keys/key_text.h"
 #include "scene/keys/keys.h"
@@ -74,18 +75,12 @@ Json quantity(const Key& key) {
           {"pattern", fmt::format("^ *{} *{} *$", kNumberPattern, unitPattern(key.dimension))}};
 }
 
-std::optional<int> wholeNumber(std::string_view word) {
-  int number = 0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return status == std::errc() && end == word.data() + word.size() ? std::optional(number) : std::nullopt;
-}
-
 /// A word that is a number may stand without quotes.
 Json words(const Key& key) {
   Json any = Json::array();
   for (const std::string_view word : key.words) any.push_back(std::string(word));
   for (const std::string_view word : key.words)
-    if (const auto number = wholeNumber(word)) any.push_back(*number);
+    if (const auto number = core::parseInteger<int>(word)) any.push_back(*number);
   return {{"enum", any}};
 }
 

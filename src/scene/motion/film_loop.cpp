@@ -15,17 +15,16 @@
 namespace poinsot::scene {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw core::Error(core::ErrorKind::kScene, message); }
-
 void checkCanRepeat(const Scene& scene, double speed) {
   if (!scene.motion.forcing.none())
-    refuse("what acts on the body never lets the whole motion come back: only free motion can be made to repeat");
+    throw core::sceneError(
+        "what acts on the body never lets the whole motion come back: only free motion can be made to repeat");
   if (std::ranges::any_of(scene.views,
                           [&](const View& view) { return movesAlong(scene.motion, view.camera, view.show); }))
-    refuse(
+    throw core::sceneError(
         "a thrown body does not come back to where it was; with show.flight = false the picture goes with its "
         "centre of mass, and can repeat");
-  if (speed == 0) refuse("nothing moves at speed 0: there is no period");
+  if (speed == 0) throw core::sceneError("nothing moves at speed 0: there is no period");
 }
 
 /// Frames of a period; the film then lasts so many, to the nearest.
@@ -33,7 +32,7 @@ double framesOf(const Time& time, double period_s, double speed, const Limits& l
   const double film_s = period_s / std::abs(speed), frames = std::max(1.0, std::round(film_s * time.fps.value()));
   if (frames > static_cast<double>(limits[Limit::kFrames]) ||
       film_s > static_cast<double>(limits[Limit::kDuration]))
-    refuse(
+    throw core::sceneError(
         fmt::format("the motion repeats after {:.4g} s at the soonest, {:.4g} s of film or {} frames, more than a "
                     "film may have; a time.speed of {:.2g} or more would do",
                     period_s, film_s, frames, std::abs(speed) * film_s / time.duration_s));
