@@ -15,7 +15,7 @@
 #include "draw/camera.h"
 #include "draw/color.h"
 
-/// What is in a picture, as plain values: no GL, no physics, no files. Lengths are in the picture's world W,
+/// What is in a picture, as plain values: no GL, no physics, no files. Lengths are along the picture's axes V,
 /// widths of lines and sizes of type in pixels, colours in linear light.
 namespace poinsot::draw {
 
@@ -35,11 +35,11 @@ struct Graticule {
   float farOpacity = 0.35f;  ///< on the sheet away from the viewer (translucent ellipsoids)
 };
 
-/// A solid ellipsoid; the columns of `semiAxes_W` are its three semi-axis vectors. With `marking_px` > 0 it bears
+/// A solid ellipsoid; the columns of `semiAxes_V` are its three semi-axis vectors. With `marking_px` > 0 it bears
 /// rings about the third axis and four meridians, the one through the first axis heavy.
 struct Ellipsoid {
-  glm::vec3 centre_W{0};
-  glm::mat3 semiAxes_W{1};
+  glm::vec3 centre_V{0};
+  glm::mat3 semiAxes_V{1};
   Material material;
   Color markingColor{0};
   float marking_px = 0;
@@ -47,50 +47,50 @@ struct Ellipsoid {
 
 /// A solid of revolution between two discs: cylinder, cone (one radius 0), truncated cone.
 struct Frustum {
-  glm::vec3 from_W{0};
-  glm::vec3 to_W{0, 0, 1};
+  glm::vec3 from_V{0};
+  glm::vec3 to_V{0, 0, 1};
   float fromRadius = 1;
   float toRadius = 1;
   Material material;
 };
 
-/// A solid box; the columns of `halfAxes_W` are half its edges.
+/// A solid box; the columns of `halfAxes_V` are half its edges.
 struct Box {
-  glm::vec3 centre_W{0};
-  glm::mat3 halfAxes_W{1};
+  glm::vec3 centre_V{0};
+  glm::mat3 halfAxes_V{1};
   Material material;
 };
 
 /// The surface of a body in axes of its own, M: closed, without cracks, each triangle counter-clockwise seen from
-/// outside. Neighbours share their vertices' indices. Lengths in any unit: Mesh::axes_W brings them to W.
+/// outside. Neighbours share their vertices' indices. Lengths in any unit: Mesh::axes_V brings them to V.
 struct TriangleMesh {
   std::vector<glm::vec3> vertices_M;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// A solid with the surface `mesh`, at origin_W + axes_W x_M: the columns of `axes_W` are the M axes, scaled to W
+/// A solid with the surface `mesh`, at origin_V + axes_V x_M: the columns of `axes_V` are the M axes, scaled to V
 /// and right-handed. Edges whose faces meet at more than `crease_rad` (in M) are sharp: flat normals on either
 /// side and, with `edge_px` > 0, a line of that width in `edgeColor`. The others are shaded smoothly. No mesh
 /// (null) draws nothing. As every solid, one that is not wholly in front of the camera is left out. Share one
 /// TriangleMesh from picture to picture: what is made of it is kept while its address is the same.
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
-  glm::vec3 origin_W{0};
-  glm::mat3 axes_W{1};
+  glm::vec3 origin_V{0};
+  glm::mat3 axes_V{1};
   float crease_rad = 0.6f;
   Material material;
   Color edgeColor{0};
   float edge_px = 0;
 };
 
-/// A smooth line through points. With `radius_W` > 0 it is a round tube of that radius, shaded; else a flat line
-/// of constant width. `lift_W` moves it towards the viewer, so that a line on a surface is seen in front of it.
+/// A smooth line through points. With `radius_V` > 0 it is a round tube of that radius, shaded; else a flat line
+/// of constant width. `lift_V` moves it towards the viewer, so that a line on a surface is seen in front of it.
 struct Curve {
-  std::vector<glm::vec3> points_W;
+  std::vector<glm::vec3> points_V;
   bool closed = false;
   float width_px = 2;
-  float radius_W = 0;
-  float lift_W = 0;
+  float radius_V = 0;
+  float lift_V = 0;
   Material material;
 };
 
@@ -99,8 +99,8 @@ struct Curve {
 /// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the sheet near the eye may be thinner than
 /// the far one, so that what is inside keeps its hue.
 struct GlassEllipsoid {
-  glm::vec3 centre_W{0};
-  glm::mat3 semiAxes_W{1};
+  glm::vec3 centre_V{0};
+  glm::mat3 semiAxes_V{1};
   Color color{1};
   float nearOpacity = 0.07f;
   float farOpacity = 0.15f;
@@ -112,10 +112,10 @@ struct GlassEllipsoid {
 /// as those of a GlassEllipsoid: `nearOpacity` where the outside looks at the eye, `farOpacity` where the inside
 /// does. One that is not wholly in front of the camera is left out.
 struct GlassCone {
-  glm::vec3 apex_W{0};
-  glm::vec3 axis_W{0, 0, 1};   ///< from the apex into the cone; any length
+  glm::vec3 apex_V{0};
+  glm::vec3 axis_V{0, 0, 1};   ///< from the apex into the cone; any length
   float halfAngle_rad = 0.5f;  ///< in (0, pi/2)
-  float height_W = 1;          ///< from the apex to the base, along the axis
+  float height_V = 1;          ///< from the apex to the base, along the axis
   Color color{1};
   float nearOpacity = 0.07f;
   float farOpacity = 0.15f;
@@ -128,7 +128,7 @@ struct GlassCone {
 /// A flat convex sheet, at most 16 corners in order around it, in one plane; with a border line just inside. One
 /// that is not wholly in front of the camera is left out.
 struct GlassPolygon {
-  std::vector<glm::vec3> corners_W;
+  std::vector<glm::vec3> corners_V;
   Color color{1};
   float opacity = 0.15f;
   Color lineColor{0};
@@ -136,12 +136,12 @@ struct GlassPolygon {
   float lineWidth_px = 1.5f;
 };
 
-/// A rectangle with a square grid; `u_W` and `v_W` are perpendicular half-edges.
+/// A rectangle with a square grid; `u_V` and `v_V` are perpendicular half-edges.
 struct GridPlane {
-  glm::vec3 centre_W{0};
-  glm::vec3 u_W{1, 0, 0};
-  glm::vec3 v_W{0, 1, 0};
-  float spacing_W = 0.25f;  ///< between lines; a line runs through the centre in both directions
+  glm::vec3 centre_V{0};
+  glm::vec3 u_V{1, 0, 0};
+  glm::vec3 v_V{0, 1, 0};
+  float spacing_V = 0.25f;  ///< between lines; a line runs through the centre in both directions
   Color color{1};
   float opacity = 0.12f;
   Color lineColor{0};
@@ -150,8 +150,8 @@ struct GridPlane {
   // A soft dark spot under what rests on the plane: at r radii from its centre opacity · (2^(-2 r²) - kShadowEnd),
   // where that is more than nothing; beyond, a picture of 8 bits would not show it.
   static constexpr float kShadowEnd = 1.0f / 512, kShadowReach = 2.1213204f;  // sqrt(4.5)
-  glm::vec3 shadowCentre_W{0};
-  float shadowRadius_W = 0;
+  glm::vec3 shadowCentre_V{0};
+  float shadowRadius_V = 0;
   float shadowOpacity = 0;
 };
 

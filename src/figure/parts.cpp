@@ -16,7 +16,7 @@ draw::Picture surfacesOf(const draw::Picture& picture) {
   surfaces.areas.clear();
   surfaces.strokes.clear();
   for (draw::Panel& panel : surfaces.panels)
-    std::erase_if(panel.list.curves, [](const draw::Curve& curve) { return curve.radius_W <= 0; });
+    std::erase_if(panel.list.curves, [](const draw::Curve& curve) { return curve.radius_V <= 0; });
   return surfaces;
 }
 

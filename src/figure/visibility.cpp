@@ -36,11 +36,11 @@ Visibility::Visibility(const draw::DrawList& list)
 Visibility::~Visibility() = default;
 Visibility::Visibility(Visibility&&) noexcept = default;
 
-Sight Visibility::of(glm::dvec3 point_W, double lift_W) const {
-  const glm::dvec3 p_C = toCameraExactly(scene_->camera, point_W);
+Sight Visibility::of(glm::dvec3 point_V, double lift_V) const {
+  const glm::dvec3 p_C = toCameraExactly(scene_->camera, point_V);
   const SightLine line =
       scene_->camera.orthographic ? SightLine{{p_C.x, p_C.y, 0}, {0, 0, -1}} : SightLine{{0, 0, 0}, p_C / -p_C.z};
-  const double t = -p_C.z * (1 - kOnSurface) - lift_W;
+  const double t = -p_C.z * (1 - kOnSurface) - lift_V;
   Sight sight;
   sight.hidden = std::ranges::any_of(scene_->occluders, [&](const auto& o) { return o->hides(line, t); });
   if (sight.hidden) return sight;
@@ -50,8 +50,8 @@ Sight Visibility::of(glm::dvec3 point_W, double lift_W) const {
   return sight;
 }
 
-glm::dvec3 toCameraExactly(const draw::Camera& camera, glm::dvec3 point_W) {
-  return (point_W - glm::dvec3(camera.eye_W)) * glm::dmat3(camera.R_WC);
+glm::dvec3 toCameraExactly(const draw::Camera& camera, glm::dvec3 point_V) {
+  return (point_V - glm::dvec3(camera.eye_V)) * glm::dmat3(camera.R_VC);
 }
 
 glm::dvec2 projectExactly(const draw::Camera& camera, glm::dvec3 point_C) {

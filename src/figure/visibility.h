@@ -26,8 +26,8 @@ class Visibility {
   ~Visibility();
   Visibility(Visibility&&) noexcept;
 
-  /// @param lift_W how much nearer to the eye, along the view, the point is taken to be (Curve::lift_W).
-  Sight of(glm::dvec3 point_W, double lift_W = 0) const;
+  /// @param lift_V how much nearer to the eye, along the view, the point is taken to be (Curve::lift_V).
+  Sight of(glm::dvec3 point_V, double lift_V = 0) const;
 
  private:
   struct Scene;
@@ -35,7 +35,7 @@ class Visibility {
 };
 
 /// A point's coordinates in camera axes C, in double precision.
-glm::dvec3 toCameraExactly(const draw::Camera& camera, glm::dvec3 point_W);
+glm::dvec3 toCameraExactly(const draw::Camera& camera, glm::dvec3 point_V);
 
 /// Where a point given in camera axes appears, in pixels as project(). @pre in front of the camera.
 glm::dvec2 projectExactly(const draw::Camera& camera, glm::dvec3 point_C);

@@ -16,7 +16,7 @@ struct SeenLine {
   draw::Color color{0};  ///< linear light, dimmed and tinted by the sheets in front; opaque
 };
 
-/// The flat curves (radius_W = 0) of a list, farther ones first wherever two of different colour meet: painted in
+/// The flat curves (radius_V = 0) of a list, farther ones first wherever two of different colour meet: painted in
 /// this order over the rendered surfaces they make the picture. Ends at silhouettes are found to 0.1 px, points
 /// that lie within 0.05 px of the line without them are left out, and a colour is right to 2/255 in sRGB.
 std::vector<SeenLine> seenLines(const draw::DrawList& list);

@@ -15,7 +15,7 @@ constexpr double kOverlap_px =
 constexpr int kColorSteps = 2;  // of 8-bit sRGB, that a piece's colour may be off
 
 struct Sample {
-  glm::dvec3 p_W{0};
+  glm::dvec3 p_V{0};
   PiecePoint at;
   Sight sight;
   draw::Color seen{0};  ///< what the eye sees of the curve there
@@ -42,38 +42,38 @@ class Sampler {
   /// The parts that are in front of the camera. As the renderer does, a segment with an end that is too near is
   /// left out whole.
   std::vector<Run> runs() {
-    const std::size_t n = curve_.points_W.size(), segments = curve_.closed ? n : n - 1;
+    const std::size_t n = curve_.points_V.size(), segments = curve_.closed ? n : n - 1;
     std::vector<Run> runs;
     bool joined = false;
     for (std::size_t i = 0; i < segments; ++i) {
-      const glm::dvec3 from_W = curve_.points_W[i], to_W = curve_.points_W[(i + 1) % n];
-      const bool seen = inFront(from_W) && inFront(to_W);
-      if (seen && !joined) runs.push_back({sample(from_W)});
-      if (seen) addSegment(runs.back(), from_W, to_W);
+      const glm::dvec3 from_V = curve_.points_V[i], to_V = curve_.points_V[(i + 1) % n];
+      const bool seen = inFront(from_V) && inFront(to_V);
+      if (seen && !joined) runs.push_back({sample(from_V)});
+      if (seen) addSegment(runs.back(), from_V, to_V);
       joined = seen;
     }
     return runs;
   }
 
  private:
-  bool inFront(glm::dvec3 p_W) const {
-    return -toCameraExactly(camera_, p_W).z > static_cast<double>(camera_.near);
+  bool inFront(glm::dvec3 p_V) const {
+    return -toCameraExactly(camera_, p_V).z > static_cast<double>(camera_.near);
   }
-  glm::dvec2 pixel(glm::dvec3 p_W) const { return projectExactly(camera_, toCameraExactly(camera_, p_W)); }
+  glm::dvec2 pixel(glm::dvec3 p_V) const { return projectExactly(camera_, toCameraExactly(camera_, p_V)); }
 
-  Sample sample(glm::dvec3 p_W) const {
-    const double lift = static_cast<double>(curve_.lift_W);
-    const double depth = -toCameraExactly(camera_, p_W).z - lift;
-    Sample s{p_W, {pixel(p_W), depth}, visibility_.of(p_W, lift), {}};
+  Sample sample(glm::dvec3 p_V) const {
+    const double lift = static_cast<double>(curve_.lift_V);
+    const double depth = -toCameraExactly(camera_, p_V).z - lift;
+    Sample s{p_V, {pixel(p_V), depth}, visibility_.of(p_V, lift), {}};
     s.seen = draw::Color(s.sight.veil + s.sight.transmittance * glm::dvec3(curve_.material.color));
     return s;
   }
 
-  void addSegment(Run& run, glm::dvec3 from_W, glm::dvec3 to_W) const {
-    const double length_px = glm::distance(pixel(from_W), pixel(to_W));
+  void addSegment(Run& run, glm::dvec3 from_V, glm::dvec3 to_V) const {
+    const double length_px = glm::distance(pixel(from_V), pixel(to_V));
     const int steps = std::max(1, static_cast<int>(std::ceil(length_px / kStep_px)));
     for (int k = 1; k <= steps; ++k) {
-      const Sample next = sample(glm::mix(from_W, to_W, static_cast<double>(k) / steps));
+      const Sample next = sample(glm::mix(from_V, to_V, static_cast<double>(k) / steps));
       if (!alike(run.back(), next)) addChange(run, next);
       run.push_back(next);
     }
@@ -83,7 +83,7 @@ class Sampler {
   void addChange(Run& run, const Sample& next) const {
     Sample before = run.back(), after = next;
     while (glm::distance(before.at.p_px, after.at.p_px) > kCut_px) {
-      const Sample middle = sample(0.5 * (before.p_W + after.p_W));
+      const Sample middle = sample(0.5 * (before.p_V + after.p_V));
       (alike(before, middle) ? before : after) = middle;
     }
     run.insert(run.end(), {before, after});
@@ -133,7 +133,7 @@ void joinEnds(std::vector<Piece>& pieces) {
 std::vector<Piece> visiblePieces(const Visibility& visibility, const draw::Camera& camera,
                                  const draw::Curve& curve) {
   std::vector<Piece> pieces;
-  if (curve.radius_W > 0 || curve.points_W.size() < 2) return pieces;
+  if (curve.radius_V > 0 || curve.points_V.size() < 2) return pieces;
   const std::vector<Run> runs = Sampler(visibility, camera, curve).runs();
   for (const Run& run : runs) addPieces(run, static_cast<double>(curve.width_px), pieces);
   const bool startIsSeen = curve.closed && runs.size() == 1 && !runs[0].front().sight.hidden;

@@ -49,10 +49,10 @@ class PlaneSheet : public Sheet {
  public:
   PlaneSheet(const draw::Camera& camera, const draw::GridPlane& plane, std::size_t mark)
       : plane_(plane),
-        centre_C_(toCameraExactly(camera, plane.centre_W)),
-        u_C_(turnToCamera(camera, plane.u_W)),
-        v_C_(turnToCamera(camera, plane.v_W)),
-        shadowCentre_C_(toCameraExactly(camera, plane.shadowCentre_W)),
+        centre_C_(toCameraExactly(camera, plane.centre_V)),
+        u_C_(turnToCamera(camera, plane.u_V)),
+        v_C_(turnToCamera(camera, plane.v_V)),
+        shadowCentre_C_(toCameraExactly(camera, plane.shadowCentre_V)),
         mark_(mark) {}
 
   bool inFront(double near) const {
@@ -74,7 +74,7 @@ class PlaneSheet : public Sheet {
  private:
   // The shadow lies over the sheet's own tint. `fromShadow` may be turned: only its length counts.
   SheetHit shaded(double t, const glm::dvec3& fromShadow) const {
-    const double r = static_cast<double>(plane_.shadowRadius_W), tint = static_cast<double>(plane_.opacity);
+    const double r = static_cast<double>(plane_.shadowRadius_V), tint = static_cast<double>(plane_.opacity);
     const double q = r > 0 ? glm::dot(fromShadow, fromShadow) / (r * r) : 1e9;
     const double dark = static_cast<double>(plane_.shadowOpacity) *
                         std::max(std::exp2(-2 * q) - static_cast<double>(draw::GridPlane::kShadowEnd), 0.0);
@@ -93,10 +93,10 @@ class ConeSheet : public Sheet {
  public:
   ConeSheet(const draw::Camera& camera, const draw::GlassCone& cone, std::size_t firstMark)
       : cone_(cone),
-        apex_C_(toCameraExactly(camera, cone.apex_W)),
-        axis_C_(glm::normalize(turnToCamera(camera, cone.axis_W))),
+        apex_C_(toCameraExactly(camera, cone.apex_V)),
+        axis_C_(glm::normalize(turnToCamera(camera, cone.axis_V))),
         slope_(std::tan(static_cast<double>(cone.halfAngle_rad))),
-        height_(static_cast<double>(cone.height_W)),
+        height_(static_cast<double>(cone.height_V)),
         firstMark_(firstMark) {}
 
   bool inFront(double near) const {
@@ -141,7 +141,7 @@ class PolygonSheet : public Sheet {
  public:
   PolygonSheet(const draw::Camera& camera, const draw::GlassPolygon& polygon, std::size_t mark)
       : polygon_(polygon), mark_(mark) {
-    for (const glm::vec3& corner_W : polygon.corners_W) corners_C_.push_back(toCameraExactly(camera, corner_W));
+    for (const glm::vec3& corner_V : polygon.corners_V) corners_C_.push_back(toCameraExactly(camera, corner_V));
     for (std::size_t i = 0; i + 2 < corners_C_.size(); ++i)
       normal_C_ += glm::cross(corners_C_[i + 1] - corners_C_[0], corners_C_[i + 2] - corners_C_[0]);
   }
@@ -175,8 +175,8 @@ std::vector<std::unique_ptr<const Sheet>> sheetsOf(const draw::DrawList& list) {
   std::vector<std::unique_ptr<const Sheet>> sheets;
   std::size_t mark = 0;
   for (const draw::GlassEllipsoid& glass : list.glassEllipsoids) {
-    const glm::dvec3 centre_C = toCameraExactly(list.camera, glass.centre_W);
-    const glm::dmat3 semiAxes_C = turnToCamera(list.camera, glass.semiAxes_W);
+    const glm::dvec3 centre_C = toCameraExactly(list.camera, glass.centre_V);
+    const glm::dmat3 semiAxes_C = turnToCamera(list.camera, glass.semiAxes_V);
     if (inFront(list.camera, centre_C, semiAxes_C))
       sheets.push_back(std::make_unique<GlassSheet>(glass, SphereMap(centre_C, semiAxes_C), mark));
     mark += 2;

@@ -103,22 +103,22 @@ class FrustumOccluder : public Occluder {
 using Occluders = std::vector<std::unique_ptr<const Occluder>>;
 
 void add(Occluders& all, const draw::Camera& camera, const draw::Ellipsoid& e) {
-  const glm::dvec3 centre_C = toCameraExactly(camera, e.centre_W);
-  const glm::dmat3 semiAxes_C = turnToCamera(camera, e.semiAxes_W);
+  const glm::dvec3 centre_C = toCameraExactly(camera, e.centre_V);
+  const glm::dmat3 semiAxes_C = turnToCamera(camera, e.semiAxes_V);
   if (inFront(camera, centre_C, semiAxes_C))
     all.push_back(std::make_unique<EllipsoidOccluder>(SphereMap(centre_C, semiAxes_C)));
 }
 
 void add(Occluders& all, const draw::Camera& camera, const draw::Frustum& f) {
-  const glm::dvec3 from_C = toCameraExactly(camera, f.from_W), to_C = toCameraExactly(camera, f.to_W);
+  const glm::dvec3 from_C = toCameraExactly(camera, f.from_V), to_C = toCameraExactly(camera, f.to_V);
   const double reach = static_cast<double>(std::max(f.fromRadius, f.toRadius));
   if (from_C == to_C || -std::max(from_C.z, to_C.z) - reach <= static_cast<double>(camera.near)) return;
   all.push_back(std::make_unique<FrustumOccluder>(from_C, to_C, f.fromRadius, f.toRadius));
 }
 
 void add(Occluders& all, const draw::Camera& camera, const draw::Box& b) {
-  const glm::dvec3 centre_C = toCameraExactly(camera, b.centre_W);
-  const glm::dmat3 h = turnToCamera(camera, b.halfAxes_W);
+  const glm::dvec3 centre_C = toCameraExactly(camera, b.centre_V);
+  const glm::dmat3 h = turnToCamera(camera, b.halfAxes_V);
   const double reach = std::abs(h[0].z) + std::abs(h[1].z) + std::abs(h[2].z);
   if (-centre_C.z - reach > static_cast<double>(camera.near))
     all.push_back(std::make_unique<BoxOccluder>(centre_C, h));
@@ -173,12 +173,12 @@ bool inFront(const draw::Camera& camera, glm::dvec3 centre_C, const glm::dmat3& 
   return -centre_C.z - glm::length(zRow) > static_cast<double>(camera.near);
 }
 
-glm::dvec3 turnToCamera(const draw::Camera& camera, glm::vec3 direction_W) {
-  return glm::dvec3(direction_W) * glm::dmat3(camera.R_WC);
+glm::dvec3 turnToCamera(const draw::Camera& camera, glm::vec3 direction_V) {
+  return glm::dvec3(direction_V) * glm::dmat3(camera.R_VC);
 }
 
-glm::dmat3 turnToCamera(const draw::Camera& camera, const glm::mat3& columns_W) {
-  return glm::transpose(glm::dmat3(camera.R_WC)) * glm::dmat3(columns_W);
+glm::dmat3 turnToCamera(const draw::Camera& camera, const glm::mat3& columns_V) {
+  return glm::transpose(glm::dmat3(camera.R_VC)) * glm::dmat3(columns_V);
 }
 
 }  // namespace poinsot::figure

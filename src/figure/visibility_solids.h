@@ -50,14 +50,14 @@ struct SphereMap {
 /// Whether an ellipsoid lies wholly beyond the camera's near distance.
 bool inFront(const draw::Camera& camera, glm::dvec3 centre_C, const glm::dmat3& semiAxes_C);
 
-/// Directions or matrices of columns from W to C.
-glm::dvec3 turnToCamera(const draw::Camera& camera, glm::vec3 direction_W);
-glm::dmat3 turnToCamera(const draw::Camera& camera, const glm::mat3& columns_W);
+/// Directions or matrices of columns from V to C.
+glm::dvec3 turnToCamera(const draw::Camera& camera, glm::vec3 direction_V);
+glm::dmat3 turnToCamera(const draw::Camera& camera, const glm::mat3& columns_V);
 
 /// Null where the mesh is empty or not wholly in front of the camera.
 std::unique_ptr<const Occluder> makeMeshOccluder(const draw::Camera& camera, const draw::Mesh& mesh);
 
-/// Null for a flat curve (radius_W = 0) and for one with fewer than two points.
+/// Null for a flat curve (radius_V = 0) and for one with fewer than two points.
 std::unique_ptr<const Occluder> makeTubeOccluder(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::figure

@@ -66,8 +66,8 @@ class MeshOccluder : public Occluder {
 
 std::unique_ptr<const Occluder> makeMeshOccluder(const draw::Camera& camera, const draw::Mesh& mesh) {
   if (mesh.mesh == nullptr) return nullptr;
-  const glm::dvec3 origin_C = toCameraExactly(camera, mesh.origin_W);
-  const glm::dmat3 axes_C = turnToCamera(camera, mesh.axes_W);
+  const glm::dvec3 origin_C = toCameraExactly(camera, mesh.origin_V);
+  const glm::dmat3 axes_C = turnToCamera(camera, mesh.axes_V);
   const auto beyondNear = [&](glm::vec3 p_M) {
     return -(origin_C + axes_C * glm::dvec3(p_M)).z > static_cast<double>(camera.near);
   };

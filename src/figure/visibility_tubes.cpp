@@ -78,10 +78,10 @@ class TubeOccluder : public Occluder {
 }  // namespace
 
 std::unique_ptr<const Occluder> makeTubeOccluder(const draw::Camera& camera, const draw::Curve& curve) {
-  if (curve.radius_W <= 0 || curve.points_W.size() < 2) return nullptr;
+  if (curve.radius_V <= 0 || curve.points_V.size() < 2) return nullptr;
   std::vector<glm::dvec3> points_C;
-  for (const glm::vec3& p : curve.points_W) points_C.push_back(toCameraExactly(camera, p));
-  return std::make_unique<TubeOccluder>(std::move(points_C), curve.closed, curve.radius_W, curve.lift_W,
+  for (const glm::vec3& p : curve.points_V) points_C.push_back(toCameraExactly(camera, p));
+  return std::make_unique<TubeOccluder>(std::move(points_C), curve.closed, curve.radius_V, curve.lift_V,
                                         camera.near);
 }
 

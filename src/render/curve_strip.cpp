@@ -31,8 +31,8 @@ using Run = std::vector<ScreenPoint>;
 
 // The points in front of the camera, as runs without a gap; neighbours closer than a quarter pixel merged.
 std::vector<Run> visibleRuns(const draw::Camera& camera, const draw::Curve& curve) {
-  const std::size_t n = curve.points_W.size();
-  const auto at = [&](std::size_t i) { return toCamera(camera, curve.points_W[i % n]); };
+  const std::size_t n = curve.points_V.size();
+  const auto at = [&](std::size_t i) { return toCamera(camera, curve.points_V[i % n]); };
   std::vector<Run> runs(1);
   for (std::size_t i = 0; i < n + (curve.closed ? 1 : 0); ++i) {
     const glm::vec3 p_C = at(i);
@@ -45,8 +45,8 @@ std::vector<Run> visibleRuns(const draw::Camera& camera, const draw::Curve& curv
     const glm::vec3 along = after - before;
     const float length = glm::length(along);
     const glm::vec3 tangent = length > 0 ? along / length : glm::vec3(1, 0, 0);
-    const float halfWidth = curve.radius_W > 0 ? curve.radius_W * camera.scale_px(-p_C.z) : 0.5f * curve.width_px;
-    const ScreenPoint point{projectCamera(camera, p_C), halfWidth, -p_C.z, glm::vec4(tangent, curve.radius_W)};
+    const float halfWidth = curve.radius_V > 0 ? curve.radius_V * camera.scale_px(-p_C.z) : 0.5f * curve.width_px;
+    const ScreenPoint point{projectCamera(camera, p_C), halfWidth, -p_C.z, glm::vec4(tangent, curve.radius_V)};
     Run& run = runs.back();
     const bool last = i + 1 == n + (curve.closed ? 1 : 0);
     if (!run.empty() && glm::distance(run.back().p_px, point.p_px) < kShortest_px && !last) continue;
@@ -182,7 +182,7 @@ class StripBuilder {
 
 CurveStrip makeCurveStrip(const draw::Camera& camera, const draw::Curve& curve) {
   CurveStrip strip;
-  if (curve.points_W.size() < 2) return strip;
+  if (curve.points_V.size() < 2) return strip;
   StripBuilder builder(strip);
   const auto runs = visibleRuns(camera, curve);
   for (const Run& run : runs) {

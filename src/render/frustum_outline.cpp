@@ -49,8 +49,8 @@ bool FrustumOutline::inside(glm::vec2 p_px) const {
 
 FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& f) {
   FrustumOutline outline;
-  outline.from_C = toCamera(camera, f.from_W);
-  const glm::vec3 to_C = toCamera(camera, f.to_W);
+  outline.from_C = toCamera(camera, f.from_V);
+  const glm::vec3 to_C = toCamera(camera, f.to_V);
   outline.height = glm::distance(outline.from_C, to_C);
   const float reach = std::max(f.fromRadius, f.toRadius);
   if (outline.height <= 0 || -std::max(outline.from_C.z, to_C.z) - reach <= camera.near) return outline;

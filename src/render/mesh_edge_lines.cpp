@@ -49,7 +49,7 @@ class LineMaker {
       }
     }
     if (whole) {
-      line_.points_W.pop_back();  // the first again
+      line_.points_V.pop_back();  // the first again
       line_.closed = true;
     }
     finish();
@@ -74,27 +74,27 @@ class LineMaker {
     const double a = screen_.vertices[from].z, b = screen_.vertices[to].z, nearest = std::min(a, b);
     const double longest = 2 * std::sqrt(kDepthError * pixelSize(camera_, nearest) * nearest);
     const int pieces = std::max(static_cast<int>(std::ceil(std::abs(b - a) / longest)), 1);
-    for (int i = line_.points_W.empty() ? 0 : 1; i <= pieces; ++i) {
+    for (int i = line_.points_V.empty() ? 0 : 1; i <= pieces; ++i) {
       const float s = static_cast<float>(i) / static_cast<float>(pieces);
-      line_.points_W.push_back(lifted(glm::mix(point_W(from), point_W(to), s), lift));
+      line_.points_V.push_back(lifted(glm::mix(point_V(from), point_V(to), s), lift));
     }
   }
 
-  glm::vec3 point_W(std::uint32_t vertex) const {
-    return screen_.mesh->origin_W + screen_.mesh->axes_W * screen_.mesh->mesh->vertices_M[vertex];
+  glm::vec3 point_V(std::uint32_t vertex) const {
+    return screen_.mesh->origin_V + screen_.mesh->axes_V * screen_.mesh->mesh->vertices_M[vertex];
   }
 
   // Along the ray to the eye: the same place in the picture.
-  glm::vec3 lifted(glm::vec3 p_W, double lift) const {
-    const float depth = depthOf(camera_, p_W),
+  glm::vec3 lifted(glm::vec3 p_V, double lift) const {
+    const float depth = depthOf(camera_, p_V),
                 share = std::min(static_cast<float>(lift) / (depth - camera_.near), 0.9f);
-    const glm::vec3 toEye_W = camera_.orthographic ? depth * camera_.R_WC[2] : camera_.eye_W - p_W;
-    return glm::mix(p_W, p_W + toEye_W * ((depth - camera_.near) / depth), share);
+    const glm::vec3 toEye_V = camera_.orthographic ? depth * camera_.R_VC[2] : camera_.eye_V - p_V;
+    return glm::mix(p_V, p_V + toEye_V * ((depth - camera_.near) / depth), share);
   }
 
   void finish() {
-    if (line_.points_W.size() > 1) lines_.push_back(line_);
-    line_.points_W.clear();
+    if (line_.points_V.size() > 1) lines_.push_back(line_);
+    line_.points_V.clear();
     line_.closed = false;
   }
 

@@ -242,11 +242,11 @@ std::shared_ptr<const draw::TriangleMesh> makeCube() {
 draw::Mesh boxMesh(const draw::Box& box) {
   static const auto cube = makeCube();
   draw::Mesh mesh;
-  const float determinant = glm::determinant(box.halfAxes_W);
+  const float determinant = glm::determinant(box.halfAxes_V);
   if (determinant != 0) mesh.mesh = cube;
-  mesh.origin_W = box.centre_W;
-  mesh.axes_W = box.halfAxes_W;
-  if (determinant < 0) mesh.axes_W[0] *= -1.0f;  // a box is its own mirror image
+  mesh.origin_V = box.centre_V;
+  mesh.axes_V = box.halfAxes_V;
+  if (determinant < 0) mesh.axes_V[0] *= -1.0f;  // a box is its own mirror image
   mesh.material = box.material;
   return mesh;
 }

@@ -43,10 +43,10 @@ std::array<glm::dvec3, 3> ScreenMesh::triangle(std::size_t face) const {
 }
 
 ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const MeshTopology& topology) {
-  POINSOT_EXPECT(glm::determinant(glm::dmat3(mesh.axes_W)) > 0);
+  POINSOT_EXPECT(glm::determinant(glm::dmat3(mesh.axes_V)) > 0);
   ScreenMesh screen{&mesh, &topology, {}, {}, {}, {}, {}, {}};
-  screen.axes_C = glm::transpose(camera.R_WC) * mesh.axes_W;
-  screen.origin_C = toCamera(camera, mesh.origin_W);
+  screen.axes_C = glm::transpose(camera.R_VC) * mesh.axes_V;
+  screen.origin_C = toCamera(camera, mesh.origin_V);
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(screen.axes_C)));
   const double longest = std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
   screen.normals_C = normals / longest;  // no tiny numbers for a mesh in other units

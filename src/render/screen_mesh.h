@@ -38,7 +38,7 @@ double pixelSize(const draw::Camera& camera, double depth);
 /// Of a triangle in the picture: negative when it looks at the eye, as y counts downwards.
 double signedArea(const std::array<glm::dvec3, 3>& triangle);
 
-/// @pre mesh.mesh is not null, `topology` is its own, mesh.axes_W is right-handed; both outlive the result.
+/// @pre mesh.mesh is not null, `topology` is its own, mesh.axes_V is right-handed; both outlive the result.
 ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const MeshTopology& topology);
 
 }  // namespace poinsot::render

@@ -20,11 +20,11 @@ void append(Constants& to, const draw::GlassEllipsoid& e, const EllipsoidSheet& 
 }
 
 void append(Constants& to, const draw::GridPlane& p, const PlaneSheet& sheet, bool shadowed) {
-  const glm::vec3 toShadow = p.shadowCentre_W - p.centre_W;
+  const glm::vec3 toShadow = p.shadowCentre_V - p.centre_V;
   glm::vec4 shadow(0);
-  if (shadowed && p.shadowRadius_W > 0)
-    shadow = {glm::dot(toShadow, glm::normalize(p.u_W)) / p.spacing_W,
-              glm::dot(toShadow, glm::normalize(p.v_W)) / p.spacing_W, p.spacing_W / p.shadowRadius_W,
+  if (shadowed && p.shadowRadius_V > 0)
+    shadow = {glm::dot(toShadow, glm::normalize(p.u_V)) / p.spacing_V,
+              glm::dot(toShadow, glm::normalize(p.v_V)) / p.spacing_V, p.spacing_V / p.shadowRadius_V,
               p.shadowOpacity};
   to.emplace_back(sheet.u, sheet.middle_px.x);
   to.emplace_back(sheet.v, sheet.middle_px.y);

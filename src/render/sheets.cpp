@@ -91,12 +91,12 @@ void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::arr
 
 // The square around it; where that is not wholly in front of the camera, all of the plane.
 PixelBounds shadowBounds(const draw::Camera& camera, const draw::GridPlane& p, const PixelBounds& plane) {
-  if (p.shadowRadius_W <= 0 || p.shadowOpacity <= 0) return {};
-  const float reach = draw::GridPlane::kShadowReach * p.shadowRadius_W;
-  const glm::vec3 u = reach * glm::normalize(p.u_W), v = reach * glm::normalize(p.v_W);
+  if (p.shadowRadius_V <= 0 || p.shadowOpacity <= 0) return {};
+  const float reach = draw::GridPlane::kShadowReach * p.shadowRadius_V;
+  const glm::vec3 u = reach * glm::normalize(p.u_V), v = reach * glm::normalize(p.v_V);
   PixelBounds bounds;
-  for (const glm::vec3& corner_W : {-u - v, u - v, u + v, v - u}) {
-    const glm::vec3 corner_C = toCamera(camera, p.shadowCentre_W + corner_W);
+  for (const glm::vec3& corner_V : {-u - v, u - v, u + v, v - u}) {
+    const glm::vec3 corner_C = toCamera(camera, p.shadowCentre_V + corner_V);
     if (-corner_C.z <= camera.near) return plane;
     bounds.include(projectCamera(camera, corner_C), kMargin_px);
   }
@@ -106,8 +106,8 @@ PixelBounds shadowBounds(const draw::Camera& camera, const draw::GridPlane& p, c
 }  // namespace
 
 EllipsoidSheet ellipsoidSheet(const draw::Camera& camera, const draw::GlassEllipsoid& e) {
-  const glm::mat3 semiAxes_C = glm::transpose(camera.R_WC) * e.semiAxes_W;
-  const glm::vec3 centre_C = toCamera(camera, e.centre_W);
+  const glm::mat3 semiAxes_C = glm::transpose(camera.R_VC) * e.semiAxes_V;
+  const glm::vec3 centre_C = toCamera(camera, e.centre_V);
   EllipsoidSheet sheet;
   if (!inFront(camera, centre_C, semiAxes_C)) return sheet;
   sheet.outline = ellipseOutline(camera, centre_C, semiAxes_C);
@@ -117,7 +117,7 @@ EllipsoidSheet ellipsoidSheet(const draw::Camera& camera, const draw::GlassEllip
 
 PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
   PlaneSheet sheet;
-  const glm::vec3 centre_C = toCamera(camera, p.centre_W), u = p.u_W * camera.R_WC, v = p.v_W * camera.R_WC;
+  const glm::vec3 centre_C = toCamera(camera, p.centre_V), u = p.u_V * camera.R_VC, v = p.v_V * camera.R_VC;
   const std::array<glm::vec3, 4> corners_C{centre_C - u - v, centre_C + u - v, centre_C + u + v, centre_C - u + v};
   std::array<glm::vec2, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -128,17 +128,17 @@ PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
   for (const glm::vec2& c : corners) sheet.bounds.include(c, kMargin_px);
   sheet.border_px = 1.5f * p.lineWidth_px;
   sheet.shadow = shadowBounds(camera, p, sheet.bounds);
-  setQuotients(camera, centre_C, {glm::normalize(u), glm::normalize(v)}, p.spacing_W, sheet);
+  setQuotients(camera, centre_C, {glm::normalize(u), glm::normalize(v)}, p.spacing_V, sheet);
   return sheet;
 }
 
 ConeSheet coneSheet(const draw::Camera& camera, const draw::GlassCone& cone) {
   POINSOT_EXPECT(cone.halfAngle_rad < 1.5707f);
   ConeSheet sheet;
-  if (!(cone.halfAngle_rad > 0 && cone.height_W > 0)) return sheet;
+  if (!(cone.halfAngle_rad > 0 && cone.height_V > 0)) return sheet;
   sheet.slope = static_cast<float>(std::tan(static_cast<double>(cone.halfAngle_rad)));
-  const glm::vec3 base_W = cone.apex_W + cone.height_W * glm::normalize(cone.axis_W);
-  sheet.outline = frustumOutline(camera, {cone.apex_W, base_W, 0, sheet.slope * cone.height_W, {}});
+  const glm::vec3 base_V = cone.apex_V + cone.height_V * glm::normalize(cone.axis_V);
+  sheet.outline = frustumOutline(camera, {cone.apex_V, base_V, 0, sheet.slope * cone.height_V, {}});
   if (sheet.outline.bounds.empty()) return sheet;
   const PixelBounds base = sheet.outline.second.bounds;  // with half its line outside
   sheet.outline.bounds.include({base.left, base.top}, 0.5f * cone.lineWidth_px);
@@ -147,12 +147,12 @@ ConeSheet coneSheet(const draw::Camera& camera, const draw::GlassCone& cone) {
 }
 
 PolygonSheet polygonSheet(const draw::Camera& camera, const draw::GlassPolygon& polygon) {
-  const std::size_t n = polygon.corners_W.size();
+  const std::size_t n = polygon.corners_V.size();
   POINSOT_EXPECT(n >= 3 && n <= Sheets::kMostCorners);
   PolygonSheet sheet;
   std::vector<glm::vec3> corners_C;
-  for (const glm::vec3& p_W : polygon.corners_W) {
-    corners_C.push_back(toCamera(camera, p_W));
+  for (const glm::vec3& p_V : polygon.corners_V) {
+    corners_C.push_back(toCamera(camera, p_V));
     if (-corners_C.back().z <= camera.near) return sheet;
     sheet.corners.push_back(projectCamera(camera, corners_C.back()));
   }

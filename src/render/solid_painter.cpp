@@ -100,8 +100,8 @@ void SolidPainter::addItem(Kind kind, const Cells& cells, const DepthRange& dept
 }
 
 void SolidPainter::prepareEllipsoid(const draw::Camera& camera, const draw::Ellipsoid& e) {
-  const glm::vec3 centre_C = toCamera(camera, e.centre_W);
-  const glm::mat3 semiAxes_C = glm::transpose(camera.R_WC) * e.semiAxes_W;
+  const glm::vec3 centre_C = toCamera(camera, e.centre_V);
+  const glm::mat3 semiAxes_C = glm::transpose(camera.R_VC) * e.semiAxes_V;
   if (!inFront(camera, centre_C, semiAxes_C)) return;
   const ScreenEllipse outline = ellipseOutline(camera, centre_C, semiAxes_C);
   const Cells cells = cellsWithin(outline);
@@ -138,7 +138,7 @@ void SolidPainter::prepareFrustum(const draw::Camera& camera, const draw::Frustu
 void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const draw::Curve> alike) {
   if (alike.empty()) return;
   const draw::Curve& style = alike.front();
-  const bool tube = style.radius_W > 0;
+  const bool tube = style.radius_V > 0;
   const float solid = tube ? solidCells_->nextSolid() : SolidCells::noSolid();
   const std::size_t first = strips_.size();
   for (const draw::Curve& curve : alike) {
@@ -148,7 +148,7 @@ void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const dra
   }
   const Range all{static_cast<GLint>(first), static_cast<GLsizei>(strips_.size() - first)};
   items_.push_back({tube ? kTube : kFlatCurve,
-                    {{style.material.color, style.material.gloss}, {solid, style.lift_W, 0, 0}},
+                    {{style.material.color, style.material.gloss}, {solid, style.lift_V, 0, 0}},
                     all,
                     all,
                     {},

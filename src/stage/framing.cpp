@@ -171,7 +171,7 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   // The eye stays: one that went nearer would be among what it looks at.
   result.tanHalfFovY = static_cast<float>(fit.tanY / camera.zoom);
   result.orthographic = seen.parallel;
-  result.halfHeight_W = static_cast<float>(needed * fit.tanY / camera.zoom);
+  result.halfHeight_V = static_cast<float>(needed * fit.tanY / camera.zoom);
   const double aside_px = focal_px(fit, size_px) * Width(seen, needed).middle() * camera.zoom;
   result.centre_px.x = static_cast<float>(fit.freeMiddle_px - aside_px);
   result.near = static_cast<float>(std::max(eye - depths.towards - slack, 0.02 * needed));

@@ -29,7 +29,7 @@ TEST(Camera, ScalesByTheFieldOfView) {
 
 TEST(Camera, AxesAreRightHanded) {
   const Camera c = lookAt({3, -2, 4}, {1, 1, 0}, {0, 0, 1}, 0.5f, {10, 10});
-  const glm::vec3 x = c.R_WC[0], y = c.R_WC[1], z = c.R_WC[2];
+  const glm::vec3 x = c.R_VC[0], y = c.R_VC[1], z = c.R_VC[2];
   EXPECT_NEAR(x.x * (y.y * z.z - y.z * z.y) - x.y * (y.x * z.z - y.z * z.x) + x.z * (y.x * z.y - y.y * z.x), 1,
               1e-6);
   EXPECT_NEAR(x.z, 0, 1e-6);  // upright
@@ -39,7 +39,7 @@ TEST(Camera, AxesAreRightHanded) {
 TEST(Camera, ParallelRaysKeepSizes) {
   Camera c = alongX();
   c.orthographic = true;
-  c.halfHeight_W = 2;
+  c.halfHeight_V = 2;
   for (const float x : {-3.0f, 0.0f, 4.0f}) {
     const glm::vec2 p = project(c, {x, 1, 0.5f});
     EXPECT_FLOAT_EQ(p.x, 100 + 25) << x;  // 50 pixels are 2
@@ -53,7 +53,7 @@ TEST(Camera, ParallelRaysKeepSizes) {
 TEST(Camera, MadeParallelItShowsTheTargetsPlaneAsBefore) {
   const Camera perspective = lookAt({3, -2, 4}, {1, 1, 0}, {0, 0, 1}, 0.5f, {320, 200});
   const Camera parallel = orthographic(perspective, {1, 1, 0});
-  const glm::vec3 inPlane = glm::vec3(1, 1, 0) + 0.3f * perspective.R_WC[0] - 0.2f * perspective.R_WC[1];
+  const glm::vec3 inPlane = glm::vec3(1, 1, 0) + 0.3f * perspective.R_VC[0] - 0.2f * perspective.R_VC[1];
   const glm::vec2 a = project(perspective, inPlane), b = project(parallel, inPlane);
   EXPECT_NEAR(a.x, b.x, 1e-3);
   EXPECT_NEAR(a.y, b.y, 1e-3);

@@ -21,7 +21,7 @@ Picture everything() {
   list.meshes[0].mesh =
       std::make_shared<TriangleMesh>(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   list.curves.resize(1);
-  list.curves[0].points_W = {{0, 0, 0}, {1, 2, 3}};
+  list.curves[0].points_V = {{0, 0, 0}, {1, 2, 3}};
   list.glassEllipsoids.resize(1);
   list.glassEllipsoids[0].graticule.emplace();
   list.glassCones.resize(1);
@@ -48,7 +48,7 @@ const std::vector<std::function<void(Picture&)>>& changes() {
       [=](Picture& p) { list(p).ellipsoids[0].marking_px = 1; },
       [=](Picture& p) { list(p).ellipsoids.emplace_back(); },
       [=](Picture& p) { list(p).frustums[0].material.gloss = 0; },
-      [=](Picture& p) { list(p).boxes[0].halfAxes_W[2].z = 2; },
+      [=](Picture& p) { list(p).boxes[0].halfAxes_V[2].z = 2; },
       [=](Picture& p) { list(p).meshes[0].edge_px = 1; },
       [=](Picture& p) { list(p).meshes[0].mesh = nullptr; },
       [=](Picture& p) {
@@ -56,7 +56,7 @@ const std::vector<std::function<void(Picture&)>>& changes() {
         other.triangles[0][2] = 1;
         list(p).meshes[0].mesh = std::make_shared<TriangleMesh>(other);
       },
-      [=](Picture& p) { list(p).curves[0].points_W[1].z = 3.0000002f; },
+      [=](Picture& p) { list(p).curves[0].points_V[1].z = 3.0000002f; },
       [=](Picture& p) { list(p).curves[0].material.color.x = 0; },
       [=](Picture& p) { list(p).glassEllipsoids[0].graticule->farOpacity = 0; },
       [=](Picture& p) { list(p).glassEllipsoids[0].graticule.reset(); },

@@ -23,15 +23,15 @@ draw::Ellipsoid solid(glm::vec3 s) {
   return {glm::vec3(0), glm::mat3({s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}), {}, {}, 0};
 }
 
-draw::Curve line(glm::vec3 from_W, glm::vec3 to_W, draw::Color color = {0, 0, 0}) {
+draw::Curve line(glm::vec3 from_V, glm::vec3 to_V, draw::Color color = {0, 0, 0}) {
   draw::Curve curve;
-  curve.points_W = {from_W, to_W};
+  curve.points_V = {from_V, to_V};
   curve.material.color = color;
   return curve;
 }
 
-glm::dvec2 pixel(const draw::DrawList& list, glm::dvec3 p_W) {
-  return projectExactly(list.camera, toCameraExactly(list.camera, p_W));
+glm::dvec2 pixel(const draw::DrawList& list, glm::dvec3 p_V) {
+  return projectExactly(list.camera, toCameraExactly(list.camera, p_V));
 }
 
 double lengthOf(const SeenLine& seen) {
@@ -93,7 +93,7 @@ TEST(SeenLines, AClosedCurveInViewStaysClosedAndOneHalfHiddenIsOnePiece) {
   ring.closed = true;
   for (int i = 0; i < 200; ++i) {
     const float a = 0.031415926f * static_cast<float>(i);
-    ring.points_W.push_back({1.5f * std::cos(a), 1.5f * std::sin(a), 0});
+    ring.points_V.push_back({1.5f * std::cos(a), 1.5f * std::sin(a), 0});
   }
   draw::DrawList list = emptyList();
   list.curves.push_back(ring);
@@ -113,7 +113,7 @@ TEST(SeenLines, PointsAreLeftOutOnlyWhereTheyAreNotMissed) {
   ring.closed = true;
   for (int i = 0; i < 5000; ++i) {
     const double a = 2 * M_PI * i / 5000;
-    ring.points_W.push_back({0, static_cast<float>(std::cos(a)), static_cast<float>(std::sin(a))});
+    ring.points_V.push_back({0, static_cast<float>(std::cos(a)), static_cast<float>(std::sin(a))});
   }
   draw::DrawList list = emptyList();
   list.curves.push_back(ring);
@@ -135,7 +135,7 @@ TEST(SeenLines, LinesThatPassOverEachOtherArePaintedFarOnesFirst) {
   draw::Curve woven;  // in front of the first at y = -1, behind it at y = 1
   for (int i = 0; i <= 200; ++i) {
     const float y = -2 + 0.02f * static_cast<float>(i);
-    woven.points_W.push_back({y < 0 ? 0.5f : -0.5f, y, 0.5f * (std::abs(y) - 1)});
+    woven.points_V.push_back({y < 0 ? 0.5f : -0.5f, y, 0.5f * (std::abs(y) - 1)});
   }
   woven.material.color = {0, 0, 1};
   list.curves.push_back(woven);
@@ -164,14 +164,14 @@ TEST(SeenLines, PartsBehindTheCameraAreLeftOut) {
   draw::DrawList list = emptyList();
   list.curves.push_back(line({0, 0, 0}, {12, 1, 0}));
   EXPECT_TRUE(seenLines(list).empty());
-  list.curves[0].points_W = {{0, -1, 0}, {0, 1, 0}, {12, 1, 0}, {0, 2, 0}, {0, 3, 0}};
+  list.curves[0].points_V = {{0, -1, 0}, {0, 1, 0}, {12, 1, 0}, {0, 2, 0}, {0, 3, 0}};
   EXPECT_EQ(seenLines(list).size(), 2u);
 }
 
 TEST(SeenLines, TubesAreSurfacesAndNoLines) {
   draw::DrawList list = emptyList();
   list.curves.push_back(line({0, -2, 0}, {0, 2, 0}));
-  list.curves[0].radius_W = 0.1f;
+  list.curves[0].radius_V = 0.1f;
   EXPECT_TRUE(seenLines(list).empty());
 }
 

@@ -21,24 +21,24 @@ draw::DrawList emptyList() {
   return list;
 }
 
-draw::Ellipsoid ellipsoid(glm::vec3 centre_W, const glm::mat3& semiAxes_W) {
-  return {centre_W, semiAxes_W, {}, {}, 0};
+draw::Ellipsoid ellipsoid(glm::vec3 centre_V, const glm::mat3& semiAxes_V) {
+  return {centre_V, semiAxes_V, {}, {}, 0};
 }
-draw::Box box(glm::vec3 centre_W, const glm::mat3& halfAxes_W) { return {centre_W, halfAxes_W, {}}; }
-draw::Mesh placed(std::shared_ptr<const draw::TriangleMesh> mesh, glm::vec3 origin_W, const glm::mat3& axes_W) {
+draw::Box box(glm::vec3 centre_V, const glm::mat3& halfAxes_V) { return {centre_V, halfAxes_V, {}}; }
+draw::Mesh placed(std::shared_ptr<const draw::TriangleMesh> mesh, glm::vec3 origin_V, const glm::mat3& axes_V) {
   draw::Mesh result;
   result.mesh = std::move(mesh);
-  result.origin_W = origin_W;
-  result.axes_W = axes_W;
+  result.origin_V = origin_V;
+  result.axes_V = axes_V;
   return result;
 }
 
 /// Facing the eye, 1 to either side.
-draw::GridPlane tinted(glm::vec3 centre_W, draw::Color color, float opacity) {
+draw::GridPlane tinted(glm::vec3 centre_V, draw::Color color, float opacity) {
   draw::GridPlane plane;
-  plane.centre_W = centre_W;
-  plane.u_W = {0, 1, 0};
-  plane.v_W = {0, 0, 1};
+  plane.centre_V = centre_V;
+  plane.u_V = {0, 1, 0};
+  plane.v_V = {0, 0, 1};
   plane.color = color;
   plane.opacity = opacity;
   return plane;
@@ -56,12 +56,12 @@ class Random {
 // ---- solids, against points tried one by one along the line of sight: an oracle that knows only "inside"
 // ---------
 
-using Inside = std::function<bool(glm::dvec3 p_W)>;
+using Inside = std::function<bool(glm::dvec3 p_V)>;
 
-bool insideOnTheWay(const draw::DrawList& list, const Inside& inside, glm::dvec3 p_W, int steps) {
-  const glm::dvec3 eye_W = list.camera.eye_W;
+bool insideOnTheWay(const draw::DrawList& list, const Inside& inside, glm::dvec3 p_V, int steps) {
+  const glm::dvec3 eye_V = list.camera.eye_V;
   for (int i = 0; i < steps; ++i)
-    if (inside(glm::mix(eye_W, p_W, static_cast<double>(i) / steps))) return true;
+    if (inside(glm::mix(eye_V, p_V, static_cast<double>(i) / steps))) return true;
   return false;
 }
 
@@ -72,11 +72,11 @@ void expectHides(const draw::DrawList& list, const Inside& inside) {
   Random random;
   int hidden = 0;
   for (int i = 0; i < 600; ++i) {
-    const glm::dvec3 p_W = random.inCube(2.5);
-    const bool met = insideOnTheWay(list, inside, p_W, 2000);
-    const bool hides = visibility.of(p_W).hidden;
+    const glm::dvec3 p_V = random.inCube(2.5);
+    const bool met = insideOnTheWay(list, inside, p_V, 2000);
+    const bool hides = visibility.of(p_V).hidden;
     if (hides != met) {
-      EXPECT_EQ(hides, insideOnTheWay(list, inside, p_W, 200000)) << p_W.x << ' ' << p_W.y << ' ' << p_W.z;
+      EXPECT_EQ(hides, insideOnTheWay(list, inside, p_V, 200000)) << p_V.x << ' ' << p_V.y << ' ' << p_V.z;
     }
     hidden += hides;
   }
@@ -104,7 +104,7 @@ TEST(Visibility, BoxesHide) {
 }
 
 Inside insideFrustum(const draw::Frustum& f) {
-  const glm::dvec3 from = f.from_W, along = glm::dvec3(f.to_W) - from;
+  const glm::dvec3 from = f.from_V, along = glm::dvec3(f.to_V) - from;
   return [=](glm::dvec3 p) {
     const double share = glm::dot(p - from, along) / glm::dot(along, along);
     const double radius = glm::mix(static_cast<double>(f.fromRadius), static_cast<double>(f.toRadius), share);
@@ -141,16 +141,16 @@ TEST(Visibility, TubesHide) {
   draw::Curve tube;
   for (int i = 0; i < 40; ++i) {
     const float a = 0.16f * static_cast<float>(i);
-    tube.points_W.push_back({1.3f * std::cos(a), 1.2f * std::sin(a), 0.02f * static_cast<float>(i) - 0.5f});
+    tube.points_V.push_back({1.3f * std::cos(a), 1.2f * std::sin(a), 0.02f * static_cast<float>(i) - 0.5f});
   }
-  tube.radius_W = 0.35f;
+  tube.radius_V = 0.35f;
   draw::DrawList list = emptyList();
   list.curves.push_back(tube);
   expectHides(list, [&](glm::dvec3 p) {
-    for (std::size_t i = 0; i + 1 < tube.points_W.size(); ++i) {
-      const draw::Frustum piece{tube.points_W[i], tube.points_W[i + 1], 0.35f, 0.35f, {}};
+    for (std::size_t i = 0; i + 1 < tube.points_V.size(); ++i) {
+      const draw::Frustum piece{tube.points_V[i], tube.points_V[i + 1], 0.35f, 0.35f, {}};
       if (insideFrustum(piece)(p)) return true;
-      if (i > 0 && glm::distance(p, glm::dvec3(tube.points_W[i])) < 0.35f) return true;
+      if (i > 0 && glm::distance(p, glm::dvec3(tube.points_V[i])) < 0.35f) return true;
     }
     return false;
   });
@@ -173,9 +173,9 @@ TEST(Visibility, NoLineOfSightSlipsThroughTheSeamsOfAMesh) {
   list.meshes.push_back(placed(sheet, glm::vec3(0), glm::mat3(1)));
   const Visibility visibility(list);
   for (std::size_t k = 0; k < sheet->vertices_M.size(); ++k) {
-    const glm::dvec3 v = sheet->vertices_M[k], eye_W = list.camera.eye_W;
+    const glm::dvec3 v = sheet->vertices_M[k], eye_V = list.camera.eye_V;
     if (std::max(std::abs(v.y), std::abs(v.z)) > 0.99) continue;
-    EXPECT_TRUE(visibility.of(eye_W + 1.3 * (v - eye_W)).hidden) << k;
+    EXPECT_TRUE(visibility.of(eye_V + 1.3 * (v - eye_V)).hidden) << k;
   }
 }
 
@@ -205,8 +205,8 @@ TEST(Visibility, SolidsTooNearToBeDrawnHideNothing) {
   list.boxes.push_back(box({9, 0, 0}, glm::mat3(0.5f)));
   list.frustums.push_back({{9, 0, 0}, {8, 0, 0}, 0.5f, 0.5f, {}});
   list.glassEllipsoids.emplace_back();
-  list.glassEllipsoids[0].centre_W = {9, 0, 0};
-  list.glassEllipsoids[0].semiAxes_W = glm::mat3(0.5f);
+  list.glassEllipsoids[0].centre_V = {9, 0, 0};
+  list.glassEllipsoids[0].semiAxes_V = glm::mat3(0.5f);
   list.planes.push_back(tinted({9.5f, 0, 0}, {0, 1, 0}, 0.5f));
   const Sight sight = Visibility(list).of({0, 0, 0});
   EXPECT_FALSE(sight.hidden);
@@ -244,8 +244,8 @@ TEST(Visibility, GlassDimsAndTintsByTheSheetsInFront) {
 TEST(Visibility, APlaneDimsWithinItsEdgesAndMoreInItsShadow) {
   draw::DrawList list = emptyList();
   draw::GridPlane plane = tinted({0, 0, 0}, {1, 1, 1}, 0.12f);
-  plane.v_W = {0, 0, 2};
-  plane.shadowRadius_W = 0.5f;
+  plane.v_V = {0, 0, 2};
+  plane.shadowRadius_V = 0.5f;
   plane.shadowOpacity = 0.5f;
   list.planes.push_back(plane);
   const Visibility visibility(list);
@@ -273,10 +273,10 @@ TEST(Visibility, OfSheetsTheNearerTintsMore) {
 TEST(Visibility, AConeIsTwoSheetsBetweenItsApexAndItsBase) {
   draw::DrawList list = emptyList();
   draw::GlassCone cone;
-  cone.apex_W = {0, 0, 1};
-  cone.axis_W = {0, 0, -3};
+  cone.apex_V = {0, 0, 1};
+  cone.axis_V = {0, 0, -3};
   cone.halfAngle_rad = 0.7853981634f;
-  cone.height_W = 2;
+  cone.height_V = 2;
   cone.nearOpacity = 0.25f;
   cone.farOpacity = cone.rimOpacity = 0.25f;
   list.glassCones.push_back(cone);
@@ -293,8 +293,8 @@ TEST(Visibility, APolygonIsASheetWithinItsEdges) {
   for (const bool turned : {false, true}) {
     draw::DrawList list = emptyList();
     draw::GlassPolygon triangle;
-    triangle.corners_W = {{0, -1, 0}, {0, 1, 0}, {0, 0, 1}};
-    if (turned) std::swap(triangle.corners_W[0], triangle.corners_W[1]);
+    triangle.corners_V = {{0, -1, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (turned) std::swap(triangle.corners_V[0], triangle.corners_V[1]);
     triangle.opacity = 0.5f;
     list.glassPolygons.push_back(triangle);
     const Visibility visibility(list);
@@ -317,18 +317,18 @@ TEST(Visibility, ParallelRaysAreThoseOfADistantEye) {
   list.planes.push_back(tinted({0.5f, 0, 0}, {1, 0, 0}, 0.5f));
   list.glassEllipsoids.push_back(evenGlass());
   draw::GlassCone cone;
-  cone.apex_W = {0, -1, -2};
+  cone.apex_V = {0, -1, -2};
   cone.rimOpacity = cone.nearOpacity = cone.farOpacity = 0.1f;
   list.glassCones.push_back(cone);
   draw::DrawList parallel = list, distant = list;
   parallel.camera = draw::orthographic(list.camera, {0, 0, 0});
-  distant.camera.eye_W = {3000, 0, 0};
+  distant.camera.eye_V = {3000, 0, 0};
   const Visibility near(parallel), far(distant);
   Random random;
   int hidden = 0, dimmed = 0, differing = 0;
   for (int i = 0; i < 2000; ++i) {
-    const glm::dvec3 p_W = random.inCube(2);
-    const Sight a = near.of(p_W), b = far.of(p_W);
+    const glm::dvec3 p_V = random.inCube(2);
+    const Sight a = near.of(p_V), b = far.of(p_V);
     hidden += a.hidden;
     dimmed += a.transmittance < 0.9;
     differing += a.hidden != b.hidden || (!a.hidden && std::abs(a.transmittance - b.transmittance) > 1e-6);

@@ -101,8 +101,8 @@ Image byProgram(const std::string& words) {
 void turnBody(DrawList& list, double angle_deg) {
   const glm::mat3 turn(
       glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(angle_deg)), glm::vec3(0.3f, 0.5f, 0.8f)));
-  for (draw::Box& body : list.boxes) body.halfAxes_W = turn * body.halfAxes_W;
-  for (draw::Mesh& body : list.meshes) body.axes_W = turn * body.axes_W;
+  for (draw::Box& body : list.boxes) body.halfAxes_V = turn * body.halfAxes_V;
+  for (draw::Mesh& body : list.meshes) body.axes_V = turn * body.axes_V;
 }
 
 template <class F>
@@ -153,8 +153,8 @@ Image withoutFacet(const Studio& studio) {
 /// The longest curve without some of its pieces.
 void shorten(DrawList& list, double share) {
   const auto longest =
-      std::ranges::max_element(list.curves, {}, [](const draw::Curve& c) { return c.points_W.size(); });
-  auto& points = longest->points_W;
+      std::ranges::max_element(list.curves, {}, [](const draw::Curve& c) { return c.points_V.size(); });
+  auto& points = longest->points_V;
   points.erase(points.end() - static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(points.size()))),
                points.end());
   longest->closed = false;

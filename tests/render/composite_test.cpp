@@ -21,8 +21,8 @@ class CompositeTest : public PictureTest {
  protected:
   static draw::GlassEllipsoid glass(vec3 centre, float radius, Color color, float opacity) {
     draw::GlassEllipsoid g;
-    g.centre_W = centre;
-    g.semiAxes_W = glm::mat3(radius);
+    g.centre_V = centre;
+    g.semiAxes_V = glm::mat3(radius);
     g.color = color;
     g.nearOpacity = kNear * opacity;
     g.farOpacity = kFar * opacity;
@@ -33,9 +33,9 @@ class CompositeTest : public PictureTest {
   // A plane facing the eye, without lines.
   static draw::GridPlane facing(float x, Color color, float opacity) {
     draw::GridPlane p;
-    p.centre_W = {x, 0, 0};
-    p.u_W = {0, 0.5f, 0};
-    p.v_W = {0, 0, 0.5f};
+    p.centre_V = {x, 0, 0};
+    p.u_V = {0, 0.5f, 0};
+    p.v_V = {0, 0, 0.5f};
     p.color = color;
     p.opacity = opacity;
     p.lineOpacity = 0;
@@ -111,7 +111,7 @@ TEST_F(CompositeTest, EdgesBlendOverTheSheetsBehindThem) {
   DrawList list = emptyList();
   list.planes = {facing(-1, kRed, 1.0f)};
   draw::Curve line;  // upright, its left edge through the middle of a column of pixels
-  line.points_W = {{1, 0.0f, -0.4f}, {1, 0.0f, 0.4f}};
+  line.points_V = {{1, 0.0f, -0.4f}, {1, 0.0f, 0.4f}};
   line.width_px = 4;
   line.material = black();
   list.curves = {line};
@@ -138,7 +138,7 @@ TEST_F(CompositeTest, GridLinesAreWhereTheSpacingSays) {
   plane.lineColor = Color(0);
   plane.lineOpacity = 1;
   plane.lineWidth_px = 2;
-  plane.spacing_W = 0.25f;  // 20 pixels
+  plane.spacing_V = 0.25f;  // 20 pixels
   list.planes = {plane};
   list.camera.centre_px += 0.5f;
   const image::Image picture = render(list);

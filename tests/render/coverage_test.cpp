@@ -73,12 +73,12 @@ TEST_F(CoverageTest, LinesOfAnyWidthHaveTheirArea) {
   for (const float width : {0.4f, 1.0f, 2.5f, 8.0f}) {
     DrawList list = emptyList();
     draw::Curve curve;
-    curve.points_W = {{0, -0.8f, -0.31f}, {0, 0.1f, 0.02f}, {0, 0.8f, 0.27f}};
+    curve.points_V = {{0, -0.8f, -0.31f}, {0, 0.1f, 0.02f}, {0, 0.8f, 0.27f}};
     curve.width_px = width;
     curve.material = black();
     list.curves.push_back(curve);
     const auto length = [&](std::size_t i) {
-      const vec2 d = project(list.camera, curve.points_W[i + 1]) - project(list.camera, curve.points_W[i]);
+      const vec2 d = project(list.camera, curve.points_V[i + 1]) - project(list.camera, curve.points_V[i]);
       return std::hypot(double(d.x), double(d.y));
     };
     const double area = width * (length(0) + length(1));
@@ -93,7 +93,7 @@ TEST_F(CoverageTest, JointsOfACurveDoNotShow) {
   draw::Curve curve;
   for (int i = 0; i < 60; ++i) {
     const float s = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / 60;
-    curve.points_W.push_back({0, 0.8f * std::cos(s), 0.8f * std::sin(s)});
+    curve.points_V.push_back({0, 0.8f * std::cos(s), 0.8f * std::sin(s)});
   }
   curve.closed = true;
   curve.width_px = 5;
@@ -151,7 +151,7 @@ TEST_F(ReferenceTest, EdgesOfSolidsAgree) {
 TEST_F(ReferenceTest, EdgesAndSeamsInGlassAgree) {
   DrawList list = solids();
   draw::GlassEllipsoid glass;
-  glass.semiAxes_W = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
+  glass.semiAxes_V = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
   glass.color = draw::fromSrgb(0xE69F00);
   list.glassEllipsoids.push_back(glass);
   const Difference d = fromReference(list);

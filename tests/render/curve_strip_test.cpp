@@ -16,21 +16,21 @@ draw::Camera camera() { return draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.
 TEST(CurveStrip, OfFewerThanTwoPointsIsEmpty) {
   draw::Curve curve;
   EXPECT_TRUE(makeCurveStrip(camera(), curve).triangles.empty());
-  curve.points_W = {{0, 0, 0}};
+  curve.points_V = {{0, 0, 0}};
   EXPECT_TRUE(makeCurveStrip(camera(), curve).triangles.empty());
 }
 
 TEST(CurveStrip, ATubesWidthFollowsItsDistance) {
   draw::Curve curve;
-  curve.points_W = {{0, -1, 0}, {0, 1, 0}};
-  curve.radius_W = 0.1f;
+  curve.points_V = {{0, -1, 0}, {0, 1, 0}};
+  curve.radius_V = 0.1f;
   const float expected = 0.1f * camera().focal_px() / 10;
   for (const StripVertex& v : makeCurveStrip(camera(), curve).triangles) EXPECT_NEAR(v.across.y, expected, 1e-3);
 }
 
 TEST(CurveStrip, PartsBehindTheEyeAreLeftOut) {
   draw::Curve curve;
-  curve.points_W = {{0, -1, 0}, {0, 1, 0}, {30, 1, 0}, {0, 1, 1}, {0, -1, 1}};
+  curve.points_V = {{0, -1, 0}, {0, 1, 0}, {30, 1, 0}, {0, 1, 1}, {0, -1, 1}};
   for (const StripVertex& v : makeCurveStrip(camera(), curve).triangles) {
     EXPECT_TRUE(std::isfinite(v.position_px.x) && std::isfinite(v.position_px.y));
     EXPECT_GT(v.across.w, camera().near);
@@ -40,7 +40,7 @@ TEST(CurveStrip, PartsBehindTheEyeAreLeftOut) {
 // A hairpin seen flat folds back: no mitre may shoot out of it.
 TEST(CurveStrip, AFoldHasNoSpike) {
   draw::Curve curve;
-  curve.points_W = {{0, -1, 0}, {0, 1, 0.001f}, {0, -1, 0.002f}};
+  curve.points_V = {{0, -1, 0}, {0, 1, 0.001f}, {0, -1, 0.002f}};
   curve.width_px = 4;
   const CurveStrip strip = makeCurveStrip(camera(), curve);
   const float right = project(camera(), {0, 1, 0}).x;
@@ -50,7 +50,7 @@ TEST(CurveStrip, AFoldHasNoSpike) {
 TEST(CurveStrip, AClosedCurveHasNoEnds) {
   draw::Curve curve;
   for (int i = 0; i < 20; ++i)
-    curve.points_W.push_back(
+    curve.points_V.push_back(
         {0, std::cos(0.314159f * static_cast<float>(i)), std::sin(0.314159f * static_cast<float>(i))});
   curve.closed = true;
   for (const StripVertex& v : makeCurveStrip(camera(), curve).triangles) EXPECT_GT(v.across.z, 1000);
@@ -80,15 +80,15 @@ draw::Curve circle() {
   draw::Curve curve;
   for (int i = 0; i < 2000; ++i) {
     const float angle = 6.2831853f / 2000 * static_cast<float>(i);
-    curve.points_W.emplace_back(0, std::cos(angle), std::sin(angle));
+    curve.points_V.emplace_back(0, std::cos(angle), std::sin(angle));
   }
   return curve;
 }
 
 float farthest(const CurveStrip& strip, const draw::Curve& curve) {
   float far = 0;
-  for (const glm::vec3& p_W : curve.points_W)
-    far = std::max(far, nearest(strip, project(camera(), p_W)).distance_px);
+  for (const glm::vec3& p_V : curve.points_V)
+    far = std::max(far, nearest(strip, project(camera(), p_V)).distance_px);
   return far;
 }
 
@@ -108,20 +108,20 @@ TEST(CurveStrip, AClosedCurveOfFewerPiecesIsStillClosed) {
   const CurveStrip strip = makeCurveStrip(camera(), curve);
   EXPECT_LE(pieces(strip), 180u);
   for (const StripVertex& v : strip.triangles) EXPECT_GT(v.across.z, 1000);
-  curve.points_W.push_back(curve.points_W.front());
+  curve.points_V.push_back(curve.points_V.front());
   EXPECT_LE(farthest(strip, curve), 0.0205f);
 }
 
 TEST(CurveStrip, NoMoreThanSixteenPiecesBecomeOne) {
   draw::Curve curve;
-  for (int i = 0; i <= 99; ++i) curve.points_W.emplace_back(0, -1 + 0.02f * static_cast<float>(i), 0);
+  for (int i = 0; i <= 99; ++i) curve.points_V.emplace_back(0, -1 + 0.02f * static_cast<float>(i), 0);
   EXPECT_EQ(pieces(makeCurveStrip(camera(), curve)), 7u + 2u);  // of 99, and the ends
 }
 
 TEST(CurveStrip, AFoldIsNotLeftOut) {
   draw::Curve curve;
   for (int i = 0; i <= 200; ++i)
-    curve.points_W.emplace_back(0, 1 - 0.01f * static_cast<float>(std::abs(i - 100)), 0);
+    curve.points_V.emplace_back(0, 1 - 0.01f * static_cast<float>(std::abs(i - 100)), 0);
   const CurveStrip strip = makeCurveStrip(camera(), curve);
   EXPECT_LE(farthest(strip, curve), 0.0205f);
 }
@@ -129,14 +129,14 @@ TEST(CurveStrip, AFoldIsNotLeftOut) {
 // Towards the eye a tube widens as 1 / distance does, not evenly.
 TEST(CurveStrip, WidthsAreKept) {
   draw::Curve curve;
-  curve.radius_W = 0.2f;
-  for (int i = 0; i <= 300; ++i) curve.points_W.emplace_back(0.02f * static_cast<float>(i), 0.5f, 0.3f);
+  curve.radius_V = 0.2f;
+  for (int i = 0; i <= 300; ++i) curve.points_V.emplace_back(0.02f * static_cast<float>(i), 0.5f, 0.3f);
   const CurveStrip strip = makeCurveStrip(camera(), curve);
   EXPECT_LT(pieces(strip), 150u);
   float most = 0;
-  for (const glm::vec3& p_W : curve.points_W) {
-    const float expected = curve.radius_W * camera().focal_px() / (10 - p_W.x);
-    most = std::max(most, std::abs(nearest(strip, project(camera(), p_W)).halfWidth_px - expected));
+  for (const glm::vec3& p_V : curve.points_V) {
+    const float expected = curve.radius_V * camera().focal_px() / (10 - p_V.x);
+    most = std::max(most, std::abs(nearest(strip, project(camera(), p_V)).halfWidth_px - expected));
   }
   EXPECT_LE(most, 0.0205f);
 }
@@ -146,7 +146,7 @@ TEST(CurveStrip, PointsAlongTheViewAreKept) {
   draw::Curve curve;
   for (int i = 0; i <= 200; ++i) {
     const float y = 0.01f * static_cast<float>(i - 100);
-    curve.points_W.emplace_back(0.5f * std::sin(20 * y), y, 0);
+    curve.points_V.emplace_back(0.5f * std::sin(20 * y), y, 0);
   }
   float near = 100, far = 0;
   for (const StripVertex& v : makeCurveStrip(camera(), curve).triangles) {

@@ -42,14 +42,14 @@ class DeepPictureTest : public PictureTest {
     list.boxes.push_back({{0, 0.4f, 0.3f}, glm::mat3(0.25f), {Color(0.02f, 0.1f, 0.5f), 0.3f}});
     draw::GlassEllipsoid glass;
     glass.graticule = draw::Graticule{};
-    glass.semiAxes_W = glm::mat3(0.7f);
+    glass.semiAxes_V = glm::mat3(0.7f);
     list.glassEllipsoids.push_back(glass);
     draw::GridPlane plane;
-    plane.centre_W = {0, 0, -0.6f};
-    plane.u_W = {1.2f, 0, 0.1f};
-    plane.v_W = {0, 1.1f, 0};
-    plane.shadowCentre_W = plane.centre_W;
-    plane.shadowRadius_W = 0.6f;
+    plane.centre_V = {0, 0, -0.6f};
+    plane.u_V = {1.2f, 0, 0.1f};
+    plane.v_V = {0, 1.1f, 0};
+    plane.shadowCentre_V = plane.centre_V;
+    plane.shadowRadius_V = 0.6f;
     plane.shadowOpacity = 0.4f;
     list.planes.push_back(plane);
     list.texts.push_back({"$\\boldsymbol{\\omega}$", {10, 30}, 24, Color(0), 1, Color(1), 3});
@@ -134,7 +134,7 @@ TEST_F(DeepPictureTest, AnEightBitColourIsItself) {
     draw::DrawList list = emptyList();
     list.background = draw::fromSrgb(0xFFFFFF - srgb);
     draw::Curve curve;
-    curve.points_W = {{0, -0.5f, 0}, {0, 0.5f, 0}};
+    curve.points_V = {{0, -0.5f, 0}, {0, 0.5f, 0}};
     curve.width_px = 20;
     curve.material = {draw::fromSrgb(srgb), 0};
     list.curves = {curve};
@@ -153,7 +153,7 @@ TEST_F(DeepPictureTest, DarkLightIsKeptAsFloats) {
   for (const float light : {2e-5f, 1.3e-4f, 7.1e-4f, 2.9e-3f, 0.0117f, 0.05f, 0.3f, 0.77f}) {
     draw::DrawList list = emptyList();
     draw::Curve curve;
-    curve.points_W = {{0, -0.5f, 0}, {0, 0.5f, 0}};
+    curve.points_V = {{0, -0.5f, 0}, {0, 0.5f, 0}};
     curve.width_px = 20;
     curve.material = {Color(light), 0};
     list.curves = {curve};
@@ -168,9 +168,9 @@ TEST_F(DeepPictureTest, MixturesAreExact) {
   draw::DrawList list = emptyList();
   list.background = Color(0.8f, 0.31f, 0.017f);
   draw::GridPlane sheet;
-  sheet.u_W = {0, 0.5f, 0};
-  sheet.v_W = {0, 0, 0.5f};
-  sheet.spacing_W = 10;  // its lines run through the centre only
+  sheet.u_V = {0, 0.5f, 0};
+  sheet.v_V = {0, 0, 0.5f};
+  sheet.spacing_V = 10;  // its lines run through the centre only
   sheet.color = Color(0.05f, 0.6f, 0.2f);
   sheet.opacity = 0.37f;
   sheet.lineOpacity = 0;

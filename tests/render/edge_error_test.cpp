@@ -38,8 +38,8 @@ mat3 turned(float a, float b, float c) {
 void addArrow(DrawList& list, vec3 from, vec3 to, float radius, draw::Color color) {
   const vec3 neck = to - 9 * radius * glm::normalize(to - from);
   draw::Curve shaft;
-  shaft.points_W = {from, neck + 0.1f * (to - neck)};
-  shaft.radius_W = radius;
+  shaft.points_V = {from, neck + 0.1f * (to - neck)};
+  shaft.radius_V = radius;
   shaft.material = {color, 0.3f};
   list.curves.push_back(shaft);
   list.frustums.push_back({neck, to, 3 * radius, 0, {color, 0.3f}});
@@ -50,33 +50,33 @@ draw::Curve ringOf(mat3 semiAxes, float tilt, float width_px, draw::Color color,
   for (int i = 0; i < 240; ++i) {
     const float s = 2 * kPi * static_cast<float>(i) / 240;
     const vec3 unit(std::cos(s) * std::cos(tilt), std::sin(s) * std::cos(tilt), std::sin(tilt) * std::cos(2 * s));
-    curve.points_W.push_back(semiAxes * glm::normalize(unit));
+    curve.points_V.push_back(semiAxes * glm::normalize(unit));
   }
   curve.closed = true;
   curve.width_px = width_px;
-  curve.lift_W = lift;
+  curve.lift_V = lift;
   curve.material = {color, 0};
   return curve;
 }
 
 draw::GridPlane gridAt(float height, float half) {
   draw::GridPlane plane;
-  plane.centre_W = {0, 0, height};
-  plane.u_W = half * vec3(0.8f, 0.6f, 0);
-  plane.v_W = half * vec3(-0.6f, 0.8f, 0);
-  plane.spacing_W = 0.2f;
+  plane.centre_V = {0, 0, height};
+  plane.u_V = half * vec3(0.8f, 0.6f, 0);
+  plane.v_V = half * vec3(-0.6f, 0.8f, 0);
+  plane.spacing_V = 0.2f;
   plane.color = kBlue;
   plane.lineColor = kBlue;
   plane.lineWidth_px = 1.2f;
-  plane.shadowCentre_W = {0.1f, 0.2f, height};
-  plane.shadowRadius_W = 0.15f;
+  plane.shadowCentre_V = {0.1f, 0.2f, height};
+  plane.shadowRadius_V = 0.15f;
   plane.shadowOpacity = 0.22f;
   return plane;
 }
 
 draw::GlassEllipsoid glassOf(mat3 semiAxes, bool graticule) {
   draw::GlassEllipsoid glass;
-  glass.semiAxes_W = semiAxes;
+  glass.semiAxes_V = semiAxes;
   glass.color = kOrange;
   if (graticule) glass.graticule = draw::Graticule{kVermilion, 1.2f, 0.75f, 0.3f};
   return glass;
@@ -151,7 +151,7 @@ TEST_F(EdgeErrorTest, Lines) {
   for (int i = 0; i < 12; ++i) {
     const float s = kPi * (static_cast<float>(i) + 0.2f) / 12;
     draw::Curve line;
-    line.points_W = {{0, 0.9f * std::cos(s), 0.9f * std::sin(s)}, {0, 0.3f * std::cos(s), 0.3f * std::sin(s)}};
+    line.points_V = {{0, 0.9f * std::cos(s), 0.9f * std::sin(s)}, {0, 0.3f * std::cos(s), 0.3f * std::sin(s)}};
     line.width_px = 0.6f + 0.3f * static_cast<float>(i);
     line.material = {kInk, 0};
     list.curves.push_back(line);
@@ -177,9 +177,9 @@ TEST_F(EdgeErrorTest, Glass) {
 
   list = fromAbove();
   draw::GlassCone cone;
-  cone.apex_W = {0, 0, -0.6f};
-  cone.axis_W = {0.2f, 0.3f, 1};
-  cone.height_W = 1;
+  cone.apex_V = {0, 0, -0.6f};
+  cone.axis_V = {0.2f, 0.3f, 1};
+  cone.height_V = 1;
   cone.halfAngle_rad = 0.4f;
   cone.color = kVermilion;
   cone.lineColor = kVermilion;
@@ -230,7 +230,7 @@ TEST_F(EdgeErrorTest, PoinsotsConstruction) {
   list.ellipsoids.push_back({{0.1f, 0.3f, -0.5f}, mat3(0.03f), {kInk, 0.3f}});
   list.curves.push_back(ringOf(glass, 0.8f, 2, kVermilion, 0.01f));
   list.curves.push_back(ringOf({0.55f, 0, 0, 0, 0.55f, 0, 0, 0, 0.1f}, 0.0f, 2, kOrange, 0.01f));
-  for (vec3& p : list.curves.back().points_W) p.z -= 0.5f;
+  for (vec3& p : list.curves.back().points_V) p.z -= 0.5f;
   expectGood(list, "Poinsot's construction");  // 1.19
   list.camera = draw::orthographic(list.camera, vec3(0));
   expectGood(list, "parallel rays");  // 1.21

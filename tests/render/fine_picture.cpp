@@ -77,7 +77,7 @@ draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, 
   // The focal length in pixels goes with the height of the picture, which is that of a part here.
   const float part = static_cast<float>(size.height) / (factor * list.camera.size_px.y);
   camera.tanHalfFovY *= part;
-  camera.halfHeight_W *= part;
+  camera.halfHeight_V *= part;
   camera.size_px = {size.width, size.height};
   camera.centre_px = factor * list.camera.centre_px - glm::vec2(from_px);
   for (draw::Ellipsoid& e : large.ellipsoids) e.marking_px *= factor;

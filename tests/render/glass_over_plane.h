@@ -14,12 +14,12 @@ inline draw::DrawList glassOverPlane(glm::ivec2 size_px, float radius) {
   list.camera.near = 5;
   list.camera.far = 15;
   draw::GlassEllipsoid glass;
-  glass.semiAxes_W = glm::mat3(radius);
+  glass.semiAxes_V = glm::mat3(radius);
   list.glassEllipsoids = {glass};
   draw::GridPlane plane;
-  plane.centre_W = {0, 0, -0.6f};
-  plane.u_W = {1, 0, 0};
-  plane.v_W = {0, 1.1f, 0};
+  plane.centre_V = {0, 0, -0.6f};
+  plane.u_V = {1, 0, 0};
+  plane.v_V = {0, 1.1f, 0};
   list.planes = {plane};
   return list;
 }

@@ -25,10 +25,10 @@ class GlassTest : public PictureTest {
  protected:
   static draw::GlassCone coneOf(vec3 apex, vec3 axis, float halfAngle, float height) {
     draw::GlassCone cone;
-    cone.apex_W = apex;
-    cone.axis_W = axis;
+    cone.apex_V = apex;
+    cone.axis_V = axis;
     cone.halfAngle_rad = halfAngle;
-    cone.height_W = height;
+    cone.height_V = height;
     cone.color = kRed;
     cone.nearOpacity = 0.3f;
     cone.farOpacity = 0.5f;
@@ -39,7 +39,7 @@ class GlassTest : public PictureTest {
 
   static draw::GlassPolygon polygonOf(std::vector<vec3> corners, Color color, float opacity) {
     draw::GlassPolygon polygon;
-    polygon.corners_W = std::move(corners);
+    polygon.corners_V = std::move(corners);
     polygon.color = color;
     polygon.opacity = opacity;
     polygon.lineOpacity = 0;
@@ -118,11 +118,11 @@ TEST_F(GlassTest, AConeHasTheAreaOfItsHull) {
     cone.color = Color(0);
     cone.nearOpacity = cone.farOpacity = cone.rimOpacity = 1;
     list.glassCones = {cone};
-    std::vector<vec2> outline{project(list.camera, cone.apex_W)};
+    std::vector<vec2> outline{project(list.camera, cone.apex_V)};
     for (int i = 0; i < 4000; ++i) {
       const float s = 2 * kPi * static_cast<float>(i) / 4000;
       const vec3 rim = height * axis + height * std::tan(half) * (std::cos(s) * u + std::sin(s) * v);
-      outline.push_back(project(list.camera, cone.apex_W + rim));
+      outline.push_back(project(list.camera, cone.apex_V + rim));
     }
     const double area = hullArea(outline), got = blackArea(render(list));
     worst = std::max(worst, std::abs(got / area - 1));
@@ -243,11 +243,11 @@ TEST_F(GlassTest, EverythingThroughEverythingAgreesWithTheReferencePicture) {
     list.glassCones[1].color = kBlue;
     list.glassPolygons = {polygonOf({{0, 0, -0.4f}, k, k + vec3(0, 0, 0.2f), {0, 0, 0.6f}}, kGreen, 0.4f)};
     draw::GlassEllipsoid ball;
-    ball.semiAxes_W = glm::mat3(0.45f);
+    ball.semiAxes_V = glm::mat3(0.45f);
     list.glassEllipsoids = {ball};
     draw::GridPlane plane;
-    plane.u_W = {0.7f, 0, 0.1f};
-    plane.v_W = {0, 0.9f, 0};
+    plane.u_V = {0.7f, 0, 0.1f};
+    plane.v_V = {0, 0.9f, 0};
     list.planes = {plane};
     const Difference d = difference(render(list), renderReference(renderer_, list, kSize, 16));
     RecordProperty(side > 0 ? "mean towards" : "mean away", std::to_string(d.mean));

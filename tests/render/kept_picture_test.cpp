@@ -22,8 +22,8 @@ draw::DrawList standing() {
   list.frustums.push_back({glm::vec3(0), {0, 0.3f, 0.5f}, 0.05f, 0, {}});
   list.glassEllipsoids[0].graticule = draw::Graticule{};
   draw::GridPlane& plane = list.planes[0];
-  plane.shadowCentre_W = plane.centre_W;
-  plane.shadowRadius_W = 0.15f;
+  plane.shadowCentre_V = plane.centre_V;
+  plane.shadowRadius_V = 0.15f;
   plane.shadowOpacity = 0.4f;
   list.texts = {{"$L$", {40, 60}, 24, Color(0), 1, Color(1), 3}};
   return list;
@@ -88,18 +88,18 @@ class KeptPictureTest : public PictureTest {
 /// Everything that may become different between two pictures.
 const std::vector<std::function<void(Request&)>> kChanges{
     [](Request&) {},
-    [](Request& r) { r.list().frustums[0].to_W.x += 0.2f; },
+    [](Request& r) { r.list().frustums[0].to_V.x += 0.2f; },
     [](Request& r) { r.list().frustums.clear(); },
-    [](Request& r) { r.list().glassEllipsoids[0].centre_W.y += 0.1f; },
+    [](Request& r) { r.list().glassEllipsoids[0].centre_V.y += 0.1f; },
     [](Request& r) { r.list().glassEllipsoids.clear(); },
-    [](Request& r) { r.list().planes[0].shadowCentre_W.x += 0.3f; },
-    [](Request& r) { r.list().planes[0].shadowRadius_W = 0; },
+    [](Request& r) { r.list().planes[0].shadowCentre_V.x += 0.3f; },
+    [](Request& r) { r.list().planes[0].shadowRadius_V = 0; },
     [](Request& r) { r.list().planes[0].lineWidth_px = 2.5f; },
     [](Request& r) { r.list().planes[0].color = Color(0.9f, 0.3f, 0.2f); },
     [](Request& r) { r.list().planes.push_back(r.list().planes[0]); },
-    [](Request& r) { std::swap(r.list().planes[0].u_W, r.list().planes[0].v_W); },
+    [](Request& r) { std::swap(r.list().planes[0].u_V, r.list().planes[0].v_V); },
     [](Request& r) { r.list().background = Color(0.2f); },
-    [](Request& r) { r.list().camera.eye_W.z += 0.05f; },
+    [](Request& r) { r.list().camera.eye_V.z += 0.05f; },
     [](Request& r) {
       r.list().lightDirection_C = {1, 0, 0.2f};
     },
@@ -174,7 +174,7 @@ Request leaving(glm::ivec2 size_px, bool another) {
   list.camera.near = 5;
   list.camera.far = 15;
   list.glassEllipsoids = {{}};
-  list.glassEllipsoids[0].semiAxes_W = glm::mat3(3.5f);
+  list.glassEllipsoids[0].semiAxes_V = glm::mat3(3.5f);
   list.frustums = {{{0, 2.45f, -1.2f}, {0, 2.55f, 0.3f}, 0.05f, 0.05f, {}},
                    {{0, -1, -1.45f}, {0, 2, -1.55f}, 0.05f, 0.05f, {}}};
   if (another) list.frustums.push_back({{0, -2.4f, 1.4f}, {0, -2.3f, 1.3f}, 0.03f, 0.03f, {}});

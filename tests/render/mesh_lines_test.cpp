@@ -16,7 +16,7 @@ class MeshLinesTest : public PictureTest {};
 TEST_F(MeshLinesTest, SharpEdgesBearLinesWhereTheyAreSeen) {
   DrawList list = emptyList();
   draw::Mesh mesh = meshOf(cube(), mat3(0.25f), {Color(0.8f), 0});
-  mesh.origin_W = {-0.25f, 0, 0};  // near face from 80 to 120
+  mesh.origin_V = {-0.25f, 0, 0};  // near face from 80 to 120
   mesh.edge_px = 3;
   mesh.edgeColor = Color(0.7f, 0, 0);
   list.meshes.push_back(mesh);
@@ -45,15 +45,15 @@ TEST_F(MeshLinesTest, LinesAreUnbroken) {
     list.meshes.push_back(mesh);
     const image::Image picture = render(list);
     const auto faces = [&](int axis, float side) {  // whether a face looks at the eye
-      const vec3 n = side * mesh.axes_W[axis];
-      return glm::dot(n, list.camera.eye_W - n) > 0;
+      const vec3 n = side * mesh.axes_V[axis];
+      return glm::dot(n, list.camera.eye_V - n) > 0;
     };
     for (int edge = 0; edge < 12; ++edge) {
       const int along = edge / 4, u = (along + 1) % 3, v = (along + 2) % 3;
       const float a = edge & 1 ? 1.0f : -1.0f, b = edge & 2 ? 1.0f : -1.0f;
       if (!faces(u, a) && !faces(v, b)) continue;
       const auto place = [&](float s) {
-        return project(list.camera, s * mesh.axes_W[along] + a * mesh.axes_W[u] + b * mesh.axes_W[v]);
+        return project(list.camera, s * mesh.axes_V[along] + a * mesh.axes_V[u] + b * mesh.axes_V[v]);
       };
       if (glm::distance(place(-1), place(1)) < 8) continue;
       for (float s = -0.75f; s < 0.76f; s += 0.05f) {

@@ -16,10 +16,10 @@ inline glm::mat3 randomAxes(Random& random, float size) {
   return size * glm::mat3(a, b, glm::cross(a, b));
 }
 
-inline draw::Mesh meshOf(MeshPointer mesh, const glm::mat3& axes_W, draw::Material material) {
+inline draw::Mesh meshOf(MeshPointer mesh, const glm::mat3& axes_V, draw::Material material) {
   draw::Mesh m;
   m.mesh = std::move(mesh);
-  m.axes_W = axes_W;
+  m.axes_V = axes_V;
   m.material = material;
   return m;
 }

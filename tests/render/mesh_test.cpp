@@ -48,10 +48,10 @@ TEST_F(MeshTest, CubesAndTetrahedraHaveTheAreaOfTheirHull) {
     DrawList list = emptyList();
     draw::Mesh mesh =
         meshOf(trial % 2 ? cube() : tetrahedron(), randomAxes(random, random.in(0.01f, 0.45f)), black());
-    mesh.origin_W = vec3{random.in(-1, 1), random.in(-0.2f, 0.2f), random.in(-0.2f, 0.2f)};
+    mesh.origin_V = vec3{random.in(-1, 1), random.in(-0.2f, 0.2f), random.in(-0.2f, 0.2f)};
     std::vector<glm::vec2> corners;
     for (const vec3& v : mesh.mesh->vertices_M)
-      corners.push_back(project(list.camera, mesh.origin_W + mesh.axes_W * v));
+      corners.push_back(project(list.camera, mesh.origin_V + mesh.axes_V * v));
     list.meshes.push_back(mesh);
     const double area = hullArea(corners), error = std::abs(blackArea(render(list)) - area);
     worst = std::max(worst, error / std::sqrt(area));
@@ -101,7 +101,7 @@ TEST_F(MeshTest, ManyMeshesAgreeWithTheReferencePicture) {
     mesh.material.color = 0.2f + 0.4f * (random.direction() + 1.0f);
     // One behind the other: where two cut each other nothing is resolved.
     const float x = 0.9f * static_cast<float>(list.meshes.size()) - 3;
-    mesh.origin_W = {x, random.in(-0.7f, 0.7f), random.in(-0.5f, 0.5f)};
+    mesh.origin_V = {x, random.in(-0.7f, 0.7f), random.in(-0.5f, 0.5f)};
     list.meshes.push_back(mesh);
   }
   const image::Image picture = render(list);
@@ -166,9 +166,9 @@ TEST_F(MeshTest, ASheetCutsAMesh) {
   DrawList list = emptyList();
   list.meshes.push_back(meshOf(cube(), mat3(0.3f), black()));
   draw::GridPlane plane;
-  plane.u_W = {0, 0.8f, 0};
-  plane.v_W = {0.5f, 0, 0.2f};  // rises away from the eye: before the cube in the lower half of the picture
-  plane.centre_W = {0.3f, 0, 0};
+  plane.u_V = {0, 0.8f, 0};
+  plane.v_V = {0.5f, 0, 0.2f};  // rises away from the eye: before the cube in the lower half of the picture
+  plane.centre_V = {0.3f, 0, 0};
   plane.color = Color(0.0f, 0.8f, 0.0f);
   plane.opacity = 0.5f;
   plane.lineOpacity = 0;
@@ -183,12 +183,12 @@ TEST_F(MeshTest, ASheetCutsAMesh) {
 TEST_F(MeshTest, EdgesBlendOverTheSheetsBehindThem) {
   DrawList list = emptyList();
   draw::Mesh mesh = meshOf(cube(), mat3(0.25f), black());
-  mesh.origin_W = {-0.25f, 0, 0};  // its near face at x = 0, 40 pixels wide: from 80 to 120
+  mesh.origin_V = {-0.25f, 0, 0};  // its near face at x = 0, 40 pixels wide: from 80 to 120
   list.meshes.push_back(mesh);
   draw::GridPlane plane;
-  plane.centre_W = {-1, 0, 0};
-  plane.u_W = {0, 0.9f, 0};
-  plane.v_W = {0, 0, 0.9f};
+  plane.centre_V = {-1, 0, 0};
+  plane.u_V = {0, 0.9f, 0};
+  plane.v_V = {0, 0, 0.9f};
   plane.color = Color(0.5f, 0.25f, 0.1f);
   plane.opacity = 1;
   plane.lineOpacity = 0;
@@ -206,15 +206,15 @@ TEST_F(MeshTest, ASheetBetweenTwoMeshesStaysBetweenThemAtTheEdge) {
   DrawList list = emptyList();
   list.camera.centre_px.x += 0.5f;
   draw::Mesh near = meshOf(cube(), mat3(0.25f), black()), far = near;
-  near.origin_W = {-0.25f, 0, 0};  // its right edge in the middle of column 120
-  far.origin_W = {-2, 0, 0};
-  far.axes_W = mat3(0.8f);
+  near.origin_V = {-0.25f, 0, 0};  // its right edge in the middle of column 120
+  far.origin_V = {-2, 0, 0};
+  far.axes_V = mat3(0.8f);
   far.material = {Color(1), 0};
   list.meshes = {near, far};
   draw::GridPlane plane;
-  plane.centre_W = {-0.7f, 0, 0};
-  plane.u_W = {0, 0.9f, 0};
-  plane.v_W = {0, 0, 0.9f};
+  plane.centre_V = {-0.7f, 0, 0};
+  plane.u_V = {0, 0.9f, 0};
+  plane.v_V = {0, 0, 0.9f};
   plane.color = Color(0, 0, 1);
   plane.opacity = 0.5f;
   plane.lineOpacity = 0;
@@ -262,14 +262,14 @@ TEST_F(MeshTest, NoMeshAndAnEmptyMeshDrawNothing) {
 
 TEST_F(MeshTest, RefusesMirroredAxes) {
   DrawList list = listOf(cube(), 0.3f);
-  list.meshes[0].axes_W[0] *= -1.0f;
+  list.meshes[0].axes_V[0] *= -1.0f;
   EXPECT_THROW(render(list), std::logic_error);
 }
 
 // What stands out of the picture changes nothing in it.
 TEST_F(MeshTest, APictureIsAWindowOfALargerOne) {
   DrawList list = listOf(torus(0.4f, 48, 24), 0.9f);
-  list.meshes[0].origin_W = {0, 0.7f, -0.5f};
+  list.meshes[0].origin_V = {0, 0.7f, -0.5f};
   const image::Image small = render(list);
   const image::PixelSize large{360, 320};
   list.camera.size_px = {large.width, large.height};
@@ -289,9 +289,9 @@ TEST_F(MeshTest, APictureIsAWindowOfALargerOne) {
 // As with every solid: one that is not wholly in front of the camera is left out.
 TEST_F(MeshTest, AMeshThatReachesTheNearDistanceIsLeftOut) {
   DrawList list = listOf(cube(), 0.3f);
-  list.meshes[0].origin_W = {4.9f, 0, 0};  // 5.1 from the eye, the near distance is 5
+  list.meshes[0].origin_V = {4.9f, 0, 0};  // 5.1 from the eye, the near distance is 5
   EXPECT_EQ(blackArea(render(list)), 0);
-  list.meshes[0].origin_W = {4.0f, 0, 0};
+  list.meshes[0].origin_V = {4.0f, 0, 0};
   EXPECT_GT(blackArea(render(list)), 1000);
 }
 

@@ -149,7 +149,7 @@ TEST_F(SecondMosaic, HoldsTheTilesWithSolids) {
 }
 
 TEST_F(SecondMosaic, HoldsThoseOfAnEllipsoidThatTurned) {
-  list_.glassEllipsoids[0].semiAxes_W[0] *= 1.001f;
+  list_.glassEllipsoids[0].semiAxes_V[0] *= 1.001f;
   const Mosaic mosaic = cut(list_);
   const glm::ivec2 centre(kWidth / 2, kHeight / 2);
   EXPECT_TRUE(covers(mosaic.drawn, centre.x, centre.y));

@@ -29,8 +29,8 @@ class OrthographicTest : public PictureTest {
   static DrawList fromFarAway(DrawList list) {
     constexpr float kDistance = 3000;
     list.camera.orthographic = false;
-    list.camera.tanHalfFovY = list.camera.halfHeight_W / kDistance;
-    list.camera.eye_W = kDistance * list.camera.R_WC[2];
+    list.camera.tanHalfFovY = list.camera.halfHeight_V / kDistance;
+    list.camera.eye_V = kDistance * list.camera.R_VC[2];
     list.camera.near = kDistance - 5;
     list.camera.far = kDistance + 5;
     return list;
@@ -87,9 +87,9 @@ TEST_F(OrthographicTest, CurvesAreAsFromFarAway) {
     draw::Curve curve;
     for (int i = 0; i < 60; ++i) {
       const float s = 0.1f * static_cast<float>(i);
-      curve.points_W.push_back({0.5f * std::cos(3 * s), 0.7f * std::cos(s), 0.6f * std::sin(2 * s)});
+      curve.points_V.push_back({0.5f * std::cos(3 * s), 0.7f * std::cos(s), 0.6f * std::sin(2 * s)});
     }
-    curve.radius_W = radius;
+    curve.radius_V = radius;
     curve.material = {kBlue, 0.3f};
     list.curves = {curve};
     expectAsFromFarAway(list, "curve", 0.03f);  // measured 0.015
@@ -99,30 +99,30 @@ TEST_F(OrthographicTest, CurvesAreAsFromFarAway) {
 TEST_F(OrthographicTest, SheetsAreAsFromFarAway) {
   DrawList list = parallelList();
   draw::GlassEllipsoid glass;
-  glass.semiAxes_W = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
-  glass.centre_W = {0.6f, 0.2f, 0.1f};
+  glass.semiAxes_V = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
+  glass.centre_V = {0.6f, 0.2f, 0.1f};
   glass.color = kBlue;
   // Without graticule: from far away single precision is too coarse for its lines at the rim.
   list.glassEllipsoids = {glass};
   expectAsFromFarAway(list, "glass", 0.03f);  // measured 0.018
   list.glassEllipsoids.clear();
   draw::GridPlane plane;
-  plane.u_W = {0.7f, 0, 0.5f};
-  plane.v_W = {0, 0.8f, 0};
+  plane.u_V = {0.7f, 0, 0.5f};
+  plane.v_V = {0, 0.8f, 0};
   list.planes = {plane};
   expectAsFromFarAway(list, "plane", 0.03f);  // measured 0.012
   list.planes.clear();
   for (const vec3 axis : {vec3(0.3f, 0.2f, 1), vec3(1, 0.2f, 0.3f), vec3(-1, 0.2f, 0.3f)}) {
     draw::GlassCone cone;
-    cone.axis_W = axis;
-    cone.height_W = 0.7f;
+    cone.axis_V = axis;
+    cone.height_V = 0.7f;
     cone.color = kGreen;
     list.glassCones = {cone};
     expectAsFromFarAway(list, "cone", 0.03f);  // measured 0.015
   }
   list.glassCones.clear();
   draw::GlassPolygon polygon;
-  polygon.corners_W = {{0, 0, 0}, {0.5f, 0.6f, 0.1f}, {0.5f, 0.6f, 0.7f}, {0, 0, 0.6f}};
+  polygon.corners_V = {{0, 0, 0}, {0.5f, 0.6f, 0.1f}, {0.5f, 0.6f, 0.7f}, {0, 0, 0.6f}};
   list.glassPolygons = {polygon};
   expectAsFromFarAway(list, "polygon", 0.03f);  // measured 0.011
 }
@@ -150,7 +150,7 @@ TEST_F(OrthographicTest, WhatIsNearerHidesWhatIsFarther) {
   list.boxes = {{{-2, 0, 0}, glm::mat3(0.5f), {draw::Color(1), 0}}, {{2, 0, 0}, glm::mat3(0.3f), black()}};
   std::vector<vec3> square{{1, -0.4f, -0.4f}, {1, 0.4f, -0.4f}, {1, 0.4f, 0.4f}, {1, -0.4f, 0.4f}};
   draw::GlassPolygon behind;
-  behind.corners_W = square;
+  behind.corners_V = square;
   behind.opacity = 1;
   behind.color = draw::Color(0, 1, 0);
   behind.lineOpacity = 0;

@@ -25,14 +25,14 @@ double rho(const ScreenEllipse& e, vec2 p) {
 TEST(EllipseOutline, HoldsThePictureOfEveryPoint) {
   const draw::Camera c = camera();
   const vec3 centre(0.5f, -0.4f, 0.3f);
-  const glm::mat3 axes_W(0.8f, 0.2f, 0, -0.1f, 0.4f, 0.1f, 0, -0.15f, 0.6f);
-  const auto outline = ellipseOutline(c, toCamera(c, centre), glm::transpose(c.R_WC) * axes_W);
+  const glm::mat3 axes_V(0.8f, 0.2f, 0, -0.1f, 0.4f, 0.1f, 0, -0.15f, 0.6f);
+  const auto outline = ellipseOutline(c, toCamera(c, centre), glm::transpose(c.R_VC) * axes_V);
   double farthest = 0;
   for (int i = 0; i < 300; ++i) {
     for (int k = 0; k < 600; ++k) {
       const double lat = std::numbers::pi * (i + 0.5) / 300, lon = 2 * std::numbers::pi * k / 600;
       const vec3 s(std::sin(lat) * std::cos(lon), std::sin(lat) * std::sin(lon), std::cos(lat));
-      farthest = std::max(farthest, rho(outline, project(c, centre + axes_W * s)));
+      farthest = std::max(farthest, rho(outline, project(c, centre + axes_V * s)));
     }
   }
   EXPECT_NEAR(farthest, 1, 2e-4);  // measured 5e-6 below 1: the densest point of the grid
@@ -40,8 +40,8 @@ TEST(EllipseOutline, HoldsThePictureOfEveryPoint) {
 
 TEST(EllipseOutline, ADiscSeenEdgeOnIsALine) {
   const draw::Camera c = draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.3f, {400, 300});
-  const glm::mat3 axes_W(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0));  // horizontal, at eye level
-  const auto outline = ellipseOutline(c, toCamera(c, vec3(0)), glm::transpose(c.R_WC) * axes_W);
+  const glm::mat3 axes_V(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0));  // horizontal, at eye level
+  const auto outline = ellipseOutline(c, toCamera(c, vec3(0)), glm::transpose(c.R_VC) * axes_V);
   EXPECT_NEAR(outline.bounds.bottom - outline.bounds.top, 3, 0.2);  // the margins alone
   EXPECT_GT(outline.bounds.right - outline.bounds.left, 150);
 }

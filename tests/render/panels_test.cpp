@@ -18,7 +18,7 @@ class PanelsTest : public PictureTest {
     list.ellipsoids.push_back({glm::vec3(0), glm::mat3(0.4f), {color, 0.3f}});
     draw::GlassEllipsoid glass;
     glass.graticule = draw::Graticule{};
-    glass.semiAxes_W = glm::mat3(0.6f);
+    glass.semiAxes_V = glm::mat3(0.6f);
     list.glassEllipsoids.push_back(glass);
     list.boxes.push_back({{0, 0.5f, 0.3f}, glm::mat3(0.2f), {color, 0.3f}});
     list.texts.push_back({"$L$", {10, 30}, 24, Color(0), 1, std::nullopt, 0});

@@ -64,7 +64,7 @@ TEST(BodyFigure, OfABareTensorIsTheBoxTurnedToItsAxes) {
   ASSERT_EQ(list.boxes.size(), 1u);
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i) {
-    const Vector3d half = fromPicture(list.boxes[0].halfAxes_W[i]);
+    const Vector3d half = fromPicture(list.boxes[0].halfAxes_V[i]);
     second += half * half.transpose();
   }
   const Eigen::Matrix3d drawn = second.trace() * Eigen::Matrix3d::Identity() - second;
@@ -140,11 +140,11 @@ TEST(BodyFigure, OfPointMassesIsBallsOnRods) {
   ASSERT_EQ(list.frustums.size(), 5u);
   const Vector3d centre(0.34375, 0.09375, 0.0234375);
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_LT((fromPicture(list.ellipsoids[i].centre_W) - (places[i] - centre)).norm(), 1e-6);
-    EXPECT_LT((fromPicture(list.frustums[i].to_W) - (places[i] - centre)).norm(), 1e-6);
-    EXPECT_LT(fromPicture(list.frustums[i].from_W).norm(), 1e-6);
-    const double ratio = static_cast<double>(glm::length(list.ellipsoids[i].semiAxes_W[0]) /
-                                             glm::length(list.ellipsoids[2].semiAxes_W[0]));
+    EXPECT_LT((fromPicture(list.ellipsoids[i].centre_V) - (places[i] - centre)).norm(), 1e-6);
+    EXPECT_LT((fromPicture(list.frustums[i].to_V) - (places[i] - centre)).norm(), 1e-6);
+    EXPECT_LT(fromPicture(list.frustums[i].from_V).norm(), 1e-6);
+    const double ratio = static_cast<double>(glm::length(list.ellipsoids[i].semiAxes_V[0]) /
+                                             glm::length(list.ellipsoids[2].semiAxes_V[0]));
     EXPECT_NEAR(ratio * ratio * ratio, masses[i] / 2.25, 1e-5);
   }
 }

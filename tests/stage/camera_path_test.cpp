@@ -91,7 +91,7 @@ TEST(MovingCamera, KeepsThePlaneInTheFrame) {
     const draw::DrawList list = onlyList(stage, t, kSize);
     const draw::GridPlane& plane = list.planes.at(0);
     for (const auto& [a, b] : {std::array{1.f, 1.f}, {1.f, -1.f}, {-1.f, 1.f}, {-1.f, -1.f}}) {
-      const glm::vec2 at = draw::project(list.camera, plane.centre_W + a * plane.u_W + b * plane.v_W);
+      const glm::vec2 at = draw::project(list.camera, plane.centre_V + a * plane.u_V + b * plane.v_V);
       EXPECT_TRUE(at.x > 0 && at.x < kSize.x && at.y > 0 && at.y < kSize.y) << t << ": " << at.x << ", " << at.y;
     }
   }
@@ -100,10 +100,10 @@ TEST(MovingCamera, KeepsThePlaneInTheFrame) {
 TEST(MovingCamera, MovesWithoutJumps) {
   const Stage stage(sample(kMoves + kZoom));
   constexpr double h = 1.0 / 120;
-  glm::vec3 before = onlyList(stage, 0, kSize).camera.eye_W;
+  glm::vec3 before = onlyList(stage, 0, kSize).camera.eye_V;
   double farthest = 0;
   for (double t = h; t <= 10; t += h) {
-    const glm::vec3 now = onlyList(stage, t, kSize).camera.eye_W;
+    const glm::vec3 now = onlyList(stage, t, kSize).camera.eye_V;
     farthest = std::max(farthest, static_cast<double>(glm::distance(now, before)));
     before = now;
   }

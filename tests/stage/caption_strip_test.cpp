@@ -80,7 +80,7 @@ TEST(Captions, MoveNothingElse) {
   const draw::Panel first = stage.compose(0, kSize).panels.at(0);
   for (const double t : {0.0, 3.0, 7.0, 9.0}) {
     const draw::Panel panel = stage.compose(t, kSize).panels.at(0);
-    EXPECT_EQ(panel.list.camera.eye_W, first.list.camera.eye_W);
+    EXPECT_EQ(panel.list.camera.eye_V, first.list.camera.eye_V);
     EXPECT_EQ(panel.list.camera.size_px, first.list.camera.size_px);
   }
 }

@@ -38,7 +38,7 @@ const draw::Color kBlue = palette(scene::Theme::kLight).L;
 vec3 tipOfL(const DrawList& list) {
   const auto head =
       std::ranges::find(list.frustums, kBlue, [](const draw::Frustum& f) { return f.material.color; });
-  return head == list.frustums.end() ? vec3(0) : head->to_W;
+  return head == list.frustums.end() ? vec3(0) : head->to_V;
 }
 
 bool insideFrame(const DrawList& list, vec3 p) {
@@ -48,15 +48,15 @@ bool insideFrame(const DrawList& list, vec3 p) {
 
 void expectInside(const DrawList& list, const std::string& where) {
   for (const auto& f : list.frustums) {
-    EXPECT_TRUE(insideFrame(list, f.to_W)) << where;
-    EXPECT_TRUE(insideFrame(list, f.from_W)) << where;
+    EXPECT_TRUE(insideFrame(list, f.to_V)) << where;
+    EXPECT_TRUE(insideFrame(list, f.from_V)) << where;
   }
   for (const auto& c : list.curves)
-    for (const vec3& p : c.points_W) ASSERT_TRUE(insideFrame(list, p)) << where;
+    for (const vec3& p : c.points_V) ASSERT_TRUE(insideFrame(list, p)) << where;
   for (const auto& b : list.boxes)
     for (int i = 0; i < 8; ++i)
       EXPECT_TRUE(
-          insideFrame(list, b.centre_W + b.halfAxes_W * vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+          insideFrame(list, b.centre_V + b.halfAxes_V * vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
 }
 
 TEST(DrivenStage, EverythingIsInsideTheFrameAllTheTime) {
@@ -80,13 +80,13 @@ TEST(DrivenStage, ATopStandsOnAPedestalAndFillsThePicture) {
     const DrawList list = onlyList(stage, t, kSize);
     ASSERT_GE(list.frustums.size(), 2u);
     const draw::Frustum &cone = list.frustums[0], &pedestal = list.frustums[1];
-    EXPECT_EQ(cone.from_W, vec3(0));  // on its apex
+    EXPECT_EQ(cone.from_V, vec3(0));  // on its apex
     EXPECT_EQ(cone.fromRadius, 0);
-    EXPECT_GT(glm::normalize(cone.to_W).z, 0.7f);  // nutates between 30 and 38.84 degrees: cos >= 0.779
-    EXPECT_EQ(pedestal.to_W, vec3(0));
-    EXPECT_LT(pedestal.from_W.z, 0);
+    EXPECT_GT(glm::normalize(cone.to_V).z, 0.7f);  // nutates between 30 and 38.84 degrees: cos >= 0.779
+    EXPECT_EQ(pedestal.to_V, vec3(0));
+    EXPECT_LT(pedestal.from_V.z, 0);
     highest = std::min(highest, project(list.camera, tipOfL(list)).y);
-    lowest = std::max(lowest, project(list.camera, pedestal.from_W).y);
+    lowest = std::max(lowest, project(list.camera, pedestal.from_V).y);
   }
   EXPECT_GT(lowest - highest, 0.5f * kSize.y);
 }
@@ -104,7 +104,7 @@ TEST(DrivenStage, ALeaningTopHasItsPedestalWhereThatHasRoom) {
         "leaning.toml");
     const DrawList list = onlyList(Stage(wheel), 3, kSize);
     const bool pedestal = std::ranges::any_of(list.frustums, [](const draw::Frustum& f) {
-      return f.to_W == vec3(0) && f.toRadius > 0 && f.from_W.z < 0;
+      return f.to_V == vec3(0) && f.toRadius > 0 && f.from_V.z < 0;
     });
     EXPECT_EQ(pedestal, tilt_deg < 62.1) << tilt_deg;
   }
@@ -119,7 +119,7 @@ TEST(DrivenStage, WhatHangsHasAJointAndNoPedestal) {
                                                          "pendulum.toml")),
                                  0, kSize);
   ASSERT_EQ(list.ellipsoids.size(), 1u);
-  EXPECT_EQ(list.ellipsoids[0].centre_W, vec3(0));
+  EXPECT_EQ(list.ellipsoids[0].centre_V, vec3(0));
   for (const auto& f : list.frustums) EXPECT_FALSE(f.fromRadius == f.toRadius && f.fromRadius > 0.1f);
 }
 
@@ -144,17 +144,17 @@ TEST(DrivenStage, TheConstructionIsThatOfTheInstant) {
   float height = 1e9f, size = 1e9f;
   for (const double t : kTimes) {
     const DrawList list = onlyList(stage, t, kSize);
-    const vec3 contact = list.ellipsoids.at(0).centre_W;
+    const vec3 contact = list.ellipsoids.at(0).centre_V;
     const auto& plane = list.planes.at(0);
-    EXPECT_NEAR(contact.z, plane.centre_W.z, 1e-6) << t;
-    const glm::mat3 A = list.glassEllipsoids.at(0).semiAxes_W;
+    EXPECT_NEAR(contact.z, plane.centre_V.z, 1e-6) << t;
+    const glm::mat3 A = list.glassEllipsoids.at(0).semiAxes_V;
     const vec3 onSphere = glm::inverse(A) * contact;
     EXPECT_NEAR(glm::length(onSphere), 1, 2e-6) << t;
     const vec3 normal = glm::normalize(glm::transpose(glm::inverse(A)) * onSphere);
     EXPECT_NEAR(normal.z, -1, 2e-6) << t;
-    EXPECT_LT(-plane.centre_W.z, height) << t;
+    EXPECT_LT(-plane.centre_V.z, height) << t;
     EXPECT_LT(glm::length(A[0]), size) << t;
-    height = -plane.centre_W.z;
+    height = -plane.centre_V.z;
     size = glm::length(A[0]);
   }
 }

@@ -34,20 +34,20 @@ struct Numbers {
     return true;
   }
   static bool finite(const draw::Camera& c) {
-    return finite(c.eye_W) && finite(c.R_WC) && finite(c.tanHalfFovY) && finite(c.halfHeight_W) &&
+    return finite(c.eye_V) && finite(c.R_VC) && finite(c.tanHalfFovY) && finite(c.halfHeight_V) &&
            finite(c.near) && finite(c.far) && finite(c.centre_px);
   }
-  static bool finite(const draw::Ellipsoid& e) { return finite(e.centre_W) && finite(e.semiAxes_W); }
-  static bool finite(const draw::Frustum& f) { return finite(f.from_W) && finite(f.to_W); }
-  static bool finite(const draw::Box& b) { return finite(b.centre_W) && finite(b.halfAxes_W); }
+  static bool finite(const draw::Ellipsoid& e) { return finite(e.centre_V) && finite(e.semiAxes_V); }
+  static bool finite(const draw::Frustum& f) { return finite(f.from_V) && finite(f.to_V); }
+  static bool finite(const draw::Box& b) { return finite(b.centre_V) && finite(b.halfAxes_V); }
   static bool finite(const draw::Mesh& m) {
-    return finite(m.origin_W) && finite(m.axes_W) && finite(m.mesh->vertices_M);
+    return finite(m.origin_V) && finite(m.axes_V) && finite(m.mesh->vertices_M);
   }
-  static bool finite(const draw::Curve& c) { return finite(c.points_W); }
-  static bool finite(const draw::GlassEllipsoid& e) { return finite(e.centre_W) && finite(e.semiAxes_W); }
-  static bool finite(const draw::GlassCone& c) { return finite(c.apex_W) && finite(c.axis_W); }
-  static bool finite(const draw::GlassPolygon& p) { return finite(p.corners_W); }
-  static bool finite(const draw::GridPlane& p) { return finite(p.centre_W) && finite(p.u_W) && finite(p.v_W); }
+  static bool finite(const draw::Curve& c) { return finite(c.points_V); }
+  static bool finite(const draw::GlassEllipsoid& e) { return finite(e.centre_V) && finite(e.semiAxes_V); }
+  static bool finite(const draw::GlassCone& c) { return finite(c.apex_V) && finite(c.axis_V); }
+  static bool finite(const draw::GlassPolygon& p) { return finite(p.corners_V); }
+  static bool finite(const draw::GridPlane& p) { return finite(p.centre_V) && finite(p.u_V) && finite(p.v_V); }
   static bool finite(const draw::Text& t) {
     return finite(t.baseline_px) && t.tex.find("nan") == std::string::npos;
   }

@@ -118,7 +118,7 @@ TEST(FlightFigure, TheCameraStandsStillInSpace) {
   const Scenery s(text);
   const Stage stage(scene::parseScene(text, "sample.toml"));
   const auto eye_W = [&](double t) {
-    return Vector3d(fromPicture(onlyList(stage, t, kSize).camera.eye_W) + s.scales.flight * centre_W(t));
+    return Vector3d(fromPicture(onlyList(stage, t, kSize).camera.eye_V) + s.scales.flight * centre_W(t));
   };
   for (const double t : kTimes_s) EXPECT_LT((eye_W(t) - eye_W(0)).norm(), 3e-6) << t;  // floats; measured 6e-7
 }
@@ -273,7 +273,7 @@ TEST(TraceFigure, OfAThrownBodyIsThePathInSpace) {
   };
   const auto isEnd = [&](const glm::vec3& p) {
     return std::ranges::any_of(list.curves, [&](const draw::Curve& c) {
-      return glm::distance(c.points_W.front(), p) < 1e-6f || glm::distance(c.points_W.back(), p) < 1e-6f;
+      return glm::distance(c.points_V.front(), p) < 1e-6f || glm::distance(c.points_V.back(), p) < 1e-6f;
     });
   };
   EXPECT_TRUE(isEnd(relative(0)) && isEnd(relative(1.3)) && isEnd(relative(2)));

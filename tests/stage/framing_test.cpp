@@ -127,7 +127,7 @@ TEST(Framing, WhatPassesByIsDrawnAndNotHeld) {
   const Vector3d far = -80 * cameraAxes_V(view()).col(2);
   const draw::Camera held = frameAll(view(), {kWide, 0}, {}, {1000, 500});
   const draw::Camera camera = frameAll(view(), {.points_V = kWide, .passing_V = {far}}, {}, {1000, 500});
-  EXPECT_EQ(camera.eye_W, held.eye_W);
+  EXPECT_EQ(camera.eye_V, held.eye_V);
   EXPECT_EQ(camera.focal_px(), held.focal_px());
   EXPECT_LT(held.far, depthOf(held, toPicture(far)));
   EXPECT_GT(camera.far, depthOf(camera, toPicture(far)));

@@ -106,18 +106,18 @@ std::vector<vec3> outermost_W(const DrawList& list) {
         points.push_back(centre + axes * vec3(std::cos(a) * std::sin(b), std::sin(a) * std::sin(b), std::cos(b)));
       }
   };
-  for (const draw::Ellipsoid& e : list.ellipsoids) addBall(e.centre_W, e.semiAxes_W);
-  for (const draw::GlassEllipsoid& e : list.glassEllipsoids) addBall(e.centre_W, e.semiAxes_W);
-  for (const draw::Box& b : list.boxes) addBox(b.centre_W, b.halfAxes_W);
-  for (const draw::Frustum& f : list.frustums) points.insert(points.end(), {f.from_W, f.to_W});
-  for (const draw::Curve& c : list.curves) points.insert(points.end(), c.points_W.begin(), c.points_W.end());
+  for (const draw::Ellipsoid& e : list.ellipsoids) addBall(e.centre_V, e.semiAxes_V);
+  for (const draw::GlassEllipsoid& e : list.glassEllipsoids) addBall(e.centre_V, e.semiAxes_V);
+  for (const draw::Box& b : list.boxes) addBox(b.centre_V, b.halfAxes_V);
+  for (const draw::Frustum& f : list.frustums) points.insert(points.end(), {f.from_V, f.to_V});
+  for (const draw::Curve& c : list.curves) points.insert(points.end(), c.points_V.begin(), c.points_V.end());
   for (const draw::GlassPolygon& p : list.glassPolygons)
-    points.insert(points.end(), p.corners_W.begin(), p.corners_W.end());
+    points.insert(points.end(), p.corners_V.begin(), p.corners_V.end());
   for (const draw::Mesh& m : list.meshes)
-    for (const vec3& p : m.mesh->vertices_M) points.push_back(m.origin_W + m.axes_W * p);
+    for (const vec3& p : m.mesh->vertices_M) points.push_back(m.origin_V + m.axes_V * p);
   for (const draw::GridPlane& p : list.planes)
     for (const float a : {-1.0f, 1.0f})
-      for (const float b : {-1.0f, 1.0f}) points.push_back(p.centre_W + a * p.u_W + b * p.v_W);
+      for (const float b : {-1.0f, 1.0f}) points.push_back(p.centre_V + a * p.u_V + b * p.v_V);
   return points;
 }
 
@@ -144,7 +144,7 @@ struct Shaft {
 std::optional<Shaft> shaftOfL(const DrawList& list, const draw::Color& color) {
   for (const draw::Frustum& f : list.frustums)
     if (f.material.color == color && f.toRadius == 0)
-      return Shaft{project(list.camera, vec3(0)), project(list.camera, f.to_W)};
+      return Shaft{project(list.camera, vec3(0)), project(list.camera, f.to_V)};
   return {};
 }
 
@@ -182,8 +182,8 @@ TEST_P(ConstructionPictures, TheContactIsOnThePlaneAndOnTheEllipsoid) {
         list.frustums, [&](const draw::Frustum& f) { return f.material.color == red && f.toRadius == 0; });
     ASSERT_NE(tip, list.frustums.end());
     const draw::GridPlane& plane = list.planes[0];
-    EXPECT_NEAR(glm::dot(tip->to_W - plane.centre_W, glm::normalize(glm::cross(plane.u_W, plane.v_W))), 0, 1e-6);
-    EXPECT_NEAR(glm::length(glm::inverse(list.glassEllipsoids[0].semiAxes_W) * tip->to_W), 1, 2e-6);
+    EXPECT_NEAR(glm::dot(tip->to_V - plane.centre_V, glm::normalize(glm::cross(plane.u_V, plane.v_V))), 0, 1e-6);
+    EXPECT_NEAR(glm::length(glm::inverse(list.glassEllipsoids[0].semiAxes_V) * tip->to_V), 1, 2e-6);
   });
 }
 
@@ -192,7 +192,7 @@ std::vector<vec2> outlineOf(const draw::Frustum& head, const draw::Camera& camer
   std::vector<vec2> points;
   for (int i = 0; i <= 10; ++i) {
     const float share = 0.1f * static_cast<float>(i);
-    const vec3 middle_W = head.from_W + share * (head.to_W - head.from_W);
+    const vec3 middle_W = head.from_V + share * (head.to_V - head.from_V);
     const float radius_px = (1 - share) * head.fromRadius * camera.scale_px(depthOf(camera, middle_W));
     for (const float side : {-1.0f, 0.0f, 1.0f})
       points.push_back(project(camera, middle_W) + vec2(side * radius_px, 0));

@@ -74,10 +74,10 @@ TEST(LabelLayout, NamesGoWithWhatLeavesThePicture) {
 draw::DrawList withShaft(glm::vec3 from_W, glm::vec3 to_W) {
   draw::DrawList list;
   list.camera = draw::orthographic(draw::lookAt({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.8f, {800, 450}), {0, 0, 0});
-  list.camera.halfHeight_W = 2.25f;
+  list.camera.halfHeight_V = 2.25f;
   draw::Curve& shaft = list.curves.emplace_back();
-  shaft.points_W = {from_W, to_W};
-  shaft.radius_W = 0.03f;
+  shaft.points_V = {from_W, to_W};
+  shaft.radius_V = 0.03f;
   return list;
 }
 

@@ -17,12 +17,12 @@ float farthest(const draw::DrawList& a, const draw::DrawList& b) {
   EXPECT_EQ(a.frustums.size(), b.frustums.size());
   float most = 0;
   for (std::size_t i = 0; i < std::min(a.frustums.size(), b.frustums.size()); ++i)
-    most = std::max(most, glm::distance(a.frustums[i].to_W, b.frustums[i].to_W));
+    most = std::max(most, glm::distance(a.frustums[i].to_V, b.frustums[i].to_V));
   for (std::size_t i = 0; i < std::min(a.curves.size(), b.curves.size()); ++i) {
-    EXPECT_NEAR(static_cast<double>(a.curves[i].points_W.size()), static_cast<double>(b.curves[i].points_W.size()),
+    EXPECT_NEAR(static_cast<double>(a.curves[i].points_V.size()), static_cast<double>(b.curves[i].points_V.size()),
                 2);
-    most = std::max(most, glm::distance(a.curves[i].points_W.front(), b.curves[i].points_W.front()));
-    most = std::max(most, glm::distance(a.curves[i].points_W.back(), b.curves[i].points_W.back()));
+    most = std::max(most, glm::distance(a.curves[i].points_V.front(), b.curves[i].points_V.front()));
+    most = std::max(most, glm::distance(a.curves[i].points_V.back(), b.curves[i].points_V.back()));
   }
   for (std::size_t i = 0; i < std::min(a.texts.size(), b.texts.size()); ++i)
     most = std::max(most, glm::distance(a.texts[i].baseline_px, b.texts[i].baseline_px) / 1000);

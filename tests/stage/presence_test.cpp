@@ -48,7 +48,7 @@ TEST(PresencePlan, IsThereBeforeItIsHidden) {
 
 draw::Curve line(const std::vector<glm::vec3>& points_W, float width_px) {
   draw::Curve curve;
-  curve.points_W = points_W;
+  curve.points_V = points_W;
   curve.width_px = width_px;
   return curve;
 }
@@ -59,9 +59,9 @@ struct Sample {
   std::vector<Label> labels;
 
   void add() {
-    list.ellipsoids.emplace_back().centre_W = {2, 0, 0};
+    list.ellipsoids.emplace_back().centre_V = {2, 0, 0};
     draw::Frustum& frustum = list.frustums.emplace_back();
-    frustum.to_W = {0, 0, 2};
+    frustum.to_V = {0, 0, 2};
     frustum.fromRadius = 0.5f;
     frustum.toRadius = 0.25f;
     list.boxes.push_back({});
@@ -83,11 +83,11 @@ TEST(DrawMark, LeavesWhatWasThereBefore) {
   const DrawMark mark(faded.list, faded.labels);
   faded.add();
   mark.fade(faded.list, faded.labels, {0, 0, 0}, 0.5);
-  EXPECT_EQ(faded.list.ellipsoids[0].centre_W, whole.list.ellipsoids[0].centre_W);
-  EXPECT_EQ(faded.list.frustums[0].to_W, whole.list.frustums[0].to_W);
-  EXPECT_EQ(faded.list.boxes[0].halfAxes_W, whole.list.boxes[0].halfAxes_W);
-  EXPECT_EQ(faded.list.meshes[0].axes_W, whole.list.meshes[0].axes_W);
-  EXPECT_EQ(faded.list.curves[0].points_W, whole.list.curves[0].points_W);
+  EXPECT_EQ(faded.list.ellipsoids[0].centre_V, whole.list.ellipsoids[0].centre_V);
+  EXPECT_EQ(faded.list.frustums[0].to_V, whole.list.frustums[0].to_V);
+  EXPECT_EQ(faded.list.boxes[0].halfAxes_V, whole.list.boxes[0].halfAxes_V);
+  EXPECT_EQ(faded.list.meshes[0].axes_V, whole.list.meshes[0].axes_V);
+  EXPECT_EQ(faded.list.curves[0].points_V, whole.list.curves[0].points_V);
   EXPECT_EQ(faded.list.glassEllipsoids[0].farOpacity, whole.list.glassEllipsoids[0].farOpacity);
   EXPECT_EQ(faded.list.glassCones[0].rimOpacity, whole.list.glassCones[0].rimOpacity);
   EXPECT_EQ(faded.list.glassPolygons[0].opacity, whole.list.glassPolygons[0].opacity);
@@ -105,23 +105,23 @@ Sample faded(double presence, const Eigen::Vector3d& pivot_V = {0, 0, 0}) {
 
 TEST(DrawMark, GrowsSolidsOutOfThePivot) {
   const draw::DrawList list = faded(0.25, {4, 0, 0}).list;
-  EXPECT_EQ(list.ellipsoids[0].centre_W, glm::vec3(3.5f, 0, 0));  // a quarter of the way from the pivot
-  EXPECT_EQ(list.ellipsoids[0].semiAxes_W, glm::mat3(0.25f));
-  EXPECT_EQ(list.frustums[0].to_W, glm::vec3(3, 0, 0.5f));
+  EXPECT_EQ(list.ellipsoids[0].centre_V, glm::vec3(3.5f, 0, 0));  // a quarter of the way from the pivot
+  EXPECT_EQ(list.ellipsoids[0].semiAxes_V, glm::mat3(0.25f));
+  EXPECT_EQ(list.frustums[0].to_V, glm::vec3(3, 0, 0.5f));
   EXPECT_EQ(list.frustums[0].fromRadius, 0.125f);
-  EXPECT_EQ(list.boxes[0].halfAxes_W, glm::mat3(0.25f));
-  EXPECT_EQ(list.meshes[0].axes_W, glm::mat3(0.25f));
-  EXPECT_EQ(list.meshes[0].origin_W, glm::vec3(3, 0, 0));
+  EXPECT_EQ(list.boxes[0].halfAxes_V, glm::mat3(0.25f));
+  EXPECT_EQ(list.meshes[0].axes_V, glm::mat3(0.25f));
+  EXPECT_EQ(list.meshes[0].origin_V, glm::vec3(3, 0, 0));
 }
 
 TEST(DrawMark, DrawsLinesOneAfterAnother) {
   const draw::DrawList half = faded(0.5).list;  // two of four lengths: the first line's first two thirds
   ASSERT_EQ(half.curves.size(), 1u);
-  EXPECT_EQ(half.curves[0].points_W, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(half.curves[0].points_V, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
   EXPECT_EQ(half.curves[0].width_px, 2);
   const draw::DrawList more = faded(0.875).list;  // the second line's half
   ASSERT_EQ(more.curves.size(), 2u);
-  EXPECT_EQ(more.curves[1].points_W, (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0.5f}}));
+  EXPECT_EQ(more.curves[1].points_V, (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0.5f}}));
   EXPECT_FLOAT_EQ(faded(0.1).list.curves[0].width_px, 0.6f);  // the pen is put down softly
 }
 
@@ -133,7 +133,7 @@ TEST(DrawMark, DrawsAClosedLineRound) {
   list.curves[0].closed = true;
   mark.fade(list, labels, {0, 0, 0}, 0.875);
   EXPECT_FALSE(list.curves[0].closed);
-  EXPECT_EQ(list.curves[0].points_W.back(), glm::vec3(0, 0.5f, 0));
+  EXPECT_EQ(list.curves[0].points_V.back(), glm::vec3(0, 0.5f, 0));
 }
 
 TEST(DrawMark, ThinsGlassAndType) {
@@ -163,8 +163,8 @@ TEST(TimelinePicture, GrowsTheContactPointInItsPlace) {
   const Stage stage(shownFrom("contact")), whole(sample());
   const draw::Ellipsoid dot = onlyList(stage, 5, kSize).ellipsoids.back();
   const draw::Ellipsoid full = onlyList(whole, 5, kSize).ellipsoids.back();
-  EXPECT_EQ(dot.centre_W, full.centre_W);
-  EXPECT_FLOAT_EQ(dot.semiAxes_W[0][0], 0.5f * full.semiAxes_W[0][0]);
+  EXPECT_EQ(dot.centre_V, full.centre_V);
+  EXPECT_FLOAT_EQ(dot.semiAxes_V[0][0], 0.5f * full.semiAxes_V[0][0]);
 }
 
 TEST(TimelinePicture, HidesLabelsAndTitle) {
@@ -180,10 +180,10 @@ std::vector<float> numbersOf(const draw::Picture& picture) {
   std::vector<float> numbers;
   const draw::DrawList& list = picture.panels.at(0).list;
   const auto add = [&](const glm::vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
-  add(list.camera.eye_W);
-  for (const draw::Frustum& f : list.frustums) add(f.to_W);
+  add(list.camera.eye_V);
+  for (const draw::Frustum& f : list.frustums) add(f.to_V);
   for (const draw::Curve& c : list.curves)
-    for (const glm::vec3& p : c.points_W) add(p);
+    for (const glm::vec3& p : c.points_V) add(p);
   for (const draw::GridPlane& p : list.planes) numbers.push_back(p.opacity);
   for (const draw::Text& t : list.texts)
     numbers.insert(numbers.end(), {t.baseline_px.x, t.baseline_px.y, t.opacity});
@@ -230,7 +230,7 @@ TEST(TimelineMotion, DrawsNoPathTwiceInAHold) {
   const Stage stage(sample("[[timeline]]\nat = 2\nover = 0.5\nhold = 3\n"));
   const auto points = [&](double t) {
     std::size_t sum = 0;
-    for (const draw::Curve& c : onlyList(stage, t, kSize).curves) sum += c.points_W.size();
+    for (const draw::Curve& c : onlyList(stage, t, kSize).curves) sum += c.points_V.size();
     return sum;
   };
   // The bright end of the path, nine tenths of a second of film, has gone; the rest stands.

@@ -45,7 +45,7 @@ TEST(Print, TypeIsAsLargeAsInABook) {
 TEST(Print, LinesAreAsInABook) {
   for (const draw::Panel& panel : printed(600).panels)
     for (const draw::Curve& curve : panel.list.curves) {
-      if (curve.radius_W > 0) continue;
+      if (curve.radius_V > 0) continue;
       EXPECT_GE(curve.width_px * 72 / 600, 0.3f);
       EXPECT_LE(curve.width_px * 72 / 600, 1.8f);  // the strongest: what the herpolhode has just travelled
     }

@@ -44,24 +44,24 @@ std::vector<Vector3d> cloudOf(const draw::DrawList& list) {
   for (int i = 0; i < kTurns; ++i) {
     const auto a = static_cast<float>(2 * std::numbers::pi * i / kTurns);
     for (const auto& f : list.frustums) {
-      const glm::vec3 axis = glm::normalize(f.to_W - f.from_W);
+      const glm::vec3 axis = glm::normalize(f.to_V - f.from_V);
       const glm::vec3 u = glm::normalize(glm::cross(axis, glm::vec3(axis.y, axis.z, -axis.x)));
       const glm::vec3 out = std::cos(a) * u + std::sin(a) * glm::cross(axis, u);
-      add(f.from_W + f.fromRadius * out);
-      add(f.to_W + f.toRadius * out);
+      add(f.from_V + f.fromRadius * out);
+      add(f.to_V + f.toRadius * out);
     }
     for (const auto& e : list.ellipsoids)
       for (int k = 0; k <= 90; ++k) {
         const auto b = static_cast<float>(std::numbers::pi * k / 90);
-        add(e.centre_W +
-            e.semiAxes_W * glm::vec3(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)));
+        add(e.centre_V +
+            e.semiAxes_V * glm::vec3(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)));
       }
   }
   for (const auto& b : list.boxes)
     for (int corner = 0; corner < 8; ++corner)
-      add(b.centre_W + b.halfAxes_W * glm::vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+      add(b.centre_V + b.halfAxes_V * glm::vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
   for (const auto& m : list.meshes)
-    for (const glm::vec3& v : m.mesh->vertices_M) add(m.origin_W + m.axes_W * v);
+    for (const glm::vec3& v : m.mesh->vertices_M) add(m.origin_V + m.axes_V * v);
   return cloud;
 }
 
@@ -70,9 +70,9 @@ double drawnReach(const draw::DrawList& list, const std::vector<Vector3d>& cloud
   double farthest = -1e300;
   for (const Vector3d& p : cloud) farthest = std::max(farthest, p.dot(direction));
   for (const auto& c : list.curves)
-    for (const glm::vec3& p : c.points_W)
-      if (c.radius_W > 0)
-        farthest = std::max(farthest, fromPicture(p).dot(direction) + static_cast<double>(c.radius_W));
+    for (const glm::vec3& p : c.points_V)
+      if (c.radius_V > 0)
+        farthest = std::max(farthest, fromPicture(p).dot(direction) + static_cast<double>(c.radius_V));
   return farthest;
 }
 
@@ -246,9 +246,9 @@ TEST(SolidFigures, BearTheirMarksOnTheirSurface) {
   for (const Surface& surface : surfaces) {
     int marks = 0;
     for (const auto& curve : drawn(sceneOf(surface.solid)).curves) {
-      if (curve.radius_W > 0) continue;
+      if (curve.radius_V > 0) continue;
       ++marks;
-      for (const glm::vec3& p : curve.points_W)
+      for (const glm::vec3& p : curve.points_V)
         ASSERT_NEAR(surface.off(fromPicture(p) + surface.centre_S), 0, 2e-3) << surface.name;
     }
     EXPECT_GE(marks, 6) << surface.name;
@@ -262,7 +262,7 @@ TEST(SolidFigures, OfRevolutionBearAHeavyMeridian) {
     if (known.find(name) == std::string::npos) continue;
     std::vector<float> widths;
     for (const auto& curve : drawn(sceneOf(solid)).curves)
-      if (curve.radius_W == 0) widths.push_back(curve.width_px);
+      if (curve.radius_V == 0) widths.push_back(curve.width_px);
     ASSERT_FALSE(widths.empty()) << name;
     EXPECT_GT(*std::ranges::max_element(widths), 1.5f * *std::ranges::min_element(widths)) << name;
   }
@@ -273,7 +273,7 @@ TEST(SolidFigures, OfRevolutionBearAHeavyMeridian) {
 TEST(SolidFigures, OfFewPixelsHaveNoMarks) {
   const auto marks = [](const physics::Solid& solid) {
     const auto list = drawn(sceneOf(solid));
-    return std::ranges::count_if(list.curves, [](const draw::Curve& curve) { return curve.radius_W == 0; });
+    return std::ranges::count_if(list.curves, [](const draw::Curve& curve) { return curve.radius_V == 0; });
   };
   EXPECT_EQ(marks(Cylinder{0.00125, 1}), 0);
   EXPECT_GT(marks(Cylinder{0.00175, 1}), 0);

@@ -24,16 +24,16 @@ constexpr glm::ivec2 kSize{960, 540};
 const double kTimes[] = {0, 0.7, 3.3, 5, 9.9};
 
 // The point of contact is the only solid ellipsoid of these scenes.
-vec3 contact(const DrawList& list) { return list.ellipsoids.at(0).centre_W; }
+vec3 contact(const DrawList& list) { return list.ellipsoids.at(0).centre_V; }
 
 TEST(Stage, ContactPointLiesOnThePlaneAndOnTheEllipsoid) {
   const Stage stage(sample());
   for (const double t : kTimes) {
     const DrawList list = onlyList(stage, t, kSize);
     const auto& plane = list.planes.at(0);
-    const vec3 normal = glm::normalize(glm::cross(plane.u_W, plane.v_W));
-    EXPECT_NEAR(glm::dot(contact(list) - plane.centre_W, normal), 0, 2e-7) << t;  // measured 6e-8: one float
-    const vec3 onSphere = glm::inverse(list.glassEllipsoids.at(0).semiAxes_W) * contact(list);
+    const vec3 normal = glm::normalize(glm::cross(plane.u_V, plane.v_V));
+    EXPECT_NEAR(glm::dot(contact(list) - plane.centre_V, normal), 0, 2e-7) << t;  // measured 6e-8: one float
+    const vec3 onSphere = glm::inverse(list.glassEllipsoids.at(0).semiAxes_V) * contact(list);
     EXPECT_NEAR(glm::length(onSphere), 1, 1e-6) << t;  // measured 2e-7
   }
 }
@@ -43,7 +43,7 @@ TEST(Stage, ThePlaneIsTangentToTheEllipsoid) {
   const Stage stage(sample());
   for (const double t : kTimes) {
     const DrawList list = onlyList(stage, t, kSize);
-    const glm::mat3 A = list.glassEllipsoids.at(0).semiAxes_W;
+    const glm::mat3 A = list.glassEllipsoids.at(0).semiAxes_V;
     const glm::mat3 toSphere = glm::inverse(A);
     const vec3 normal = glm::normalize(glm::transpose(toSphere) * (toSphere * contact(list)));
     EXPECT_NEAR(normal.z, -1, 1e-6) << t;
@@ -54,7 +54,7 @@ TEST(Stage, LPointsStraightDownWhereThePlaneIsShownAndUpElsewhere) {
   const auto direction = [](const DrawList& list) {
     // The arrow of L is the only frustum of its colour.
     for (const auto& f : list.frustums)
-      if (f.material.color == palette(scene::Theme::kLight).L) return glm::normalize(f.to_W - f.from_W);
+      if (f.material.color == palette(scene::Theme::kLight).L) return glm::normalize(f.to_V - f.from_V);
     return vec3(0);
   };
   EXPECT_NEAR(direction(onlyList(Stage(sample()), 2, kSize)).z, -1, 1e-6);
@@ -67,7 +67,7 @@ TEST(Stage, TheArrowOfOmegaEndsAtThePointOfContact) {
   for (const double t : kTimes) {
     const DrawList list = onlyList(stage, t, kSize);
     float nearest = 1;
-    for (const auto& f : list.frustums) nearest = std::min(nearest, glm::distance(f.to_W, contact(list)));
+    for (const auto& f : list.frustums) nearest = std::min(nearest, glm::distance(f.to_V, contact(list)));
     EXPECT_LT(nearest, 1e-6);
   }
 }
@@ -77,10 +77,10 @@ TEST(Stage, APictureDependsOnItsTimeAlone) {
   const DrawList first = onlyList(stage, 4, kSize);
   onlyList(stage, 9, kSize);
   const DrawList again = onlyList(stage, 4, kSize);
-  EXPECT_EQ(first.glassEllipsoids[0].semiAxes_W, again.glassEllipsoids[0].semiAxes_W);
+  EXPECT_EQ(first.glassEllipsoids[0].semiAxes_V, again.glassEllipsoids[0].semiAxes_V);
   ASSERT_EQ(first.curves.size(), again.curves.size());
   for (std::size_t i = 0; i < first.curves.size(); ++i)
-    EXPECT_EQ(first.curves[i].points_W, again.curves[i].points_W);
+    EXPECT_EQ(first.curves[i].points_V, again.curves[i].points_V);
   ASSERT_EQ(first.texts.size(), again.texts.size());
   for (std::size_t i = 0; i < first.texts.size(); ++i)
     EXPECT_EQ(first.texts[i].baseline_px, again.texts[i].baseline_px);
@@ -90,8 +90,8 @@ TEST(Stage, TheCameraDoesNotBreathe) {
   const Stage stage(sample());
   const auto camera = onlyList(stage, 0, kSize).camera;
   for (const double t : kTimes) {
-    EXPECT_EQ(onlyList(stage, t, kSize).camera.eye_W, camera.eye_W);
-    EXPECT_EQ(onlyList(stage, t, kSize).camera.R_WC, camera.R_WC);
+    EXPECT_EQ(onlyList(stage, t, kSize).camera.eye_V, camera.eye_V);
+    EXPECT_EQ(onlyList(stage, t, kSize).camera.R_VC, camera.R_VC);
   }
 }
 
@@ -105,17 +105,17 @@ TEST(Stage, EverythingIsInsideTheFrameAllTheTime) {
     const Stage stage(sample(extra));
     for (double t = 0; t < 10; t += 0.5) {
       const DrawList list = onlyList(stage, t, kSize);
-      for (const auto& f : list.frustums) EXPECT_TRUE(insideFrame(list, f.to_W)) << extra << " at " << t;
+      for (const auto& f : list.frustums) EXPECT_TRUE(insideFrame(list, f.to_V)) << extra << " at " << t;
       for (const auto& c : list.curves)
-        for (const vec3& p : c.points_W) ASSERT_TRUE(insideFrame(list, p)) << extra << " at " << t;
+        for (const vec3& p : c.points_V) ASSERT_TRUE(insideFrame(list, p)) << extra << " at " << t;
       for (const auto& p : list.planes)
         for (const float a : {-1.0f, 1.0f})
           for (const float b : {-1.0f, 1.0f})
-            EXPECT_TRUE(insideFrame(list, p.centre_W + a * p.u_W + b * p.v_W)) << extra << " at " << t;
+            EXPECT_TRUE(insideFrame(list, p.centre_V + a * p.u_V + b * p.v_V)) << extra << " at " << t;
       for (const auto& e : list.glassEllipsoids)
         for (int i = 0; i < 3; ++i)
           for (const float s : {-1.0f, 1.0f})
-            EXPECT_TRUE(insideFrame(list, s * e.semiAxes_W[i])) << extra << " at " << t;
+            EXPECT_TRUE(insideFrame(list, s * e.semiAxes_V[i])) << extra << " at " << t;
     }
   }
 }
@@ -129,9 +129,9 @@ TEST(Stage, MagnitudesDoNotShow) {
   const DrawList a = onlyList(Stage(sample("[time]\nspeed = 1\n")), 3, kSize),
                  b = onlyList(Stage(scaled), 3, kSize);
   EXPECT_LT(glm::distance(contact(a), contact(b)), 1e-6f);
-  EXPECT_LT(glm::distance(a.camera.eye_W, b.camera.eye_W), 1e-5f);
+  EXPECT_LT(glm::distance(a.camera.eye_V, b.camera.eye_V), 1e-5f);
   ASSERT_EQ(a.boxes.size(), 1u);
-  for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(a.boxes[0].halfAxes_W[i], b.boxes[0].halfAxes_W[i]), 1e-6f);
+  for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(a.boxes[0].halfAxes_V[i], b.boxes[0].halfAxes_V[i]), 1e-6f);
 }
 
 TEST(Stage, AutomaticSpeedIsTheBodysOwnWhereTheEyeCanFollow) {
@@ -144,9 +144,9 @@ TEST(Stage, AutomaticSpeedIsTheBodysOwnWhereTheEyeCanFollow) {
 
 TEST(Stage, TheBodyStandsStillInItsOwnFrame) {
   const Stage stage(sample("[camera]\nframe = \"body\"\n"));
-  const glm::mat3 start = onlyList(stage, 0, kSize).boxes.at(0).halfAxes_W;
+  const glm::mat3 start = onlyList(stage, 0, kSize).boxes.at(0).halfAxes_V;
   for (const double t : kTimes) {
-    const glm::mat3 now = onlyList(stage, t, kSize).boxes.at(0).halfAxes_W;
+    const glm::mat3 now = onlyList(stage, t, kSize).boxes.at(0).halfAxes_V;
     for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(start[i], now[i]), 1e-6f) << t;
   }
 }
@@ -162,7 +162,7 @@ TEST(Stage, ExaggerationIsDrawnAndSaid) {
   for (const auto& text : picture.texts) said |= text.tex.find("100 times larger") != std::string::npos;
   EXPECT_TRUE(said);
   // omega = (0.1, 0, 1) is drawn: tan of its angle to e3, the third column of the body's axes.
-  const vec3 axis = glm::normalize(list.boxes.at(0).halfAxes_W[2]);
+  const vec3 axis = glm::normalize(list.boxes.at(0).halfAxes_V[2]);
   const float cosine = glm::dot(glm::normalize(contact(list)), axis);
   EXPECT_NEAR(std::acos(cosine), std::atan(0.1), 1e-4);
 }
@@ -181,8 +181,8 @@ TEST(Stage, ExaggerationIntoAnotherKindOfMotionIsRefused) {
 TEST(Stage, LongFilmsDrawTheNearestTurns) {
   const Stage stage(sample("[time]\nduration = 3600\nfps = 10\nspeed = 3\n"));
   for (const auto& curve : onlyList(stage, 1800, kSize).curves)
-    for (std::size_t i = 0; i + 1 < curve.points_W.size(); ++i)
-      ASSERT_LT(glm::distance(curve.points_W[i], curve.points_W[i + 1]), curve.points_W.size() > 8 ? 0.1f : 10.0f);
+    for (std::size_t i = 0; i + 1 < curve.points_V.size(); ++i)
+      ASSERT_LT(glm::distance(curve.points_V[i], curve.points_V[i + 1]), curve.points_V.size() > 8 ? 0.1f : 10.0f);
 }
 
 // From frame to frame labels glide. The fastest are those of the racket's axes, which swing through 8 degrees a
@@ -258,9 +258,9 @@ TEST(Stage, TheHerpolhodeIsCutAtThePointOfContact) {
   const DrawList list = onlyList(Stage(sample()), 5, kSize);
   int ends = 0, starts = 0;
   for (const auto& c : list.curves) {
-    if (c.radius_W > 0 || c.points_W.empty()) continue;
-    ends += glm::distance(c.points_W.back(), contact(list)) < 1e-6f;
-    starts += glm::distance(c.points_W.front(), contact(list)) < 1e-6f;
+    if (c.radius_V > 0 || c.points_V.empty()) continue;
+    ends += glm::distance(c.points_V.back(), contact(list)) < 1e-6f;
+    starts += glm::distance(c.points_V.front(), contact(list)) < 1e-6f;
   }
   EXPECT_EQ(ends, 1);
   EXPECT_EQ(starts, 1);

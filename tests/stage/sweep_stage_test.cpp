@@ -134,8 +134,8 @@ TEST(SweepStage, ACellIsTheStageOfItsScene) {
     const draw::DrawList alone = onlyList(Stage(scene), 3.3, glm::ivec2(cell.camera.size_px));
     ASSERT_EQ(cell.boxes.size(), alone.boxes.size());
     ASSERT_FALSE(cell.boxes.empty());
-    EXPECT_EQ(cell.boxes[0].halfAxes_W, alone.boxes[0].halfAxes_W) << i;
-    directions.insert(cell.boxes[0].halfAxes_W[0].x);
+    EXPECT_EQ(cell.boxes[0].halfAxes_V, alone.boxes[0].halfAxes_V) << i;
+    directions.insert(cell.boxes[0].halfAxes_V[0].x);
   }
   EXPECT_EQ(directions.size(), 5u);  // five motions
 }
@@ -145,8 +145,8 @@ TEST(SweepStage, BodiesHaveOneScale) {
   const draw::Picture picture = swept("", kOne).stage.compose(0, {1280, 720});
   const auto edge_px = [](const draw::DrawList& list) {
     const draw::Box& box = list.boxes.at(0);
-    const float depth = draw::depthOf(list.camera, box.centre_W);
-    return static_cast<double>(glm::length(box.halfAxes_W[0]) * list.camera.scale_px(depth));
+    const float depth = draw::depthOf(list.camera, box.centre_V);
+    return static_cast<double>(glm::length(box.halfAxes_V[0]) * list.camera.scale_px(depth));
   };
   const double first = edge_px(picture.panels[0].list);
   EXPECT_GT(first, 10);

@@ -29,14 +29,14 @@ TEST(TraceFigure, LiesOnItsSphereAndEndsAtThePoint) {
       const auto list = onlyList(stage, t, kSize);
       ASSERT_EQ(list.glassEllipsoids.size(), 1u);
       ASSERT_EQ(list.ellipsoids.size(), 1u);
-      const float radius = glm::length(list.glassEllipsoids[0].semiAxes_W[0]);
-      const glm::vec3 dot = list.ellipsoids[0].centre_W;
+      const float radius = glm::length(list.glassEllipsoids[0].semiAxes_V[0]);
+      const glm::vec3 dot = list.ellipsoids[0].centre_V;
       EXPECT_NEAR(glm::length(dot), radius, 2e-6);
       ASSERT_EQ(list.curves.size(), 3u);  // to come, travelled, the last second
       for (const auto& curve : list.curves)
-        for (const auto& p : curve.points_W) ASSERT_NEAR(glm::length(p), radius, 2e-6);  // measured 1.2e-7
-      EXPECT_LT(glm::distance(list.curves[0].points_W.front(), dot), 2e-6f);
-      EXPECT_LT(glm::distance(list.curves[2].points_W.back(), dot), 2e-6f);
+        for (const auto& p : curve.points_V) ASSERT_NEAR(glm::length(p), radius, 2e-6);  // measured 1.2e-7
+      EXPECT_LT(glm::distance(list.curves[0].points_V.front(), dot), 2e-6f);
+      EXPECT_LT(glm::distance(list.curves[2].points_V.back(), dot), 2e-6f);
     }
   }
 }
@@ -45,9 +45,9 @@ TEST(TraceFigure, TheAxisOfAFreeTopDrawsACircleAboutL) {
   const auto list = onlyList(Stage(scene::parseScene(kTop, "t.toml")), 3, kSize);
   // theta from the start: tan theta = I1 w/(I3 omega_3).
   const double theta = std::atan2(2 * std::hypot(1.1, 0.3), 0.8 * 2),
-               radius = glm::length(list.ellipsoids[0].centre_W);
+               radius = glm::length(list.ellipsoids[0].centre_V);
   for (const auto& curve : list.curves)
-    for (const auto& p : curve.points_W) EXPECT_NEAR(p.z, radius * std::cos(theta), 3e-6);  // measured 6e-9
+    for (const auto& p : curve.points_V) EXPECT_NEAR(p.z, radius * std::cos(theta), 3e-6);  // measured 6e-9
 }
 
 // Its place at the start is the one that the start says.

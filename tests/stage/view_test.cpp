@@ -38,13 +38,13 @@ const draw::Color kBlue = palette(scene::Theme::kLight).L, kVermilion = palette(
 /// The direction of the arrow of that colour: its head ends at its tip.
 vec3 arrow(const DrawList& list, const draw::Color& color) {
   for (const draw::Frustum& f : list.frustums)
-    if (f.material.color == color && f.toRadius == 0) return glm::normalize(f.to_W);
+    if (f.material.color == color && f.toRadius == 0) return glm::normalize(f.to_V);
   ADD_FAILURE() << "no such arrow";
   return vec3(0);
 }
 
 /// The axis of the cylinder, the first of the solids.
-vec3 axisOf(const DrawList& list) { return glm::normalize(list.frustums.at(0).to_W - list.frustums.at(0).from_W); }
+vec3 axisOf(const DrawList& list) { return glm::normalize(list.frustums.at(0).to_V - list.frustums.at(0).from_V); }
 
 TEST(Views, InSpaceLStandsStillInTheBodyItsAxesWithThePrecessionBoth) {
   const Stage stage(top(kThree));
@@ -78,7 +78,7 @@ TEST(Views, WithThePrecessionTheBodyTurnsAboutItsAxisAtMinusOmegaP) {
     std::vector<vec3> tips;  // of the axes, in their order
     for (const draw::Frustum& f : list.frustums)
       if (f.toRadius == 0 && f.material.color != kBlue && f.material.color != kVermilion)
-        tips.push_back(glm::normalize(f.to_W));
+        tips.push_back(glm::normalize(f.to_V));
     return tips.at(0);
   };
   const DrawList list = stage.compose(0, kSize).panels.at(2).list;
@@ -187,7 +187,7 @@ TEST(Views, KeepTypeLegibleAndBodiesAlike) {
   const DrawList whole = onlyList(Stage(top("")), 0, kSize);
   for (const auto& panel : two.panels) EXPECT_GT(largestType(panel.list), 0.8f * largestType(whole));
   const auto unit_px = [](const DrawList& list) {
-    return list.camera.focal_px() / depthOf(list.camera, vec3(0)) * glm::length(list.frustums[0].to_W);
+    return list.camera.focal_px() / depthOf(list.camera, vec3(0)) * glm::length(list.frustums[0].to_V);
   };
   EXPECT_NEAR(unit_px(two.panels[0].list) / unit_px(two.panels[1].list), 1, 1e-5);
 }
@@ -207,7 +207,7 @@ TEST(Views, FitIntoTheSmallestPicture) {
     grid += "[[view]]\nat = [" + std::to_string(i) + ", " + std::to_string(i) + "]\ntitle = \"A long heading\"\n";
   const Picture picture = Stage(top(grid)).compose(0, {16, 16});
   for (const auto& panel : picture.panels) {
-    EXPECT_TRUE(std::isfinite(panel.list.camera.eye_W.x));
+    EXPECT_TRUE(std::isfinite(panel.list.camera.eye_V.x));
     EXPECT_LE(panel.origin_px.y + panel.list.camera.size_px.y, 16);
   }
 }

@@ -130,7 +130,7 @@ struct Draw {
 
   draw::Curve curve(const std::vector<Vector3d>& points_B, bool closed) const {
     draw::Curve curve;
-    for (const Vector3d& p : points_B) curve.points_W.push_back(point(p));
+    for (const Vector3d& p : points_B) curve.points_V.push_back(point(p));
     curve.closed = closed;
     return curve;
   }
@@ -151,15 +151,15 @@ struct Draw {
   }
   void operator()(const TubePiece& t) const {
     draw::Curve tube = curve(t.points_B, t.closed);
-    tube.radius_W = length(t.radius);
+    tube.radius_V = length(t.radius);
     tube.material.color = colors.body;
     list.curves.push_back(std::move(tube));
   }
   void operator()(const MeshPiece& m) const {
     draw::Mesh mesh;
     mesh.mesh = m.mesh;
-    mesh.origin_W = point(m.centre_B);
-    mesh.axes_W = axes(m.axes_B);
+    mesh.origin_V = point(m.centre_B);
+    mesh.axes_V = axes(m.axes_B);
     mesh.material = {colors.body, m.gloss};
     mesh.edgeColor = colors.bodyEdge;
     mesh.edge_px = m.edges ? static_cast<float>(lineWidth_px) : 0.0f;
@@ -188,7 +188,7 @@ struct Draw {
     if (tooThinFor(mark)) return;
     draw::Curve line = curve(mark.closed ? mark.points_B : inShortSteps(mark.points_B), mark.closed);
     line.width_px = static_cast<float>(mark.width * lineWidth_px);
-    line.lift_W = kLift;
+    line.lift_V = kLift;
     line.material.color = colors.bodyEdge;
     list.curves.push_back(std::move(line));
   }

@@ -24,10 +24,10 @@ void Canvas::line(const std::vector<Vector3d>& points_V, bool closed, const draw
                   double lift) const {
   if (points_V.size() < 2) return;
   draw::Curve curve;
-  for (const Vector3d& p : points_V) curve.points_W.push_back(toPicture(p));
+  for (const Vector3d& p : points_V) curve.points_V.push_back(toPicture(p));
   curve.closed = closed;
   curve.width_px = static_cast<float>(width * line_px);
-  curve.lift_W = static_cast<float>(lift);
+  curve.lift_V = static_cast<float>(lift);
   curve.material.color = color;
   list.curves.push_back(std::move(curve));
 }
@@ -58,9 +58,9 @@ void Canvas::tube(const std::vector<Vector3d>& points_V, bool closed, double rad
                   const draw::Color& color) const {
   if (points_V.size() < 2) return;
   draw::Curve curve;
-  for (const Vector3d& p : points_V) curve.points_W.push_back(toPicture(p));
+  for (const Vector3d& p : points_V) curve.points_V.push_back(toPicture(p));
   curve.closed = closed;
-  curve.radius_W = static_cast<float>(radius * thickness);
+  curve.radius_V = static_cast<float>(radius * thickness);
   curve.material.color = color;
   list.curves.push_back(std::move(curve));
 }
@@ -68,7 +68,7 @@ void Canvas::tube(const std::vector<Vector3d>& points_V, bool closed, double rad
 draw::GlassEllipsoid& Canvas::glassEllipsoid(const Eigen::Matrix3d& semiAxes_V, const draw::Color& color,
                                              double opacity, const GlassShares& shares) const {
   draw::GlassEllipsoid& ellipsoid = list.glassEllipsoids.emplace_back();
-  ellipsoid.semiAxes_W = toPicture(semiAxes_V);
+  ellipsoid.semiAxes_V = toPicture(semiAxes_V);
   ellipsoid.color = color;
   ellipsoid.nearOpacity = glass(opacity, shares.near);
   ellipsoid.farOpacity = glass(opacity, shares.far);
@@ -101,7 +101,7 @@ glm::vec2 Canvas::at_px(const Vector3d& at_V) const {
   const draw::Camera& camera = list.camera;
   const glm::vec3 point = toPicture(at_V);
   const float behind = beforeEye(camera, point) ? 0 : camera.near - depthOf(camera, point);
-  return project(camera, point - behind * camera.R_WC[2]);
+  return project(camera, point - behind * camera.R_VC[2]);
 }
 
 draw::Color mixed(const draw::Color& color, const draw::Color& over, double share) {

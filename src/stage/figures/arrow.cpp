@@ -25,8 +25,8 @@ void addArrow(draw::DrawList& list, const Eigen::Vector3d& from_V, const Eigen::
   const draw::Material material{color, 0.3f};
   draw::Curve shaft;
   // The shaft ends inside the head, so that no seam shows.
-  shaft.points_W = {toPicture(from_V), toPicture(Eigen::Vector3d(neck_V + 0.1 * (to_V - neck_V)))};
-  shaft.radius_W = static_cast<float>(radius);
+  shaft.points_V = {toPicture(from_V), toPicture(Eigen::Vector3d(neck_V + 0.1 * (to_V - neck_V)))};
+  shaft.radius_V = static_cast<float>(radius);
   shaft.material = material;
   list.curves.push_back(std::move(shaft));
   list.frustums.push_back(

@@ -59,9 +59,9 @@ void ConesFigure::addCone(const Canvas& canvas, const Cone& cone, const Vector3d
 
 draw::GlassCone ConesFigure::glass(const Canvas& canvas, const Cone& cone, const draw::Color& color) const {
   draw::GlassCone glass;
-  glass.axis_W = toPicture(cone.axis_V);
+  glass.axis_V = toPicture(cone.axis_V);
   glass.halfAngle_rad = static_cast<float>(cone.halfAngle_rad);
-  glass.height_W = static_cast<float>(side_ * std::cos(cone.halfAngle_rad));
+  glass.height_V = static_cast<float>(side_ * std::cos(cone.halfAngle_rad));
   glass.color = color;
   glass.nearOpacity = canvas.glass(opacity_);
   glass.farOpacity = canvas.glass(opacity_);

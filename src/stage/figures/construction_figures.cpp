@@ -68,18 +68,18 @@ void PlaneFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Picture
   if (state.atRest()) return;
   const Eigen::Matrix<double, 3, 2> halfEdges = construction_.planeHalfEdges_V(state);
   draw::GridPlane plane;
-  plane.centre_W = toPicture(Vector3d(construction_.planeHeight(state) * state.L_V.normalized()));
-  plane.u_W = toPicture(Vector3d(halfEdges.col(0)));
-  plane.v_W = toPicture(Vector3d(halfEdges.col(1)));
-  plane.spacing_W = static_cast<float>(construction_.gridSpacing() * construction_.scale());
+  plane.centre_V = toPicture(Vector3d(construction_.planeHeight(state) * state.L_V.normalized()));
+  plane.u_V = toPicture(Vector3d(halfEdges.col(0)));
+  plane.v_V = toPicture(Vector3d(halfEdges.col(1)));
+  plane.spacing_V = static_cast<float>(construction_.gridSpacing() * construction_.scale());
   plane.color = canvas.colors.plane;
   plane.opacity = canvas.glass(opacity_);
   plane.lineColor = canvas.colors.planeLine;
   plane.lineOpacity = grid_ ? 0.5f : 0.0f;
   plane.lineWidth_px = static_cast<float>(0.8 * canvas.line_px);
   if (shadow_) {
-    plane.shadowCentre_W = toPicture(Vector3d(construction_.scale() * state.omega_V));
-    plane.shadowRadius_W = static_cast<float>(0.3 * construction_.semiAxes().minCoeff());
+    plane.shadowCentre_V = toPicture(Vector3d(construction_.scale() * state.omega_V));
+    plane.shadowRadius_V = static_cast<float>(0.3 * construction_.semiAxes().minCoeff());
     plane.shadowOpacity = 0.22f;
   }
   canvas.list.planes.push_back(plane);
@@ -128,7 +128,7 @@ HeightFigure::HeightFigure(const Setting& setting) : construction_(*setting.cons
 void HeightFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   if (state.atRest()) return;
   const Vector3d down = state.L_V.normalized();
-  const Vector3d across = down.cross(fromPicture(canvas.list.camera.R_WC[2]));
+  const Vector3d across = down.cross(fromPicture(canvas.list.camera.R_VC[2]));
   if (across.norm() < 0.05) return;  // seen from straight above: the height is not to be seen
   const Vector3d left = across.normalized();
   const Vector3d head = kHeightBeside * construction_.semiAxes().maxCoeff() * left;

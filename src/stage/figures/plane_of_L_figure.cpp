@@ -46,7 +46,7 @@ void PlaneOfLFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pict
   const std::vector<Vector3d> corners = corners_V(state);
   if (corners.empty()) return;
   draw::GlassPolygon& sheet = canvas.list.glassPolygons.emplace_back();
-  for (const Vector3d& corner : corners) sheet.corners_W.push_back(toPicture(corner));
+  for (const Vector3d& corner : corners) sheet.corners_V.push_back(toPicture(corner));
   sheet.color = canvas.colors.plane;
   sheet.opacity = canvas.glass(opacity_);
   sheet.lineColor = canvas.colors.planeLine;

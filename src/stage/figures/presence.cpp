@@ -20,23 +20,23 @@ std::span<T> since(std::vector<T>& all, std::size_t before) {
 
 float lengthOf(const draw::Curve& curve) {
   float length = 0;
-  for (std::size_t i = 1; i < curve.points_W.size(); ++i)
-    length += glm::distance(curve.points_W[i - 1], curve.points_W[i]);
-  if (curve.closed && !curve.points_W.empty())
-    length += glm::distance(curve.points_W.back(), curve.points_W.front());
+  for (std::size_t i = 1; i < curve.points_V.size(); ++i)
+    length += glm::distance(curve.points_V[i - 1], curve.points_V[i]);
+  if (curve.closed && !curve.points_V.empty())
+    length += glm::distance(curve.points_V.back(), curve.points_V.front());
   return length;
 }
 
 /// Its beginning, so long.
 void shorten(draw::Curve& curve, float length) {
-  std::vector<glm::vec3> whole = std::move(curve.points_W);
+  std::vector<glm::vec3> whole = std::move(curve.points_V);
   if (curve.closed) whole.push_back(whole.front());
   curve.closed = false;
-  curve.points_W = {whole.front()};
+  curve.points_V = {whole.front()};
   for (std::size_t i = 1; i < whole.size() && length > 0; ++i) {
     const float step = glm::distance(whole[i - 1], whole[i]);
     const float share = step > length ? length / step : 1;
-    curve.points_W.push_back(whole[i - 1] + share * (whole[i] - whole[i - 1]));
+    curve.points_V.push_back(whole[i - 1] + share * (whole[i] - whole[i - 1]));
     length -= step;
   }
 }
@@ -104,26 +104,26 @@ void DrawMark::fade(draw::DrawList& list, std::vector<Label>& labels, const Eige
   }
 }
 
-void DrawMark::growSolids(draw::DrawList& list, const glm::vec3& pivot_W, float p) const {
-  const auto towards = [&](glm::vec3& point_W) { point_W = pivot_W + p * (point_W - pivot_W); };
+void DrawMark::growSolids(draw::DrawList& list, const glm::vec3& pivot_V, float p) const {
+  const auto towards = [&](glm::vec3& point_V) { point_V = pivot_V + p * (point_V - pivot_V); };
   for (draw::Ellipsoid& e : since(list.ellipsoids, ellipsoids_)) {
-    towards(e.centre_W);
-    e.semiAxes_W *= p;
+    towards(e.centre_V);
+    e.semiAxes_V *= p;
     e.marking_px *= p;
   }
   for (draw::Frustum& f : since(list.frustums, frustums_)) {
-    towards(f.from_W);
-    towards(f.to_W);
+    towards(f.from_V);
+    towards(f.to_V);
     f.fromRadius *= p;
     f.toRadius *= p;
   }
   for (draw::Box& b : since(list.boxes, boxes_)) {
-    towards(b.centre_W);
-    b.halfAxes_W *= p;
+    towards(b.centre_V);
+    b.halfAxes_V *= p;
   }
   for (draw::Mesh& m : since(list.meshes, meshes_)) {
-    towards(m.origin_W);
-    m.axes_W *= p;
+    towards(m.origin_V);
+    m.axes_V *= p;
     m.edge_px *= p;
   }
 }
@@ -140,7 +140,7 @@ void DrawMark::drawLines(draw::DrawList& list, float p) const {
     if (length > left) shorten(curve, left);
     left -= length;
     curve.width_px *= pen;
-    curve.radius_W *= pen;
+    curve.radius_V *= pen;
     ++drawn;
   }
   list.curves.resize(drawn);

@@ -37,7 +37,7 @@ class DrawMark {
             double presence) const;
 
  private:
-  void growSolids(draw::DrawList& list, const glm::vec3& pivot_W, float presence) const;
+  void growSolids(draw::DrawList& list, const glm::vec3& pivot_V, float presence) const;
   void drawLines(draw::DrawList& list, float presence) const;
   void thinGlass(draw::DrawList& list, float presence) const;
 

@@ -61,7 +61,7 @@ float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& p
                                     const draw::Camera& camera) const {
   constexpr int kSteps = 32;
   const Vector3d sight =
-      camera.orthographic ? fromPicture(camera.R_WC[2]) : Vector3d(fromPicture(camera.eye_W) - point_V);
+      camera.orthographic ? fromPicture(camera.R_VC[2]) : Vector3d(fromPicture(camera.eye_V) - point_V);
   const Vector3d towardEye = sight.normalized() * 2 * bodyScale_ * body_->radius();
   double nearest = 2;
   for (int i = 0; i <= kSteps; ++i)

@@ -146,11 +146,11 @@ float extent(glm::vec2 half_px, glm::vec2 direction) {
 std::vector<LabelObstacle> obstaclesOf(const draw::DrawList& list) {
   std::vector<LabelObstacle> obstacles;
   for (const draw::Curve& curve : list.curves) {
-    if (curve.points_W.size() != 2 || !(curve.radius_W > 0)) continue;
-    const float from = depthOf(list.camera, curve.points_W[0]), to = depthOf(list.camera, curve.points_W[1]);
+    if (curve.points_V.size() != 2 || !(curve.radius_V > 0)) continue;
+    const float from = depthOf(list.camera, curve.points_V[0]), to = depthOf(list.camera, curve.points_V[1]);
     if (std::min(from, to) < list.camera.near) continue;
-    obstacles.push_back({project(list.camera, curve.points_W[0]), project(list.camera, curve.points_W[1]),
-                         curve.radius_W * list.camera.scale_px(0.5f * (from + to))});
+    obstacles.push_back({project(list.camera, curve.points_V[0]), project(list.camera, curve.points_V[1]),
+                         curve.radius_V * list.camera.scale_px(0.5f * (from + to))});
   }
   return obstacles;
 }
