@@ -61,7 +61,7 @@ Result awaited(std::future<Result> result, std::atomic<bool>& abandoned) {
 /// Calls `use` with the picture, on the thread that drew it.
 template <class Use>
 auto withPicture(const std::shared_ptr<LoadedScene>& loaded, const PictureAsk& ask, const Use& use) {
-  const request::PictureForm form{std::nullopt, ask.transparent, ask.bits};
+  const request::PictureOptions form{std::nullopt, ask.transparent, ask.bits};
   const auto abandoned = std::make_shared<std::atomic<bool>>(false);
   auto drawn = artist().begin([=](job::FramesCache& cache) {
     const auto check = [&] {

@@ -80,7 +80,7 @@ void addAssemble(CLI::App& program, Action& chosen) {
       "  poinsot render scenes/football.toml -o out/football.mp4 --shard 1/2\n"
       "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    # on another machine, say\n"
       "  poinsot assemble out/football.mp4");
-  command->callback([options, &chosen] { chosen = [options] { return assemble(*options); }; });
+  command->callback([options, &chosen] { chosen.run = [options] { return assemble(*options); }; });
 }
 
 }  // namespace poinsot::cli

@@ -32,7 +32,7 @@ void addBackends(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  poinsot backends\n"
       "Exit code 1 when none works.");
-  command->callback([&chosen] { chosen = backends; });
+  command->callback([&chosen] { chosen.run = backends; });
 }
 
 }  // namespace poinsot::cli

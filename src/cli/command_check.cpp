@@ -65,14 +65,10 @@ void addCheck(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  poinsot check scenes/*.toml");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options,
-          [&] {
-            return Reach{options->scenes, options->assetRoots};
-          },
-          [&] { return check(*options); });
-    };
+    chosen = {[options] { return check(*options); }, options.get(),
+              [options] {
+                return FileAccess{options->scenes, options->assetRoots};
+              }};
   });
 }
 

@@ -289,12 +289,13 @@ class Diff {
   core::FileBatch results_;
 };
 
-Reach reachOf(const DiffOptions& options) {
-  Reach reach{{},
-              {options.reference, options.test},
-              {options.map, options.difference, options.curve, options.report, options.junit, options.markdown}};
-  if (!options.mask.empty()) reach.inputs.push_back(options.mask);
-  return reach;
+FileAccess accessOf(const DiffOptions& options) {
+  FileAccess access{
+      {},
+      {options.reference, options.test},
+      {options.map, options.difference, options.curve, options.report, options.junit, options.markdown}};
+  if (!options.mask.empty()) access.inputs.push_back(options.mask);
+  return access;
 }
 
 int diff(const DiffOptions& options) {
@@ -380,10 +381,7 @@ void addDiff(CLI::App& program, Action& chosen) {
       "  poinsot diff approved/ new/ --report out/diff.html\n"
       "  poinsot diff a.mp4 b.mp4 --curve out/curve.svg --json");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options, [&] { return reachOf(*options); }, [&] { return diff(*options); });
-    };
+    chosen = {[options] { return diff(*options); }, options.get(), [options] { return accessOf(*options); }};
   });
 }
 

@@ -48,7 +48,7 @@ void addDoctor(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  poinsot doctor\n"
       "Exit code 1 when no film can be made.");
-  command->callback([&chosen] { chosen = doctor; });
+  command->callback([&chosen] { chosen.run = doctor; });
 }
 
 }  // namespace poinsot::cli

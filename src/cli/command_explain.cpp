@@ -67,7 +67,7 @@ void addExplain(CLI::App& program, Action& chosen) {
       "  poinsot explain units\n"
       "  poinsot explain golden golden.test.image");
   command->callback([words, &chosen] {
-    chosen = [words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); };
+    chosen.run = [words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); };
   });
 }
 

@@ -217,13 +217,13 @@ class Gallery {
   int exitCode_ = kDone;
 };
 
-Reach reachOf(const GalleryOptions& options) {
-  Reach reach{{}, options.assetRoots};
-  for (const fs::path& file : sceneFiles(options)) reach.scenes.push_back(file);
-  if (!options.dryRun) reach.made.push_back(preparedFolder(options));
-  reach.outputs.push_back(options.trace);
-  reach.reproducible = options.reproducible;
-  return reach;
+FileAccess accessOf(const GalleryOptions& options) {
+  FileAccess access{{}, options.assetRoots};
+  for (const fs::path& file : sceneFiles(options)) access.scenes.push_back(file);
+  if (!options.dryRun) access.made.push_back(preparedFolder(options));
+  access.outputs.push_back(options.trace);
+  access.reproducible = options.reproducible;
+  return access;
 }
 
 }  // namespace
@@ -249,10 +249,8 @@ void addGallery(CLI::App& program, Action& chosen) {
       "  poinsot gallery lectures/ -q preview -o out/lectures\n"
       "  poinsot gallery --only football tennis_racket -D style.theme=dark");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options, [&] { return reachOf(*options); }, [&] { return Gallery(*options).make(); });
-    };
+    chosen = {[options] { return Gallery(*options).make(); }, options.get(),
+              [options] { return accessOf(*options); }};
   });
 }
 

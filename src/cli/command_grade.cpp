@@ -68,16 +68,12 @@ void addGrade(CLI::App& program, Action& chosen) {
       "  poinsot grade scenes/football.toml mine.csv --max-attitude-error '0.1 deg'\n"
       "Exit code 0 when graded, however bad; 1 only beyond --max-attitude-error.");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options,
-          [&] {
-            Reach reach{{options->scene}, options->assetRoots};
-            reach.inputs.push_back(options->theirs);
-            return reach;
-          },
-          [&] { return gradeTheirs(*options); });
-    };
+    chosen = {[options] { return gradeTheirs(*options); }, options.get(),
+              [options] {
+                FileAccess access{{options->scene}, options->assetRoots};
+                access.inputs.push_back(options->theirs);
+                return access;
+              }};
   });
 }
 

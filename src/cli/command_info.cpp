@@ -58,14 +58,10 @@ void addInfo(CLI::App& program, Action& chosen) {
       "  poinsot info scenes/football.toml --alt\n"
       "Equation numbers are those of the lecture that docs/physics.md follows.");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options,
-          [&] {
-            return Reach{{options->scene}, options->assetRoots};
-          },
-          [&] { return info(*options); });
-    };
+    chosen = {[options] { return info(*options); }, options.get(),
+              [options] {
+                return FileAccess{{options->scene}, options->assetRoots};
+              }};
   });
 }
 

@@ -165,12 +165,16 @@ CommandLine::CommandLine(std::vector<std::string> words) : program_(std::make_un
     declare(*program_, words.front(), chosen_);
     parse(*program_, std::move(words));
   } catch (const CLI::CallForVersion& version) {
-    chosen_ = [text = std::string(version.what())] { return print(text); };
+    chosen_.run = [text = std::string(version.what())] { return print(text); };
   } catch (const CLI::Success&) {
-    chosen_ = [this] { return print(program_->help()); };
+    chosen_.run = [this] { return print(program_->help()); };
   }
 }
 
 CommandLine::~CommandLine() = default;
+
+int CommandLine::run() const {
+  return chosen_.allowance ? confined(*chosen_.allowance, chosen_.access, chosen_.run) : chosen_.run();
+}
 
 }  // namespace poinsot::cli

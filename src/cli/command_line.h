@@ -18,8 +18,9 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Does what they ask for. @returns the exit code. @throws whatever the command throws.
-  int run() const { return chosen_(); }
+  /// Does what they ask for; with --untrusted in a sandbox. @returns the exit code. @throws whatever the command
+  /// throws.
+  int run() const;
 
  private:
   std::unique_ptr<CLI::App> program_;  ///< which actions may refer to

@@ -107,7 +107,7 @@ void addNew(CLI::App& program, Action& chosen) {
       "  poinsot new book\n"
       "  poinsot new throw --from football\n"
       "~/.config/poinsot/defaults.toml says what every new scene has (docs/defaults.md).");
-  command->callback([options, &chosen] { chosen = [options] { return makeNew(*options); }; });
+  command->callback([options, &chosen] { chosen.run = [options] { return makeNew(*options); }; });
 }
 
 }  // namespace poinsot::cli

@@ -107,7 +107,7 @@ void addPreview(CLI::App& program, Action& chosen) {
       "Keys in the page: space plays, arrows step (with Shift a second), Home, End.\n"
       "Example:\n"
       "  poinsot preview book.toml");
-  command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
+  command->callback([options, &chosen] { chosen.run = [options] { return preview(*options); }; });
 }
 
 }  // namespace poinsot::cli

@@ -21,17 +21,17 @@ void checkFrameCount(const request::OutputTarget& target, const request::FrameRa
                   core::printable(target.path.string()), frames.count(), frames.first));
 }
 
-Reach reachOf(const FilmOptions& options) {
-  Reach reach = reachOf(options, namedTarget(options));
-  reach.outputs.push_back(options.parts.manifest);
-  return reach;
+FileAccess accessOf(const FilmOptions& options) {
+  FileAccess access = accessOf(options, namedTarget(options));
+  access.outputs.push_back(options.parts.manifest);
+  return access;
 }
 
 int render(const FilmOptions& options) {
   auto film = requestedFilm(options);
   checkFrameCount(film.target, film.frames);
   checkParts(options.parts, film.target);
-  return renderTo(options, std::move(film), {.form = pictureForm(options)}, options.parts);
+  return renderTo(options, std::move(film), {.form = pictureOptions(options)}, options.parts);
 }
 
 }  // namespace
@@ -49,10 +49,7 @@ void addRender(CLI::App& program, Action& chosen) {
       "  poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...\n"
       "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options, [&] { return reachOf(*options); }, [&] { return render(*options); });
-    };
+    chosen = {[options] { return render(*options); }, options.get(), [options] { return accessOf(*options); }};
   });
 }
 

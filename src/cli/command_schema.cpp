@@ -14,7 +14,7 @@ void addSchema(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  poinsot schema > out/scene.schema.json");
   command->callback([&chosen] {
-    chosen = [] {
+    chosen.run = [] {
       writeOut(scene::schemaJson());
       return static_cast<int>(kDone);
     };

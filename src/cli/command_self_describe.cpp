@@ -43,7 +43,7 @@ void addSelfDescribe(CLI::App& program, Action& chosen) {
   command->group("");  // not in the help: the build runs it
   command->add_option("FOLDER", *share, "laid out as share/ of an installed program")->required();
   command->callback(
-      [share, &program, &chosen] { chosen = [share, &program] { return selfDescribe(program, *share); }; });
+      [share, &program, &chosen] { chosen.run = [share, &program] { return selfDescribe(program, *share); }; });
 }
 
 }  // namespace poinsot::cli

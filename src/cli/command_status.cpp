@@ -200,7 +200,7 @@ void addStatus(CLI::App& program, Action& chosen) {
       "a gap. If the scene has more, render --resume makes those, and none again.\n"
       "Example:\n"
       "  poinsot status out/film.mp4");
-  command->callback([options, &chosen] { chosen = [options] { return status(*options); }; });
+  command->callback([options, &chosen] { chosen.run = [options] { return status(*options); }; });
 }
 
 }  // namespace poinsot::cli

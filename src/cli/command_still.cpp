@@ -44,11 +44,8 @@ void addStill(CLI::App& program, Action& chosen) {
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm -o out/fig.pdf");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options, [&] { return reachOf(*options, targetOf(*options, "SCENE")); },
-          [&] { return still(*options); });
-    };
+    chosen = {[options] { return still(*options); }, options.get(),
+              [options] { return accessOf(*options, targetOf(*options, "SCENE")); }};
   });
 }
 

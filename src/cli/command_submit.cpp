@@ -110,9 +110,9 @@ int submit(SubmitOptions options) {
   const auto& [requested, target, frames] = film;
   const scene::Scene& scene = requested.scene;
   checkKind(target);
-  checkMakeable(options, film, pictureForm(options));
+  checkMakeable(options, film, pictureOptions(options));
   if (!options.sweep) const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
-  const auto render = job::renderRequest(requested, target, frames, {.form = pictureForm(options)});
+  const auto render = job::renderRequest(requested, target, frames, {.form = pictureOptions(options)});
   job::expectWithinMemory(render);
   const auto segments = request::segmentsOf(frames, options.parts.segmentFrames);
   cluster::Submission submission;
@@ -180,10 +180,8 @@ void addSubmit(CLI::App& program, Action& chosen) {
       "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "
       "-j 8");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options, [&] { return reachOf(*options, namedTarget(*options)); }, [&] { return submit(*options); });
-    };
+    chosen = {[options] { return submit(*options); }, options.get(),
+              [options] { return accessOf(*options, namedTarget(*options)); }};
   });
 }
 

@@ -53,21 +53,21 @@ void checkWords(const SweepOptions& options) {
 int makeFilm(const SweepOptions& options) {
   auto film = requestedFilm(options);
   checkParts(options.parts, film.target);
-  return renderTo(options, std::move(film), {.form = pictureForm(options)}, options.parts);
+  return renderTo(options, std::move(film), {.form = pictureOptions(options)}, options.parts);
 }
 
 int sweep(SweepOptions options) {
   options.sweep = options.asked;
   if (isFilm(options)) return makeFilm(options);
-  return makeStill(options, options.still, pictureForm(options),
+  return makeStill(options, options.still, pictureOptions(options),
                    [&](const std::string& sceneName) { return pictureTarget(options, sceneName); });
 }
 
-Reach reachOf(const SweepOptions& options) {
-  Reach reach =
-      reachOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
-  reach.outputs.push_back(options.parts.manifest);
-  return reach;
+FileAccess accessOf(const SweepOptions& options) {
+  FileAccess access =
+      accessOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
+  access.outputs.push_back(options.parts.manifest);
+  return access;
 }
 
 }  // namespace
@@ -100,11 +100,8 @@ void addSweep(CLI::App& program, Action& chosen) {
       "  poinsot sweep scenes/football.toml -D 'time.start=0..2 s:6' -o out/sheet.pdf\n"
       "  poinsot sweep scenes/tennis_racket.toml --map -o out/map.pdf");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      checkWords(*options);
-      return confined(
-          *options, [&] { return reachOf(*options); }, [&] { return sweep(*options); });
-    };
+    checkWords(*options);
+    chosen = {[options] { return sweep(*options); }, options.get(), [options] { return accessOf(*options); }};
   });
 }
 

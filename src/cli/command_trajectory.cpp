@@ -136,14 +136,10 @@ void addTrajectory(CLI::App& program, Action& chosen) {
       "  poinsot trajectory scenes/football.toml --rate 100 -o out/football.csv\n"
       "  poinsot trajectory scenes/football.toml --at=-3.5,0,1e6");
   command->callback([options, &chosen] {
-    chosen = [options] {
-      return confined(
-          *options,
-          [&] {
-            return Reach{{options->scene}, options->assetRoots, {options->output}};
-          },
-          [&] { return trajectory(*options); });
-    };
+    chosen = {[options] { return trajectory(*options); }, options.get(),
+              [options] {
+                return FileAccess{{options->scene}, options->assetRoots, {options->output}};
+              }};
   });
 }
 

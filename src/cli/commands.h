@@ -4,14 +4,20 @@
 #include <functional>
 #include <string>
 
+#include "cli/untrusted.h"
+
 namespace CLI {
 class App;
 }
 
 namespace poinsot::cli {
 
-/// What the command line asks for; returns the exit code. Parsing only chooses it.
-using Action = std::function<int()>;
+/// What the command line asks for. Parsing only chooses it.
+struct Action {
+  std::function<int()> run = {};                ///< returns the exit code
+  const AllowanceOptions* allowance = nullptr;  ///< of a command that has --untrusted
+  std::function<FileAccess()> access = {};      ///< what that one touches
+};
 
 /// Each declares one command with its options, and sets `chosen` when it is the one on the command line.
 void addRender(CLI::App& program, Action& chosen);

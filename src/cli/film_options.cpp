@@ -94,7 +94,7 @@ std::optional<request::OutputTarget> namedTarget(const FilmOptions& options) {
   return options.output.empty() ? std::nullopt : std::optional(request::parseTarget(options.output));
 }
 
-request::PictureForm pictureForm(const FilmOptions& options) {
+request::PictureOptions pictureOptions(const FilmOptions& options) {
   return {std::nullopt, options.transparent, options.bits};
 }
 

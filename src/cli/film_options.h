@@ -33,7 +33,7 @@ void checkParts(const PartsOptions& parts, const request::OutputTarget& target);
 std::optional<request::OutputTarget> namedTarget(const FilmOptions& options);
 
 /// How its pictures are made.
-request::PictureForm pictureForm(const FilmOptions& options);
+request::PictureOptions pictureOptions(const FilmOptions& options);
 
 /// @throws scene::SceneErrors, core::Error
 RequestedFilm requestedFilm(const FilmOptions& options);

@@ -10,7 +10,7 @@ class App;
 
 #include "image/image.h"
 #include "request/output_target.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 #include "scene/limits.h"
 
 namespace poinsot::cli {

@@ -198,22 +198,22 @@ int make(const RenderOptions& options, job::RenderRequest render, const PartsOpt
 
 }  // namespace
 
-Reach reachOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target) {
-  Reach reach{{options.scene}, options.assetRoots};
-  reach.reproducible = options.reproducible;
+FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target) {
+  FileAccess access{{options.scene}, options.assetRoots};
+  access.reproducible = options.reproducible;
   if (!options.dryRun) {  // what is missing cannot be made within
     if (options.output.empty() || !target)
-      reach.made.emplace_back("out");
+      access.made.emplace_back("out");
     else if (target->kind == OutputKind::kSequence && !target->stream)
       prepareFolder(*target);
   }
-  if (target && !target->stream) reach.outputs.push_back(target->path);
-  reach.outputs.push_back(options.trace);
-  return reach;
+  if (target && !target->stream) access.outputs.push_back(target->path);
+  access.outputs.push_back(options.trace);
+  return access;
 }
 
 output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
-                               const request::PictureForm& form) {
+                               const request::PictureOptions& form) {
   const auto& [requested, target, frames] = film;
   const scene::Scene& scene = requested.scene;
   if (target.kind == OutputKind::kFilm)

@@ -19,7 +19,7 @@ struct PartsOptions {
 };
 
 /// What it touches. @param target  where it was named; else `out` is made.
-Reach reachOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
+FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
 
 /// What is drawn, and where it goes.
 struct RequestedFilm {
@@ -33,7 +33,7 @@ struct RequestedFilm {
 /// @returns the files of the run so far: inputs, the output and its subtitles.
 /// @throws core::Error
 output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
-                               const request::PictureForm& form);
+                               const request::PictureOptions& form);
 
 /// The last part of `render`, `still` and `sweep`: checks the target, then makes it (with --dry-run prints what
 /// would be made), showing progress and what was asked for besides.

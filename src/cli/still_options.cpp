@@ -13,7 +13,8 @@ namespace poinsot::cli {
 namespace {
 
 /// A figure has a size on paper, a picture only where one is asked for.
-request::PictureForm printed(request::PictureForm form, const StillOptions& options, request::OutputKind kind) {
+request::PictureOptions printed(request::PictureOptions form, const StillOptions& options,
+                                request::OutputKind kind) {
   if (kind == request::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
   if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
   if (options.dpi && !form.print)
@@ -23,7 +24,7 @@ request::PictureForm printed(request::PictureForm form, const StillOptions& opti
 }
 
 /// With a size on paper the one in pixels is its proportion.
-void setPixels(const request::PictureForm& form, request::RequestedScene& requested) {
+void setPixels(const request::PictureOptions& form, request::RequestedScene& requested) {
   if (!form.print) return;
   requested.resize(printedPixels(*form.print, requested.size(), requested.request.allowance.limits));
 }
@@ -50,7 +51,7 @@ void addStillOptions(CLI::App& command, StillOptions& options) {
       ->check(CLI::Range(1.0, 10000.0));
 }
 
-int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureForm form,
+int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
               const StillTarget& targetOf) {
   const auto named = targetOf("SCENE");  // what is typed wrong is said first
   checkBits(form.bits, named);

@@ -26,7 +26,7 @@ using StillTarget = std::function<request::OutputTarget(const std::string& scene
 
 /// Makes it. @param form  what it is besides its size on paper
 /// @returns the exit status. @throws core::Error, scene::SceneErrors, process::Interrupted
-int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureForm form,
+int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
               const StillTarget& targetOf);
 
 }  // namespace poinsot::cli

@@ -19,34 +19,34 @@ constexpr std::uint64_t kMostCpu_s = std::uint64_t{24} * 3600;
 
 bool isFile(const std::string& name) { return !name.empty() && name != "-"; }
 
-process::Confinement confinementOf(const Reach& reach, const scene::Limits& limits) {
+process::Confinement confinementOf(const FileAccess& access, const scene::Limits& limits) {
   process::Confinement confinement;
   process::Sandbox& sandbox = confinement.sandbox;
-  for (const std::string& scene : reach.scenes) {
+  for (const std::string& scene : access.scenes) {
     sandbox.read.emplace_back(scene);  // may be a link to elsewhere
     sandbox.read.push_back(core::folderOf(scene));
   }
-  for (const std::string& input : reach.inputs) sandbox.read.emplace_back(input);
+  for (const std::string& input : access.inputs) sandbox.read.emplace_back(input);
   for (const auto& own : {request::userLimitsFile(), request::userDefaultsFile()}) sandbox.read.push_back(own);
-  for (const std::string& file : reach.outputs)
+  for (const std::string& file : access.outputs)
     if (isFile(file)) sandbox.write.push_back(core::folderOf(file));
-  for (const std::string& folder : reach.made) {
+  for (const std::string& folder : access.made) {
     core::makeFolders(folder);
     sandbox.write.emplace_back(folder);
   }
   sandbox.mostMemory_bytes = kAddressSpace * limits.bytes(Limit::kMemory);
   sandbox.mostFile_bytes = limits.bytes(Limit::kOutput);
   sandbox.mostCpu_s = limits[Limit::kSeconds] > 0 ? limits.bytes(Limit::kSeconds) : kMostCpu_s;
-  if (reach.reproducible) confinement.shaderCache = gl::shaderCacheFolder(*reach.reproducible);
+  if (access.reproducible) confinement.shaderCache = gl::shaderCacheFolder(*access.reproducible);
   return confinement;
 }
 
 }  // namespace
 
-int confined(const AllowanceOptions& options, const std::function<Reach()>& reachOf,
+int confined(const AllowanceOptions& options, const std::function<FileAccess()>& accessOf,
              const std::function<int()>& work) {
   if (!options.untrusted) return work();
-  return process::runConfined(confinementOf(reachOf(), allowed(options).limits), translatingErrors, work);
+  return process::runConfined(confinementOf(accessOf(), allowed(options).limits), translatingErrors, work);
 }
 
 }  // namespace poinsot::cli

@@ -11,7 +11,7 @@
 namespace poinsot::cli {
 
 /// What a command may touch that does not trust what it reads.
-struct Reach {
+struct FileAccess {
   std::vector<std::string> scenes;        ///< files, to read with all beneath their folders
   std::vector<std::string> inputs = {};   ///< files and folders, to read
   std::vector<std::string> outputs = {};  ///< files: their folders are written to; "-" and "" are none
@@ -20,7 +20,7 @@ struct Reach {
 };
 
 /// Does `work`, in a sandbox if the files are not trusted. @returns its exit status. @throws what it throws.
-int confined(const AllowanceOptions& options, const std::function<Reach()>& reachOf,
+int confined(const AllowanceOptions& options, const std::function<FileAccess()>& accessOf,
              const std::function<int()>& work);
 
 }  // namespace poinsot::cli

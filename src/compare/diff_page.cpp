@@ -17,7 +17,7 @@
 #include "core/regular_file.h"
 #include "figure/mark.h"
 #include "image/png_file.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 
 // Contents of diff_page.html, .css, .js and diff_page_view.js.
 extern "C" const char poinsot_diff_page[], poinsot_diff_page_end[];

@@ -14,7 +14,7 @@
 #include "core/text.h"
 #include "core/wildcard.h"
 #include "output/target_check.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 
 namespace poinsot::compare {
 namespace {

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/folder.h"
 #include "core/error.h"
+#include "core/folder.h"
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "image/pixel_digest.h"
 #include "image/png_file.h"
 #include "job/segment_record.h"
 #include "output/film_reader.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 
 namespace poinsot::golden {
 namespace {

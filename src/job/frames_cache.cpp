@@ -16,7 +16,7 @@ constexpr std::size_t kMost = 4;
 }  // namespace
 
 FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<request::RequestedScene()>& load,
-                                    const request::PictureForm& form) {
+                                    const request::PictureOptions& form) {
   if (const auto found = std::ranges::find(entries_, key, &Entry::key); found != entries_.end()) {
     entries_.splice(entries_.begin(), entries_, found);
     return entries_.front();

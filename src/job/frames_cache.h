@@ -9,7 +9,7 @@
 
 #include "gl/offscreen_context.h"
 #include "job/scene_frames.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 
 namespace poinsot::job {
 
@@ -29,7 +29,7 @@ class FramesCache {
   /// next call.
   /// @throws core::Error of `load`, of the back end; (kLimit) for a picture that takes more memory than allowed.
   Entry& of(const std::string& key, const std::function<request::RequestedScene()>& load,
-            const request::PictureForm& form);
+            const request::PictureOptions& form);
 
   void clear() { entries_.clear(); }
 

@@ -48,7 +48,7 @@ core::Digest sceneDigest(const request::RequestedScene& requested) {
 
 std::string renderSettings(const RenderRequest& render) {
   const scene::Scene& scene = render.scene.scene;
-  const request::PictureForm& form = render.form;
+  const request::PictureOptions& form = render.form;
   nlohmann::ordered_json settings{{"poinsot", core::version()},
                                   {"size", {scene.output.width, scene.output.height}},
                                   {"reproducible", render.reproducible}};

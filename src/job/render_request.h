@@ -10,7 +10,7 @@
 #include "job/job_record.h"
 #include "request/frame_plan.h"
 #include "request/output_target.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 #include "request/requested_scene.h"
 
 namespace poinsot::job {
@@ -20,7 +20,7 @@ struct RenderChoices {
   std::optional<double> time_s = {};  ///< of a still: film time in place of the frame's own
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = false;  ///< always, where it is a shard: the machines of a cluster differ
-  request::PictureForm form = {};
+  request::PictureOptions form = {};
   std::int64_t segmentFrames = request::kSegmentFrames;
   bool resume = false;                                 ///< what is there and is the same is not made again
   bool keepWork = false;                               ///< leaves the segments when all is done

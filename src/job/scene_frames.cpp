@@ -27,7 +27,7 @@ SceneFrames::SceneFrames(const RenderRequest& render, gl::OffscreenContext& cont
     : SceneFrames(render.scene, render, figure::figureMedium(render.target.path), renderSettings(render), context,
                   steps) {}
 
-SceneFrames::SceneFrames(const request::RequestedScene& requested, const request::PictureForm& form,
+SceneFrames::SceneFrames(const request::RequestedScene& requested, const request::PictureOptions& form,
                          gl::OffscreenContext& context)
     : SceneFrames(requested, {.form = form}, std::nullopt, "", context, nullptr) {}
 

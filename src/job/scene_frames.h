@@ -11,7 +11,7 @@
 #include "job/job_identity.h"
 #include "job/render_request.h"
 #include "render/renderer.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 #include "stage/composer.h"
 
 namespace poinsot::job {
@@ -25,7 +25,7 @@ class SceneFrames : public FrameSource {
   SceneFrames(const RenderRequest& render, gl::OffscreenContext& context, core::StepLedger* steps);
   /// Of a scene, for who shows pictures and keeps none: they have no digests.
   /// @throws core::Error(kPhysics, kGraphics)
-  SceneFrames(const request::RequestedScene& requested, const request::PictureForm& form,
+  SceneFrames(const request::RequestedScene& requested, const request::PictureOptions& form,
               gl::OffscreenContext& context);
 
   /// As if made with that time.
@@ -52,7 +52,7 @@ class SceneFrames : public FrameSource {
   image::PixelSize size_;
   core::Rational fps_;
   std::optional<double> time_s_;
-  request::PictureForm form_;
+  request::PictureOptions form_;
   std::optional<figure::FigureMedium> medium_;
   draw::Picture picture_;
   std::optional<std::int64_t> composed_;  // whose picture that is

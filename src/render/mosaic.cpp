@@ -20,7 +20,7 @@ void add(const PixelBounds& part, std::vector<PixelBounds>& parts) {
 /// Cuts one row of tiles after another.
 class MosaicCutter {
  public:
-  MosaicCutter(const Sheets& sheets, const SolidCells& solids, TileMemory& tiles)
+  MosaicCutter(const Sheets& sheets, const SolidCells& solids, TileCache& tiles)
       : sheets_(sheets), solids_(solids), tiles_(tiles) {}
 
   void addTile(const PixelBounds& tile) {
@@ -68,13 +68,13 @@ class MosaicCutter {
 
   const Sheets& sheets_;
   const SolidCells& solids_;
-  TileMemory& tiles_;
+  TileCache& tiles_;
   Mosaic mosaic_;
 };
 
 }  // namespace
 
-Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileMemory& tiles) {
+Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileCache& tiles) {
   constexpr float side = kTile_px;
   MosaicCutter cutter(sheets, solids, tiles);
   for (float y = 0; y < size_px.y; y += side)

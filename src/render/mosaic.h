@@ -6,7 +6,7 @@
 
 #include "render/sheets.h"
 #include "render/solid_cells.h"
-#include "render/tile_memory.h"
+#include "render/tile_cache.h"
 
 namespace poinsot::render {
 
@@ -28,6 +28,6 @@ struct Mosaic {
 };
 
 /// @param tiles  of a picture begun with all numbers that the tiles depend on beside the sheets'.
-Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileMemory& tiles);
+Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileCache& tiles);
 
 }  // namespace poinsot::render

@@ -10,9 +10,9 @@
 #include "core/step_times.h"
 #include "gl/framebuffer.h"
 #include "gl/unique_name.h"
+#include "render/cached_panel.h"
 #include "render/compositor.h"
 #include "render/flat_painter.h"
-#include "render/kept_panel.h"
 #include "render/mesh_painter.h"
 #include "render/solid_layers.h"
 #include "render/solid_painter.h"
@@ -77,10 +77,10 @@ struct Renderer::Passes {
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
-  std::vector<KeptPanel> kept;  // of the picture's panels, in their order
-  KeptPanel joined;             // where there are several
-  bool alone = false;           // whether the last picture was kept[0]
-  std::uint64_t number = 0;     // of that picture
+  std::vector<CachedPanel> kept;  // of the picture's panels, in their order
+  CachedPanel joined;             // where there are several
+  bool alone = false;             // whether the last picture was kept[0]
+  std::uint64_t number = 0;       // of that picture
   core::StepLedger* steps;
 
   explicit Passes(core::StepLedger* ledger) : steps(ledger) {
@@ -127,7 +127,7 @@ struct Renderer::Passes {
 
   /// Leaves the picture in the target where the mosaic that it returns was drawn.
   Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const gl::Framebuffer& target,
-                 const RenderOptions& options, TileMemory& tiles) {
+                 const RenderOptions& options, TileCache& tiles) {
     const core::StepScope timing(steps, core::Step::kResolve);
     const Sheets sheets(list);
     Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, cells, tiles);
@@ -147,11 +147,11 @@ struct Renderer::Passes {
 
   /// One view with its type, as large as its camera says.
   template <typename Sample>
-  void drawPanel(KeptPanel& panel, const draw::DrawList& list, const RenderOptions& options) {
+  void drawPanel(CachedPanel& panel, const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
     const Formats& formats = formatsOf<Sample>();
     const gl::Framebuffer& target = targets.of(size, formats.picture);
-    TileMemory& tiles = panel.begin<Sample>({size.x, size.y}, options.transparent, commonTo(list, options));
+    TileCache& tiles = panel.begin<Sample>({size.x, size.y}, options.transparent, commonTo(list, options));
     const SolidCells cells = draw(list, formats, options);
     const Mosaic mosaic = resolve(list, cells, target, options, tiles);
     {
@@ -164,7 +164,7 @@ struct Renderer::Passes {
 
   /// One view that fills the picture, or several side by side on their paper.
   template <typename Sample>
-  KeptPanel& drawPanels(const draw::Picture& picture, const RenderOptions& options) {
+  CachedPanel& drawPanels(const draw::Picture& picture, const RenderOptions& options) {
     kept.resize(picture.panels.size());
     if (picture.panels.size() == 1 && sizeOf(picture.panels[0]) == picture.size_px) {
       drawPanel<Sample>(kept[0], picture.panels[0].list, options);
@@ -197,7 +197,7 @@ struct Renderer::Passes {
     beginPicture();
     const bool inRow = std::exchange(alone, false);  // should this one fail
     number += inRow ? 1 : 2;
-    KeptPanel& made = drawPanels<Sample>(picture, options);
+    CachedPanel& made = drawPanels<Sample>(picture, options);
     const core::StepScope timing(steps, core::Step::kText);
     made.forget(flat.paint(picture, made.picture<Sample>()));
     made.forget(text.paint(picture.texts, made.picture<Sample>()));

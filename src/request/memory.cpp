@@ -100,7 +100,7 @@ double workerMemory_bytes(image::PixelSize size, const std::optional<output::Fil
   return start_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
 }
 
-double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form) {
+double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form) {
   std::optional<output::FilmFormat> film;
   if (target.kind == OutputKind::kFilm) film = filmFormat(target, asked, form);
   return workerMemory_bytes({asked.width, asked.height}, film, form.bits);
@@ -120,7 +120,8 @@ double meshMemory_bytes(const scene::Scene& scene) {
   return bytes;
 }
 
-double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested, const PictureForm& form) {
+double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested,
+                          const PictureOptions& form) {
   const double scenes = std::max(1.0, static_cast<double>(requested.cells.size()));
   return workerMemory_bytes(target, requested.scene.output, form) + scenes * meshMemory_bytes(requested.scene);
 }

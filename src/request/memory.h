@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "output/film_format.h"
 #include "request/output_target.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 #include "request/requested_scene.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
@@ -21,13 +21,13 @@ namespace poinsot::request {
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits = 8);
 
 /// The same of an output as it is asked for.
-double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureForm& form);
+double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form);
 
 /// What the meshes of a scene add to that.
 double meshMemory_bytes(const scene::Scene& scene);
 
 /// Both; of a sweep with the meshes of all its cells.
-double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested, const PictureForm& form);
+double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested, const PictureOptions& form);
 
 /// "a worker that makes pictures of 640x360", for what follows.
 std::string pictureText(image::PixelSize size);

@@ -90,7 +90,7 @@ output::Effort effortOf(const std::string& word) {
 
 }  // namespace
 
-output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureForm& form) {
+output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form) {
   const auto container = output::filmContainer(target.path);
   POINSOT_EXPECT(container);
   output::FilmFormat format;

@@ -6,7 +6,7 @@
 
 #include "core/abi.h"
 #include "output/film_format.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 #include "scene/scene.h"
 
 namespace poinsot::request {
@@ -41,6 +41,6 @@ OutputTarget streamTarget(const std::string& format);
 OutputTarget parseStillTarget(const std::string& name);
 
 /// How a film of that name is made: what the scene asks for, and else what its kind of file usually holds.
-output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureForm& form);
+output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form);
 
 }  // namespace poinsot::request

@@ -42,7 +42,7 @@ std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requeste
                                              request.sweep->columns, steps);
 }
 
-stage::Sizing sizingOf(const PictureForm& form, glm::ivec2 size_px) {
+stage::Sizing sizingOf(const PictureOptions& form, glm::ivec2 size_px) {
   return form.print ? stage::printSizing(form.print->dpi) : stage::screenSizing(size_px);
 }
 

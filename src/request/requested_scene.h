@@ -6,7 +6,7 @@
 
 #include "core/step_times.h"
 #include "image/image.h"
-#include "request/picture_form.h"
+#include "request/picture_options.h"
 #include "request/scene_request.h"
 #include "scene/scene.h"
 #include "stage/composer.h"
@@ -35,6 +35,6 @@ std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requeste
                                                   core::StepLedger* steps = nullptr);
 
 /// How large type and lines are in pictures of that size.
-stage::Sizing sizingOf(const PictureForm& form, glm::ivec2 size_px);
+stage::Sizing sizingOf(const PictureOptions& form, glm::ivec2 size_px);
 
 }  // namespace poinsot::request

@@ -48,8 +48,8 @@ void forEachPixel(Use use) {
     for (int x = 0; x < kWidth; ++x) use(x, y, static_cast<std::size_t>(y * kWidth + x));
 }
 
-TileMemory blankMemory() {
-  TileMemory tiles;
+TileCache blankMemory() {
+  TileCache tiles;
   tiles.beginPicture({kWidth, kHeight}, {});
   return tiles;
 }
@@ -63,7 +63,7 @@ std::vector<int> timesIn(const std::vector<PixelBounds>& rectangles) {
 
 TEST(Mosaic, CoversAllOnce) {
   const draw::DrawList list = ellipsoidOverPlane();
-  TileMemory tiles = blankMemory();
+  TileCache tiles = blankMemory();
   const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), someSolids(), tiles);
   const Unfolded all(mosaic);
   EXPECT_EQ(timesIn(mosaic.drawn), all.times);
@@ -81,7 +81,7 @@ TEST(Mosaic, LeavesOutNothingThatAPixelShows) {
   const draw::DrawList list = ellipsoidOverPlane();
   const Sheets sheets(list);
   const SolidCells solids = someSolids();
-  TileMemory tiles = blankMemory();
+  TileCache tiles = blankMemory();
   const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, sheets, solids, tiles);
   const Unfolded all(mosaic);
   int withOutlines = 0, filled = 0;
@@ -107,7 +107,7 @@ TEST(Mosaic, OfNothingIsPaper) {
   draw::DrawList list = ellipsoidOverPlane();
   list.glassEllipsoids.clear();
   list.planes.clear();
-  TileMemory tiles = blankMemory();
+  TileCache tiles = blankMemory();
   const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), SolidCells(list.camera.size_px), tiles);
   EXPECT_TRUE(mosaic.parts.empty());
   EXPECT_TRUE(mosaic.drawn.empty());
@@ -133,7 +133,7 @@ class SecondMosaic : public testing::Test {
 
   draw::DrawList list_ = ellipsoidOverPlane();
   SolidCells solids_ = someSolids();
-  TileMemory tiles_;
+  TileCache tiles_;
 };
 
 TEST_F(SecondMosaic, HoldsTheTilesWithSolids) {

@@ -9,7 +9,7 @@ namespace poinsot::request {
 namespace {
 
 output::FilmFormat chosen(const std::string& file, const scene::Output& asked = {}, bool transparent = false) {
-  PictureForm form;
+  PictureOptions form;
   form.transparent = transparent;
   return filmFormat({OutputKind::kFilm, file}, asked, form);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/kept_panel.h"
+#include "render/cached_panel.h"
 
 #include <algorithm>
 #include <vector>
@@ -54,7 +54,7 @@ std::vector<Sample> paperRow(int width, const draw::Color& background, int chann
 }  // namespace
 
 template <typename Sample>
-TileMemory& KeptPanel::begin(image::PixelSize size, bool transparent, Constants common) {
+TileCache& CachedPanel::begin(image::PixelSize size, bool transparent, Constants common) {
   const int channels = transparent ? 4 : 3;
   const auto* kept = std::get_if<image::BasicImage<Sample>>(&picture_);
   if (!kept || kept->size != size || kept->channels != channels) {
@@ -67,7 +67,7 @@ TileMemory& KeptPanel::begin(image::PixelSize size, bool transparent, Constants 
 }
 
 template <typename Sample>
-void KeptPanel::read(const Mosaic& mosaic, const draw::Color& background) {
+void CachedPanel::read(const Mosaic& mosaic, const draw::Color& background) {
   auto& picture = this->picture<Sample>();
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   std::vector<Sample> rgba;
@@ -78,7 +78,7 @@ void KeptPanel::read(const Mosaic& mosaic, const draw::Color& background) {
 }
 
 template <typename Sample>
-void KeptPanel::layPaper(const std::vector<PixelBounds>& parts, const draw::Color& background) {
+void CachedPanel::layPaper(const std::vector<PixelBounds>& parts, const draw::Color& background) {
   if (parts.empty()) return;
   auto& picture = this->picture<Sample>();
   const auto row = paperRow<Sample>(picture.size.width, background, picture.channels);
@@ -88,14 +88,14 @@ void KeptPanel::layPaper(const std::vector<PixelBounds>& parts, const draw::Colo
                   picture.at(static_cast<int>(part.left), static_cast<int>(part.top) + y));
 }
 
-void KeptPanel::forget(const std::vector<PixelBounds>& places) {
+void CachedPanel::forget(const std::vector<PixelBounds>& places) {
   for (const PixelBounds& place : places) {
     tiles_.forget(place);
     markChanged(place);
   }
 }
 
-void KeptPanel::markChanged(const PixelBounds& place) {
+void CachedPanel::markChanged(const PixelBounds& place) {
   const image::PixelSize size = std::visit([](const auto& picture) { return picture.size; }, picture_);
   const PixelBounds p = place.clipped({size.width, size.height});
   if (!p.empty())
@@ -103,11 +103,11 @@ void KeptPanel::markChanged(const PixelBounds& place) {
                         static_cast<int>(p.bottom)});
 }
 
-template TileMemory& KeptPanel::begin<std::uint8_t>(image::PixelSize, bool, Constants);
-template TileMemory& KeptPanel::begin<std::uint16_t>(image::PixelSize, bool, Constants);
-template void KeptPanel::read<std::uint8_t>(const Mosaic&, const draw::Color&);
-template void KeptPanel::read<std::uint16_t>(const Mosaic&, const draw::Color&);
-template void KeptPanel::layPaper<std::uint8_t>(const std::vector<PixelBounds>&, const draw::Color&);
-template void KeptPanel::layPaper<std::uint16_t>(const std::vector<PixelBounds>&, const draw::Color&);
+template TileCache& CachedPanel::begin<std::uint8_t>(image::PixelSize, bool, Constants);
+template TileCache& CachedPanel::begin<std::uint16_t>(image::PixelSize, bool, Constants);
+template void CachedPanel::read<std::uint8_t>(const Mosaic&, const draw::Color&);
+template void CachedPanel::read<std::uint16_t>(const Mosaic&, const draw::Color&);
+template void CachedPanel::layPaper<std::uint8_t>(const std::vector<PixelBounds>&, const draw::Color&);
+template void CachedPanel::layPaper<std::uint16_t>(const std::vector<PixelBounds>&, const draw::Color&);
 
 }  // namespace poinsot::render

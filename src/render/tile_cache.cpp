@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/tile_memory.h"
+#include "render/tile_cache.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ int tileOf(float px) { return static_cast<int>(px) / kTile_px; }
 
 }  // namespace
 
-void TileMemory::beginPicture(glm::ivec2 size_px, Constants common) {
+void TileCache::beginPicture(glm::ivec2 size_px, Constants common) {
   if (ended_ && size_px == size_px_ && common == common_) {
     last_ = std::exchange(current_, {});
   } else {
@@ -27,7 +27,7 @@ void TileMemory::beginPicture(glm::ivec2 size_px, Constants common) {
 }
 
 // A look that the picture before did not have is on no tile.
-int TileMemory::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
+int TileCache::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
   const auto isChosen = [&](const Look& look) { return look.chosen == chosen; };
   if (const auto known = std::ranges::find_if(current_, isChosen); known != current_.end()) return known->name;
   Look look{chosen, sheets.constants(chosen), 0};
@@ -37,19 +37,19 @@ int TileMemory::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
   return current_.back().name;
 }
 
-int& TileMemory::shownAt(const PixelBounds& tile) { return shownAt(tileOf(tile.left), tileOf(tile.top)); }
+int& TileCache::shownAt(const PixelBounds& tile) { return shownAt(tileOf(tile.left), tileOf(tile.top)); }
 
-int& TileMemory::shownAt(int column, int row) {
+int& TileCache::shownAt(int column, int row) {
   return shown_[static_cast<std::size_t>(row) * static_cast<std::size_t>(tiles_.x) +
                 static_cast<std::size_t>(column)];
 }
 
-bool TileMemory::shows(const PixelBounds& tile, const SheetChoice& chosen, const Sheets& sheets) {
+bool TileCache::shows(const PixelBounds& tile, const SheetChoice& chosen, const Sheets& sheets) {
   const int name = nameOf(chosen, sheets);
   return std::exchange(shownAt(tile), name) == name;
 }
 
-void TileMemory::forget(const PixelBounds& place) {
+void TileCache::forget(const PixelBounds& place) {
   const PixelBounds p = place.clipped(size_px_);
   if (p.empty()) return;
   const auto beginsBefore = [](int tile, float end) { return static_cast<float>(tile * kTile_px) < end; };

@@ -18,7 +18,7 @@ struct PrintSize {
 };
 
 /// How pictures are made, besides their size.
-struct PictureForm {
+struct PictureOptions {
   std::optional<PrintSize> print;  ///< none: for a screen, type and lines sized by the picture
   bool transparent = false;        ///< without paper
   int bits = 8;                    ///< of a sample; 16 only where takesDeepPictures()

@@ -6,18 +6,18 @@
 #include "draw/color.h"
 #include "image/image.h"
 #include "render/mosaic.h"
-#include "render/tile_memory.h"
+#include "render/tile_cache.h"
 
 namespace poinsot::render {
 
 /// The pixels of a picture or a panel of it, kept for the one in its place in the next picture: only what became
 /// different is drawn and read again.
-class KeptPanel {
+class CachedPanel {
  public:
   /// The tiles of the picture that begins. @param common  the numbers that all tiles depend on, beside size and
   /// kind
   template <typename Sample>
-  TileMemory& begin(image::PixelSize size, bool transparent, Constants common);
+  TileCache& begin(image::PixelSize size, bool transparent, Constants common);
   /// From the bound framebuffer, where the mosaic was drawn; paper is laid without asking it.
   template <typename Sample>
   void read(const Mosaic& mosaic, const draw::Color& background);
@@ -42,7 +42,7 @@ class KeptPanel {
 
   image::AnyImage picture_;
   std::vector<image::PixelRect> changed_;
-  TileMemory tiles_;
+  TileCache tiles_;
 };
 
 }  // namespace poinsot::render

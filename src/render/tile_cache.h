@@ -12,7 +12,7 @@ namespace poinsot::render {
 /// What the tiles of a picture showed last, where that was sheets or paper alone: a film's plane and ground stand
 /// still, and need not be drawn, read and converted again. A tile is known by all numbers that decide its pixels,
 /// so that the same bytes come whatever the picture before was.
-class TileMemory {
+class TileCache {
  public:
   /// @param common  the numbers that all tiles depend on. If they or the size are others than last time, or that
   /// picture was not ended, nothing is remembered.
