@@ -96,73 +96,39 @@ std::vector<Rgb> paletteOf(const std::vector<path>& segments) {
   return maker.palette();
 }
 
+CodecContextPtr opened(const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size) {
+  const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(encoderName(codecsOf(track.container).front()));
+  if (codec == nullptr) throw Error(ErrorKind::kEncode, "this libavcodec was built without this film's encoder");
+  auto context = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
+  describePictures(*context, size, track.fps);
+  context->pix_fmt = pixels;
+  AvOptions options;
+  if (codec->id == AV_CODEC_ID_APNG) options.set("pred", "mixed");
+  openEncoder(*context, options);
+  return context;
+}
+
 /// Encoder of a whole animation, and its file.
 class Animation {
  public:
   Animation(const path& target, const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size,
             const FilmTexts& texts, const path& temporaryFolder)
-      : encoder_(open(track, pixels, size)),
-        file_(target, fileFormat(track.container), *parametersOf(*encoder_), track.fps, Index::kAtStart, texts,
-              temporaryFolder),
-        frame_(checkAlloc(FramePtr(ffmpeg().av_frame_alloc()))),
-        packet_(checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()))) {
-    frame_->width = size.width;
-    frame_->height = size.height;
-    frame_->format = pixels;
-    checkAv(ffmpeg().av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
-  }
+      : encoder_(opened(track, pixels, size)),
+        file_(target, fileFormat(track.container), *parametersOf(encoder_.context()), track.fps, Index::kAtStart,
+              texts, temporaryFolder) {}
 
-  AVFrame& frame() {
-    checkAv(ffmpeg().av_frame_make_writable(frame_.get()), "allocating a frame");
-    return *frame_;
-  }
-  void encode() {
-    frame_->pts = frames_++;
-    checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), frame_.get()), "encoding a frame");
-    receive();
-  }
+  AVFrame& frame() { return encoder_.frame(); }
+  void encode() { encoder_.encode(sink_); }
   core::AtomicFile finish() {
-    checkAv(ffmpeg().avcodec_send_frame(encoder_.get(), nullptr), "ending the film");
-    receive();
+    encoder_.drain(sink_);
     return file_.finish();
   }
 
  private:
-  static CodecContextPtr open(const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size) {
-    const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(encoderName(codecsOf(track.container).front()));
-    if (codec == nullptr) throw Error(ErrorKind::kEncode, "this libavcodec was built without this film's encoder");
-    auto encoder = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
-    encoder->width = size.width;
-    encoder->height = size.height;
-    encoder->pix_fmt = pixels;
-    encoder->framerate = {static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)};
-    encoder->time_base = av_inv_q(encoder->framerate);
-    encoder->thread_count = 1;
-    encoder->flags |= AV_CODEC_FLAG_BITEXACT;
-    AvOptions options;
-    if (codec->id == AV_CODEC_ID_APNG) options.set("pred", "mixed");
-    captureAvLog();
-    checkAv(ffmpeg().avcodec_open2(encoder.get(), codec, options.address()),
-            fmt::format("starting {}", codec->name));
-    options.expectAllTaken();
-    return encoder;
-  }
-
-  void receive() {
-    for (;;) {
-      const int code = ffmpeg().avcodec_receive_packet(encoder_.get(), packet_.get());
-      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-      checkAv(code, "encoding a frame");
-      file_.write(*packet_, packets_++);
-      ffmpeg().av_packet_unref(packet_.get());
-    }
-  }
-
-  CodecContextPtr encoder_;
+  FrameEncoder encoder_;
   TrackWriter file_;
-  FramePtr frame_;
-  PacketPtr packet_;
-  std::int64_t frames_ = 0, packets_ = 0;
+  std::int64_t packets_ = 0;
+  FrameEncoder::PacketSink sink_ = [this](AVPacket& packet) { file_.write(packet, packets_++); };
 };
 
 /// As a frame carries its palette; what is left over is transparent.

@@ -139,16 +139,6 @@ const EncoderFacts& factsOf(FilmCodec codec) {
   return kEncoders[static_cast<std::size_t>(codec)];
 }
 
-AVRational toAv(const core::Rational& r) { return {static_cast<int>(r.num), static_cast<int>(r.den)}; }
-
-void describePicture(AVCodecContext& context, image::PixelSize size, const core::Rational& fps) {
-  context.width = size.width;
-  context.height = size.height;
-  context.sample_aspect_ratio = {1, 1};
-  context.framerate = toAv(fps);
-  context.time_base = av_inv_q(context.framerate);
-}
-
 /// As output/yuv.h makes it. RGB says it of itself.
 void describeColor(AVCodecContext& context) {
   if (context.codec_id == AV_CODEC_ID_FFV1) return;
@@ -161,14 +151,10 @@ void describeColor(AVCodecContext& context) {
 }
 
 void open(AVCodecContext& context, const FilmFormat& format) {
-  context.thread_count = 1;
-  context.flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_CLOSED_GOP;
+  context.flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_CLOSED_GOP;
   AvOptions options;
   factsOf(format.codec).set(format, context, options);
-  captureAvLog();
-  checkAv(ffmpeg().avcodec_open2(&context, context.codec, options.address()),
-          fmt::format("starting {}", context.codec->name));
-  options.expectAllTaken();
+  openEncoder(context, options);
   // libavcodec does not ask x265; as it is set above, its streams are made like those of x264.
   if (context.codec_id == AV_CODEC_ID_H264 && context.has_b_frames != reorderDelay(context.codec_id))
     throw Error(ErrorKind::kEncode, fmt::format("{} reorders by {} frames, not {}", context.codec->name,
@@ -176,6 +162,18 @@ void open(AVCodecContext& context, const FilmFormat& format) {
   if (context.codec_id == AV_CODEC_ID_H264)
     context.extradata_size =
         static_cast<int>(removeEncoderNote({context.extradata, static_cast<std::size_t>(context.extradata_size)}));
+}
+
+CodecContextPtr opened(image::PixelSize size, const core::Rational& fps, const FilmFormat& format) {
+  checkFormat(format, size, fps);
+  const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(factsOf(format.codec).segments);
+  auto context = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
+  describePictures(*context, size, fps);
+  context->sample_aspect_ratio = {1, 1};
+  context->pix_fmt = factsOf(format.codec).pixels(format);
+  describeColor(*context);
+  open(*context, format);
+  return context;
 }
 
 }  // namespace
@@ -192,18 +190,28 @@ const char* missingEncoder(FilmCodec codec) {
   return nullptr;
 }
 
-FilmEncoder::FilmEncoder(image::PixelSize size, const core::Rational& fps, const FilmFormat& format) {
-  checkFormat(format, size, fps);
-  const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(factsOf(format.codec).segments);
-  context_ = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
-  frame_ = checkAlloc(FramePtr(ffmpeg().av_frame_alloc()));
-  packet_ = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
-  describePicture(*context_, size, fps);
-  context_->pix_fmt = factsOf(format.codec).pixels(format);
-  describeColor(*context_);
-  open(*context_, format);
-  frame_->width = size.width;
-  frame_->height = size.height;
+void describePictures(AVCodecContext& context, image::PixelSize size, const core::Rational& fps) {
+  context.width = size.width;
+  context.height = size.height;
+  context.framerate = {static_cast<int>(fps.num), static_cast<int>(fps.den)};
+  context.time_base = av_inv_q(context.framerate);
+}
+
+void openEncoder(AVCodecContext& context, AvOptions& options) {
+  context.thread_count = 1;
+  context.flags |= AV_CODEC_FLAG_BITEXACT;
+  captureAvLog();
+  checkAv(ffmpeg().avcodec_open2(&context, context.codec, options.address()),
+          fmt::format("starting {}", context.codec->name));
+  options.expectAllTaken();
+}
+
+FrameEncoder::FrameEncoder(CodecContextPtr opened)
+    : context_(std::move(opened)),
+      frame_(checkAlloc(FramePtr(ffmpeg().av_frame_alloc()))),
+      packet_(checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()))) {
+  frame_->width = context_->width;
+  frame_->height = context_->height;
   frame_->format = context_->pix_fmt;
   frame_->color_primaries = context_->color_primaries;  // ProRes asks each frame
   frame_->color_trc = context_->color_trc;
@@ -212,37 +220,47 @@ FilmEncoder::FilmEncoder(image::PixelSize size, const core::Rational& fps, const
   checkAv(ffmpeg().av_frame_get_buffer(frame_.get(), 0), "allocating a frame");
 }
 
-AVFrame& FilmEncoder::frame() {
+AVFrame& FrameEncoder::frame() {
   checkAv(ffmpeg().av_frame_make_writable(frame_.get()), "allocating a frame");
   return *frame_;
 }
 
-void FilmEncoder::encode(const PacketSink& sink) {
+void FrameEncoder::encode(const PacketSink& sink) {
   frame_->pts = frames_++;
   checkAv(ffmpeg().avcodec_send_frame(context_.get(), frame_.get()), "encoding a frame");
   receive(sink);
 }
 
-void FilmEncoder::drain(const PacketSink& sink) {
+void FrameEncoder::drain(const PacketSink& sink) {
   checkAv(ffmpeg().avcodec_send_frame(context_.get(), nullptr), "ending the stream");
   receive(sink);
+}
+
+void FrameEncoder::receive(const PacketSink& sink) {
+  for (;;) {
+    const int code = ffmpeg().avcodec_receive_packet(context_.get(), packet_.get());
+    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+    checkAv(code, "encoding a frame");
+    sink(*packet_);
+    ffmpeg().av_packet_unref(packet_.get());
+  }
+}
+
+FilmEncoder::FilmEncoder(image::PixelSize size, const core::Rational& fps, const FilmFormat& format)
+    : encoder_(opened(size, fps, format)) {}
+
+FilmEncoder::PacketSink FilmEncoder::withoutNote(const PacketSink& sink) {
+  if (context().codec_id != AV_CODEC_ID_H264) return sink;
+  return [&](AVPacket& packet) {
+    takeOutNote(packet);
+    sink(packet);
+  };
 }
 
 void FilmEncoder::takeOutNote(AVPacket& packet) {
   checkAv(ffmpeg().av_packet_make_writable(&packet), "copying a packet");
   const auto kept = removeEncoderNote({packet.data, static_cast<std::size_t>(packet.size)}, &note_);
   ffmpeg().av_shrink_packet(&packet, static_cast<int>(kept));
-}
-
-void FilmEncoder::receive(const PacketSink& sink) {
-  for (;;) {
-    const int code = ffmpeg().avcodec_receive_packet(context_.get(), packet_.get());
-    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-    checkAv(code, "encoding a frame");
-    if (context_->codec_id == AV_CODEC_ID_H264) takeOutNote(*packet_);
-    sink(*packet_);
-    ffmpeg().av_packet_unref(packet_.get());
-  }
 }
 
 }  // namespace poinsot::output

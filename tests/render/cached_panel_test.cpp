@@ -49,7 +49,7 @@ struct Request {
   draw::DrawList& list() { return picture.panels[0].list; }
 };
 
-class KeptPictureTest : public PictureTest {
+class CachedPanelTest : public PictureTest {
  protected:
   /// As a renderer makes it that has nothing to go by.
   image::AnyImage fresh(const Request& r) {
@@ -123,7 +123,7 @@ const std::vector<std::function<void(Request&)>> kChanges{
       r.picture.panels[1].list.planes.clear();
     }};
 
-TEST_F(KeptPictureTest, IsTheSameWhateverCameBefore) {
+TEST_F(CachedPanelTest, IsTheSameWhateverCameBefore) {
   const image::AnyImage first = fresh({});
   for (std::size_t i = 0; i < kChanges.size(); ++i) {
     Request changed;
@@ -134,7 +134,7 @@ TEST_F(KeptPictureTest, IsTheSameWhateverCameBefore) {
   EXPECT_EQ(next({}), first);
 }
 
-TEST_F(KeptPictureTest, IsTheSameInAnyOrder) {
+TEST_F(CachedPanelTest, IsTheSameInAnyOrder) {
   Random random;
   const auto some = [&] {
     Request r;
@@ -156,7 +156,7 @@ TEST_F(KeptPictureTest, IsTheSameInAnyOrder) {
   EXPECT_GT(told_, 30);
 }
 
-TEST_F(KeptPictureTest, IsTheSameAfterOneThatFailed) {
+TEST_F(CachedPanelTest, IsTheSameAfterOneThatFailed) {
   Request broken;
   broken.list().texts.push_back({"$\\omgea$", {200, 200}, 20, Color(0), 1, std::nullopt, 0});
   broken.list().frustums.clear();
@@ -186,7 +186,7 @@ Request leaving(glm::ivec2 size_px, bool another) {
 }
 
 // The layers of the solids end with the picture in the one case, and reach beyond it in the other.
-TEST_F(KeptPictureTest, IsTheSameAtTheBorderAfterLargerLayers) {
+TEST_F(CachedPanelTest, IsTheSameAtTheBorderAfterLargerLayers) {
   for (const glm::ivec2 size : {glm::ivec2(640, 384), glm::ivec2(639, 383)}) {
     const Request wanted = leaving(size, false);
     const image::AnyImage alone = fresh(wanted);
