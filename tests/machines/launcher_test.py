@@ -43,6 +43,8 @@ class Machine:
         for made in (self.tree / "src", self.tree / "shaders", self.tree / "cmake", self.state, self.bin):
             made.mkdir(parents=True)
         shutil.copy(LAUNCHER, self.tree / "poinsot")
+        (self.tree / "packaging").mkdir()
+        shutil.copy(LAUNCHER.parent / "packaging/debian.txt", self.tree / "packaging")
         (self.tree / "CMakeLists.txt").touch()
         for tool in REAL:
             (self.bin / tool).symlink_to(shutil.which(tool))
@@ -90,7 +92,7 @@ class BadMachine(unittest.TestCase):
         for words in said:
             self.assertIn(words, last)
         self.assertFalse((self.machine.tree / "build/bin/poinsot").exists())
-        self.assertFalse((self.machine.tree / "build/.built-program").exists())
+        self.assertFalse((self.machine.tree / "build/.built-poinsot").exists())
 
     def works(self, **variables):
         """The next try builds, and the one after has nothing to do."""

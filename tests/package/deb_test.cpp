@@ -47,10 +47,9 @@ class Deb : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// The words of an array of the launcher.
-std::vector<std::string> launcherList(const std::string& name) {
-  const auto result =
-      runShell(POINSOT_SOURCE_DIR, "source <(sed -n '/^" + name + "=(/,/)/p' poinsot); echo ${" + name + "[@]}");
+/// The packages of that purpose, as the launcher reads them.
+std::vector<std::string> launcherList(const std::string& purpose) {
+  const auto result = runShell(POINSOT_SOURCE_DIR, "sed -n 's/^" + purpose + ": //p' packaging/debian.txt");
   std::istringstream words(result.out);
   return {std::istream_iterator<std::string>(words), {}};
 }
@@ -69,7 +68,7 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
     EXPECT_THAT(package, StartsWith(name));
     EXPECT_THAT(depends, HasSubstr(package));
   }
-  const auto opened = launcherList("packages_run");  // at run time, so that no linker says so
+  const auto opened = launcherList("run");  // at run time, so that no linker says so
   EXPECT_FALSE(opened.empty());
   for (const std::string& package : opened)  // NAME? is wanted where the system has it
     EXPECT_THAT(depends, HasSubstr(package.substr(0, package.find('?'))));
