@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
 
 #include "layering/layer_rules.h"
 #include "layering/source_scan.h"
@@ -31,6 +36,25 @@ TEST(Layering, RanksGoStrictlyDown) {
       EXPECT_THAT(lower, ::testing::Contains(used)) << layer.name << " uses " << used;
     lower.push_back(layer.name);
   }
+}
+
+/// The libraries' names and what they may use, as the table of docs/architecture.md has them.
+std::vector<std::string> documentedRows() {
+  std::ifstream page(fs::path(POINSOT_SOURCE_DIR) / "docs/architecture.md");
+  const std::regex row(R"(\| `(\w+)` \| [^|]* \| ([^|;]*?)(?:; [^|]*)?\| .*)");
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(page, line);)
+    if (std::smatch match; std::regex_match(line, match, row))
+      rows.push_back(fmt::format("{}: {}", match.str(1), std::regex_replace(match.str(2), std::regex(" +$"), "")));
+  return rows;
+}
+
+TEST(Layering, TableInTheDocsIsThatOfThisTest) {
+  std::vector<std::string> rows;
+  for (const Layer& layer : layers())
+    rows.push_back(fmt::format("{}: {}", layer.name,
+                               layer.name == "cli" ? "all" : fmt::format("{}", fmt::join(layer.mayUse, ", "))));
+  EXPECT_THAT(documentedRows(), ::testing::UnorderedElementsAreArray(rows));
 }
 
 TEST(SourceScan, ReadsIncludesAndNotComments) {
@@ -88,8 +112,8 @@ TEST_F(MadeUpTree, UpwardAndSidewaysIncludesAreCaught) {
   write("core/a.h", "\n#include \"physics/b.h\"\n");
   write("render/a.cpp", "#include <physics/free_motion.h>\n");
   write("job/a.cpp", "#include \"cli/program.h\"\n");
-  EXPECT_THAT(violations(), ElementsAre("job/a.cpp:1: job must not include cli/program.h",
-                                        "core/a.h:2: core must not include physics/b.h",
+  EXPECT_THAT(violations(), ElementsAre("core/a.h:2: core must not include physics/b.h",
+                                        "job/a.cpp:1: job must not include cli/program.h",
                                         "render/a.cpp:1: render must not include physics/free_motion.h"));
 }
 
@@ -149,9 +173,10 @@ TEST_F(MadeUpTree, ThirdPartiesOutsideTheirDoorsAreCaught) {
 TEST_F(MadeUpTree, FilesThatHideTheirLayerAreCaught) {
   write("render/a.cpp", "#include \"renderer.h\"\n");
   write("util/a.h", "#include <vector>\n");
-  EXPECT_THAT(violations(),
-              ElementsAre("render/a.cpp:1: \"renderer.h\" is in no layer; write \"layer/file.h\"",
-                          "util/a.h:1: a folder of src/ that is no layer; add it to ARCHITECTURE.md and here"));
+  EXPECT_THAT(
+      violations(),
+      ElementsAre("render/a.cpp:1: \"renderer.h\" is in no layer; write \"layer/file.h\"",
+                  "util/a.h:1: a folder of src/ that is no layer; add it to docs/architecture.md and here"));
 }
 
 }  // namespace
