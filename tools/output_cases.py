@@ -46,7 +46,7 @@ class Case:
 
 
 # What may differ from one run to the next.
-TIMES = [(rb"\d+(\.\d+)? ?(ms|s|min|h)\b", b"TIME"), (rb"\d+(\.\d+)? (KiB|MiB|GiB|MB|GB)\b", b"MEMORY"),
+TIMES = [(rb"(poinsot: \d+ of \d+ frames \(\d+ %\)[^\n]*\n)+", b"PROGRESS\n"), (rb"\d+(\.\d+)? ?(ms|s|min|h)\b", b"TIME"), (rb"\d+(\.\d+)? (KiB|MiB|GiB|MB|GB)\b", b"MEMORY"),
          (rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?", b"DATE"),
          (rb"/tmp/poinsot-\w+", b"TEMPORARY"), (rb"\"(elapsed|left|time|seconds|duration)\w*\": ?[\d.e+-]+", b"TIME"),
          (rb" time=\"[\d.]+\"", b"TIME")]
@@ -60,7 +60,7 @@ def of_scenes(root):
         scene = f"scenes/{path.name}"
         yield Case(f"scene {name}", [
             ["check", scene], ["info", scene], ["info", scene, "--json"], ["info", scene, "--alt"],
-            ["trajectory", scene, "--rate", "7", "-o", "t.csv"], ["trajectory", scene, "--at=-3.5,0,1e3", "-o", "t.json"],
+            ["trajectory", scene, "--at=0,0.25,7,1e3", "-o", "t.csv"], ["trajectory", scene, "--at=-3.5,0,1e3", "-o", "t.json"],
             *(["still", scene, *SMALL, "-o", f"still.{kind}"] for kind in ("png", "svg", "pdf", "tex")),
             ["render", scene, *SMALL, *PLAIN, "--frames", "3-14", "-o", "film.mp4", "--manifest", "manifest.json"],
             ["submit", scene, "-o", "film2.mp4"], ["status", "film.mp4", "--json"]],
@@ -112,8 +112,8 @@ def of_pictures(root):
                           ["sweep", racket, "--map", *SMALL, "-o", "map.png"], ["sweep", racket, "--map", "-o", "map.pdf"],
                           ["sweep", racket, "-D", "motion.omega_body=[0.01..0.41:2, 1..4.2:3, 0]", "-o", "two.tex"],
                           ["sweep", racket, "-o", "none.png"], ["submit", racket, *grid, "-o", "s2.mp4"]], scenes)
-    yield Case("gallery", [["gallery", "scenes", *SMALL, "-o", "pictures"],
-                           ["gallery", "scenes", "--only", "football", "f*", "--no-sheet", *SMALL, "-o", "few"],
+    yield Case("gallery", [["gallery", "scenes", *SMALL, "-j", "1", "-o", "pictures"],
+                           ["gallery", "scenes", "--only", "football", "f*", "--no-sheet", *SMALL, "-j", "1", "-o", "few"],
                            ["gallery", "scenes", "--only", "nothing", "-o", "none"]], scenes)
     football = "scenes/football.toml"
     yield Case("papers", [["still", football, "--width", "86mm", "-o", "f.pdf"], ["still", football, "--width", "3 in", "--dpi", "200", "-o", "f.png"],

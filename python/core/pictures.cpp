@@ -30,8 +30,7 @@ std::atomic<pid_t> owner = 0;  // the process that draws; 0 before the first pic
 void refuseFork() {
   pid_t expected = 0;
   if (owner.compare_exchange_strong(expected, getpid()) || expected == getpid()) return;
-  throw core::Error(
-      ErrorKind::kUsage,
+  throw core::usageError(
       "this process is a fork of one that has drawn pictures, and cannot draw; start it with the method "
       "\"spawn\": multiprocessing.get_context(\"spawn\")");
 }
@@ -90,9 +89,8 @@ void requireSides(std::int64_t width, std::int64_t height, const scene::Limits& 
   const auto text = [&] {
     return fmt::format("size=({}, {}): sides are from {} to {} pixels", width, height, scene::kLeastSide, most);
   };
-  if (std::min(width, height) < scene::kLeastSide) throw core::Error(ErrorKind::kUsage, text());
-  if (std::max(width, height) > most)
-    throw core::Error(ErrorKind::kLimit, text() + "; " + howToRaise(scene::Limit::kSide));
+  if (std::min(width, height) < scene::kLeastSide) throw core::usageError(text());
+  if (std::max(width, height) > most) throw core::limitError(text() + "; " + howToRaise(scene::Limit::kSide));
 }
 
 image::AnyImage pictureOf(const std::shared_ptr<LoadedScene>& scene, const PictureAsk& ask) {

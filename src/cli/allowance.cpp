@@ -32,8 +32,7 @@ void setBy(const std::string& option, Set set) {
 void expectFolder(const std::string& word) {
   std::error_code ignored;
   if (std::filesystem::is_directory(word, ignored) || !std::filesystem::exists(word, ignored)) return;
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("--asset-root {}: it is no folder", core::printable(word)));
+  throw core::usageError(fmt::format("--asset-root {}: it is no folder", core::printable(word)));
 }
 
 }  // namespace

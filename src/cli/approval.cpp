@@ -10,7 +10,7 @@ namespace poinsot::cli {
 
 namespace {
 
-[[noreturn]] void refuse(const char* message) { throw core::Error(core::ErrorKind::kUsage, message); }
+[[noreturn]] void refuse(const char* message) { throw core::usageError(message); }
 
 }  // namespace
 

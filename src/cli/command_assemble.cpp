@@ -28,11 +28,10 @@ request::OutputTarget filmTarget(const AssembleOptions& options, const request::
   if (options.film.empty()) return output;
   const auto film = request::parseTarget(options.film);
   if (film.kind != output.kind || output.kind != request::OutputKind::kFilm)
-    throw core::Error(core::ErrorKind::kUsage, "-o names another place for a film; frames stay where they are");
+    throw core::usageError("-o names another place for a film; frames stay where they are");
   if (film.path.extension() != output.path.extension())
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("-o {}: the segments are those of a {}", core::printable(options.film),
-                                  core::printable(output.path.extension().string())));
+    throw core::usageError(fmt::format("-o {}: the segments are those of a {}", core::printable(options.film),
+                                       core::printable(output.path.extension().string())));
   return film;
 }
 
@@ -50,9 +49,8 @@ int assemble(const AssembleOptions& options) {
   const auto folder = job::workFolderOf(output.path);
   const auto job = job::readJobRecord(folder, output);
   if (!job)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: there are no segments of it here; {}", core::printable(options.output),
-                                  job::nothingUnderWayText(output, folder)));
+    throw core::ioError(fmt::format("{}: there are no segments of it here; {}", core::printable(options.output),
+                                    job::nothingUnderWayText(output, folder)));
   if (film.kind == request::OutputKind::kFilm) enterFiles(options, folder, *job, film);
   job::WorkFolder work(output.path, job::WorkFolderUse::kResumed);
   core::FileBatch results;

@@ -70,7 +70,7 @@ Kind commonKind(const DiffOptions& options) {
   const Kind reference = kindOf(options.reference), test = kindOf(options.test);
   if (reference == test) return reference;
   if (reference != Kind::kFolder && test != Kind::kFolder) return Kind::kPicture;
-  throw Error(ErrorKind::kUsage, "both must be files, or both folders");
+  throw core::usageError("both must be files, or both folders");
 }
 
 compare::PictureRule ruleOf(const DiffOptions& options) {
@@ -112,10 +112,10 @@ void enterMaps(output::RunFiles& files, const compare::DiffRequest& request, con
 }
 
 void expectNamesOfReports(const DiffOptions& options, Kind kind) {
-  if (!options.curve.empty() && kind != Kind::kFilm) throw Error(ErrorKind::kUsage, "--curve: needs two films");
+  if (!options.curve.empty() && kind != Kind::kFilm) throw core::usageError("--curve: needs two films");
   if (!options.report.empty() && !fs::path(options.report).extension().native().starts_with(".htm"))
-    throw Error(ErrorKind::kUsage, fmt::format("report '{}': works: NAME.html{}", core::printable(options.report),
-                                               core::smallLettersHint(options.report, {".html", ".htm"})));
+    throw core::usageError(fmt::format("report '{}': works: NAME.html{}", core::printable(options.report),
+                                       core::smallLettersHint(options.report, {".html", ".htm"})));
 }
 
 /// Enters all files, before anything is compared. @param names  of two folders

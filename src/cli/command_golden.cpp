@@ -106,7 +106,7 @@ class Golden {
 
   int run() {
     if (!options_.images.empty() && !fs::is_directory(options_.images))
-      throw Error(ErrorKind::kIo, fmt::format("--images {}: no such folder", core::printable(options_.images)));
+      throw core::ioError(fmt::format("--images {}: no such folder", core::printable(options_.images)));
     golden::expectFilesApart(manifest_, allCases(), request_.output);
     if (options_.list) return list();
     checkOptions();

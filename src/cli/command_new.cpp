@@ -46,10 +46,10 @@ fs::path galleryFile(const std::string& name) {
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return scenes[static_cast<std::size_t>(found - names.begin())];
   const auto near = core::closest(name.substr(0, 64), names);
-  throw Error(ErrorKind::kUsage,
-              fmt::format("--from: the gallery has no scene '{}'; {}", core::printable(name),
-                          near ? fmt::format("did you mean '{}'?", core::printable(*near))
-                               : core::printableLines(fmt::format("it has {}", fmt::join(names, ", ")))));
+  throw core::usageError(
+      fmt::format("--from: the gallery has no scene '{}'; {}", core::printable(name),
+                  near ? fmt::format("did you mean '{}'?", core::printable(*near))
+                       : core::printableLines(fmt::format("it has {}", fmt::join(names, ", ")))));
 }
 
 std::string galleryText(const fs::path& file) {

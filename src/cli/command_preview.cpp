@@ -69,7 +69,7 @@ void tellMistakes(const PreviewOptions& options) {
 
 int preview(const PreviewOptions& options) {
   if (options.untrusted)  // the sandbox has no network
-    throw core::Error(core::ErrorKind::kUsage, "--untrusted: a preview cannot be held to it; check and still can");
+    throw core::usageError("--untrusted: a preview cannot be held to it; check and still can");
   process::watchInterrupts();
   gl::pinEnvironment(false, job::availableCpus());
   tellMistakes(options);

@@ -168,9 +168,8 @@ int status(const StatusOptions& options) {
   if (!job && target.kind == request::OutputKind::kFilm && output::isOwnFilm(target.path))
     return statusOfFilm(options, target.path);
   if (!job)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: no render of it is under way here; {}", core::printable(options.output),
-                                  job::nothingUnderWayText(target, folder)));
+    throw core::ioError(fmt::format("{}: no render of it is under way here; {}", core::printable(options.output),
+                                    job::nothingUnderWayText(target, folder)));
   const job::JobStatus state = job::statusOf(folder, *job, target);
   // A run that was killed while it tidied up leaves some segments of a film that needs none.
   if (!state.complete() && job::isFinished(*job, target.path)) return statusOfFilm(options, target.path);

@@ -69,11 +69,10 @@ Words assembleWords(const SubmitOptions& options, const request::OutputTarget& t
 }
 
 void checkKind(const request::OutputTarget& target) {
-  if (target.stream) throw core::Error(core::ErrorKind::kUsage, "-o -: tasks on several machines write files");
+  if (target.stream) throw core::usageError("-o -: tasks on several machines write files");
   if (target.kind == request::OutputKind::kPicture)
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("{}: one picture is made by one process; submit is for films and sequences",
-                                  core::printable(target.path.string())));
+    throw core::usageError(fmt::format("{}: one picture is made by one process; submit is for films and sequences",
+                                       core::printable(target.path.string())));
 }
 
 std::vector<std::filesystem::path> inputFiles(const SubmitOptions& options, const scene::Scene& scene) {
@@ -97,10 +96,9 @@ std::string scriptOf(const std::string& engine, const cluster::Submission& submi
 }
 
 void checkGrid(const SubmitOptions& options) {
-  if (options.sweep && options.loop)
-    throw core::Error(core::ErrorKind::kUsage, "--loop changes one motion, and a sweep has several");
+  if (options.sweep && options.loop) throw core::usageError("--loop changes one motion, and a sweep has several");
   if (!options.sweep && (options.grid.columns > 0 || !options.grid.labels.empty()))
-    throw core::Error(core::ErrorKind::kUsage, "--columns and --label are for a grid: -D with a range");
+    throw core::usageError("--columns and --label are for a grid: -D with a range");
 }
 
 int submit(SubmitOptions options) {

@@ -82,10 +82,9 @@ void checkOutput(const reference::TrajectoryTimes& times, const scene::Scene& sc
   const double estimate = kNumber_bytes * static_cast<double>(columns.size()) * static_cast<double>(times.count());
   const std::int64_t most = limits[scene::Limit::kOutput];
   if (estimate <= static_cast<double>(most)) return;
-  throw core::Error(
-      core::ErrorKind::kLimit,
-      fmt::format("{} rows are about {:.3g} GiB; a run may write {}; {}", times.count(), estimate / (1 << 30),
-                  limitText(scene::Limit::kOutput, most), howToRaise(scene::Limit::kOutput)));
+  throw core::limitError(fmt::format("{} rows are about {:.3g} GiB; a run may write {}; {}", times.count(),
+                                     estimate / (1 << 30), limitText(scene::Limit::kOutput, most),
+                                     howToRaise(scene::Limit::kOutput)));
 }
 
 int trajectory(const TrajectoryOptions& options) {

@@ -36,8 +36,7 @@ void openStandardStreams() {
 void writeOut(std::string_view text) {
   const int status = process::writeText(STDOUT_FILENO, core::printableLines(text));
   if (status == EPIPE) throw core::BrokenPipe();
-  if (status != 0)
-    throw core::Error(core::ErrorKind::kIo, fmt::format("standard output: {}", core::systemReason(status)));
+  if (status != 0) throw core::ioError(fmt::format("standard output: {}", core::systemReason(status)));
 }
 
 void writeErr(std::string_view text) { process::writeText(STDERR_FILENO, core::printableLines(text)); }

@@ -19,8 +19,7 @@ double parseTime_s(std::string_view option, const std::string& word) {
   if (const auto seconds = core::parseNumber(word)) return *seconds;
   const auto quantity = scene::parseQuantity(word, scene::Dimension::kTime);
   if (!quantity.ok())
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("{} '{}': {}", option, core::printable(word), quantity.problem));
+    throw core::usageError(fmt::format("{} '{}': {}", option, core::printable(word), quantity.problem));
   return quantity.value;
 }
 
@@ -97,11 +96,9 @@ image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize
   const auto longest = static_cast<double>(limits[scene::Limit::kSide]);
   const Sides sides = sidesOf(print, proportion);
   if (fits(sides, longest)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
-  throw core::Error(
-      core::ErrorKind::kLimit,
-      fmt::format("{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels{}",
-                  print.width_mm, print.dpi, sides.width, sides.height, scene::kLeastSide, longest,
-                  advice(print, proportion, longest)));
+  throw core::limitError(fmt::format(
+      "{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels{}", print.width_mm,
+      print.dpi, sides.width, sides.height, scene::kLeastSide, longest, advice(print, proportion, longest)));
 }
 
 void addBitsOption(CLI::App& command, int& bits) {
@@ -112,8 +109,7 @@ void addBitsOption(CLI::App& command, int& bits) {
 
 void checkBits(int bits, const request::OutputTarget& target) {
   if (bits == 8 || request::takesDeepPictures(target)) return;
-  throw core::Error(
-      core::ErrorKind::kUsage,
+  throw core::usageError(
       fmt::format("--bits {}: {}", bits,
                   target.kind == request::OutputKind::kFigure
                       ? "the pictures in a figure have 8; NAME.png can have 16"

@@ -108,14 +108,13 @@ image::PixelSize parseSize(const std::string& text, const scene::Limits& limits)
                           ? std::nullopt
                           : core::parseInteger<int>(std::string_view(text).substr(cross + 1));
   if (!width || !height)
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
+    throw core::usageError(
+        fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
   const std::int64_t most = limits[scene::Limit::kSide];
   const auto fits = [&](int side) { return side >= scene::kLeastSide && side <= most; };
   if (!fits(*width) || !fits(*height))
-    throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("--size {}x{}: sides are from {} to {} pixels; {}", *width, *height,
-                                  scene::kLeastSide, most, howToRaise(scene::Limit::kSide)));
+    throw core::limitError(fmt::format("--size {}x{}: sides are from {} to {} pixels; {}", *width, *height,
+                                       scene::kLeastSide, most, howToRaise(scene::Limit::kSide)));
   return {*width, *height};
 }
 

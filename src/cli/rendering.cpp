@@ -38,8 +38,7 @@ void enterTarget(output::RunFiles& files, const request::OutputTarget& target, c
 
 void checkStandardOutput() {
   if (isatty(STDOUT_FILENO) != 0)
-    throw core::Error(core::ErrorKind::kUsage,
-                      "-o -: standard output is a terminal; send it to a program or a file");
+    throw core::usageError("-o -: standard output is a terminal; send it to a program or a file");
 }
 
 /// The folder of results, out/, also where it was named. False when it is missing and a dry run leaves it so.

@@ -30,9 +30,8 @@ std::string makeName(const Submission& submission, const std::filesystem::path& 
   std::string name;
   for (const char c : whole) {
     if (isUnwritable(c))
-      throw core::Error(core::ErrorKind::kUsage,
-                        fmt::format("{}: make cannot hold the '{}' of this name; choose another --engine",
-                                    core::printable(whole), core::printable(std::string_view(&c, 1))));
+      throw core::usageError(fmt::format("{}: make cannot hold the '{}' of this name; choose another --engine",
+                                         core::printable(whole), core::printable(std::string_view(&c, 1))));
     name += writtenForMake(c);
   }
   return name;

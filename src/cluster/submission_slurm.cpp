@@ -20,9 +20,8 @@ int limit_min(const Division& division) { return static_cast<int>(std::ceil(10 +
 std::string saidFolder(const Submission& submission) {
   std::string folder = (submission.folder / tasksFolderOf(submission)).lexically_normal().string();
   if (folder.find('\\') != std::string::npos)
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("{}: Slurm cannot hold the '\\' of this name; choose another output",
-                                  core::printable(folder)));
+    throw core::usageError(fmt::format("{}: Slurm cannot hold the '\\' of this name; choose another output",
+                                       core::printable(folder)));
   return folder;
 }
 

@@ -194,9 +194,8 @@ std::string curveSvg(const FilmDiff& diff, const NearRule& rule) { return CurveP
 output::FileKind curveKind(const std::filesystem::path& file) {
   if (isCsv(file)) return output::textKind("a curve", std::string(kCsvHeader));
   if (file.extension() != ".svg")
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("curve '{}': works: NAME.csv, NAME.svg{}", core::printable(file.native()),
-                                  core::smallLettersHint(file.native(), {".csv", ".svg"})));
+    throw core::usageError(fmt::format("curve '{}': works: NAME.csv, NAME.svg{}", core::printable(file.native()),
+                                       core::smallLettersHint(file.native(), {".csv", ".svg"})));
   return {"a curve", [](const std::filesystem::path& earlier) {
             const auto rest = figure::markedRest(earlier, figure::kSvgMark);
             return rest && rest->starts_with(svgStart());

@@ -24,8 +24,8 @@ std::string shape(const image::BasicImage<Sample>& image) {
 template <typename Sample>
 void checkComparable(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b) {
   if (a.size == b.size && a.channels == b.channels) return;
-  throw core::Error(core::ErrorKind::kIo,
-                    fmt::format("pictures of different shape cannot be compared: {} and {}", shape(a), shape(b)));
+  throw core::ioError(
+      fmt::format("pictures of different shape cannot be compared: {} and {}", shape(a), shape(b)));
 }
 
 /// Steps of a sample that are 1/255.

@@ -185,9 +185,8 @@ void forFrames(const std::filesystem::path& reference, const std::filesystem::pa
     for (; next < frame; ++next) films.next(1);
     auto pairs = films.next(1);
     if (pairs.empty())
-      throw core::Error(core::ErrorKind::kIo,
-                        fmt::format("{} or {} became shorter while they were read",
-                                    core::printable(reference.native()), core::printable(test.native())));
+      throw core::ioError(fmt::format("{} or {} became shorter while they were read",
+                                      core::printable(reference.native()), core::printable(test.native())));
     visit(next++, comparePictures(std::move(pairs[0].reference), std::move(pairs[0].test), request));
   }
 }

@@ -58,9 +58,8 @@ FolderNames namesInFolders(const fs::path& reference, const fs::path& test) {
   FolderNames names;
   const auto ours = namesIn(reference, names.linkedFolders), theirs = namesIn(test, names.linkedFolders);
   if (ours.empty() && theirs.empty())
-    throw Error(ErrorKind::kUsage,
-                fmt::format("{} and {}: no PNG file and no film is there", core::printable(reference.native()),
-                            core::printable(test.native())));
+    throw core::usageError(fmt::format("{} and {}: no PNG file and no film is there",
+                                       core::printable(reference.native()), core::printable(test.native())));
   std::ranges::set_intersection(ours, theirs, std::back_inserter(names.inBoth));
   std::ranges::set_difference(ours, theirs, std::back_inserter(names.onlyInReference));
   std::ranges::set_difference(theirs, ours, std::back_inserter(names.onlyInTest));

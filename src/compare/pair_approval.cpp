@@ -36,9 +36,8 @@ void expectMeaning(const std::vector<Outcome>& outcomes, const std::vector<std::
     std::vector<std::string> names;
     for (const Outcome& outcome : outcomes) names.push_back(outcome.name);
     const auto near = core::closest(pattern, names);
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("--update {}: no picture has this name{}", core::printable(pattern),
-                                  near ? fmt::format("; did you mean '{}'?", core::printable(*near)) : ""));
+    throw core::usageError(fmt::format("--update {}: no picture has this name{}", core::printable(pattern),
+                                       near ? fmt::format("; did you mean '{}'?", core::printable(*near)) : ""));
   }
 }
 

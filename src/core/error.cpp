@@ -21,7 +21,11 @@ Error::Error(ErrorKind kind, const std::string& message, std::optional<SourceLoc
 
 Error usageError(const std::string& message) { return {ErrorKind::kUsage, message}; }
 Error sceneError(const std::string& message) { return {ErrorKind::kScene, message}; }
+Error limitError(const std::string& message) { return {ErrorKind::kLimit, message}; }
 Error physicsError(const std::string& message) { return {ErrorKind::kPhysics, message}; }
+Error graphicsError(const std::string& message) { return {ErrorKind::kGraphics, message}; }
+Error encodeError(const std::string& message) { return {ErrorKind::kEncode, message}; }
+Error ioError(const std::string& message) { return {ErrorKind::kIo, message}; }
 
 std::string systemReason(int code) { return std::generic_category().message(code); }
 

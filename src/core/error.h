@@ -47,10 +47,14 @@ class Error : public std::runtime_error {
   std::optional<SourceLocation> where_;
 };
 
-/// Errors of the kinds that are thrown most.
+/// Make an error of a kind, to be thrown.
 Error usageError(const std::string& message);
 Error sceneError(const std::string& message);
+Error limitError(const std::string& message);
 Error physicsError(const std::string& message);
+Error graphicsError(const std::string& message);
+Error encodeError(const std::string& message);
+Error ioError(const std::string& message);
 
 /// Returns the system's words for an errno: "No space left on device".
 std::string systemReason(int code);

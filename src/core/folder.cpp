@@ -30,10 +30,8 @@ void expectNoLinkAbove(const fs::path& file, const fs::path& folder) {
     above /= part;
     std::error_code ignored;
     if (!fs::is_symlink(above, ignored)) continue;
-    throw Error(
-        ErrorKind::kIo,
-        fmt::format("{}: is a link; references lie in real folders below {}: put a folder in its place",
-                    printable(above.native()), printable(folder.native())));
+    throw ioError(fmt::format("{}: is a link; references lie in real folders below {}: put a folder in its place",
+                              printable(above.native()), printable(folder.native())));
   }
 }
 

@@ -31,7 +31,7 @@ std::size_t expectRegular(const FileHandle& file, ErrorKind kind) {
 }
 
 [[noreturn]] void refuseSize(std::size_t bytes, std::size_t mostBytes) {
-  throw Error(ErrorKind::kLimit, fmt::format("it has {} bytes, more than the {} that are read", bytes, mostBytes));
+  throw limitError(fmt::format("it has {} bytes, more than the {} that are read", bytes, mostBytes));
 }
 
 }  // namespace

@@ -23,9 +23,8 @@ constexpr const char* kUnlabelled = "-unlabelled.png";
 // LaTeX reads these in a file's name as something else.
 void requireNameForLatex(const std::string& name) {
   if (name.find_first_of("%#$&{}\\^~\"") == std::string::npos) return;
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("{}: LaTeX cannot load a picture whose name has one of % # $ & {{ }} \\ ^ ~ \"",
-                                core::printable(name)));
+  throw core::usageError(fmt::format(
+      "{}: LaTeX cannot load a picture whose name has one of % # $ & {{ }} \\ ^ ~ \"", core::printable(name)));
 }
 
 Bytes bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
@@ -76,8 +75,7 @@ std::vector<std::vector<std::uint8_t>> figureContents(const std::filesystem::pat
   POINSOT_EXPECT(medium.has_value());
   POINSOT_EXPECT(imagePart.size.width == picture.size_px.x && imagePart.size.height == picture.size_px.y);
   if (!(options.width_mm > 0 && std::isfinite(options.width_mm)))
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("a figure's width must be more than 0 mm, got {} mm", options.width_mm));
+    throw core::usageError(fmt::format("a figure's width must be more than 0 mm, got {} mm", options.width_mm));
   const Figure figure{picture, imagePart, options};
   if (*medium == FigureMedium::kPdf) return {pdfOf(figure)};
   if (*medium == FigureMedium::kSvg) return {bytesOf(svgOf(figure))};

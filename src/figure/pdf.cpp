@@ -29,7 +29,7 @@ using FontPtr = std::unique_ptr<cairo_font_face_t, decltype(&cairo_font_face_des
 
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
-  throw core::Error(core::ErrorKind::kEncode, fmt::format("writing a PDF: {}", cairo_status_to_string(status)));
+  throw core::encodeError(fmt::format("writing a PDF: {}", cairo_status_to_string(status)));
 }
 
 cairo_status_t append(void* to, const unsigned char* data, unsigned size) noexcept try {

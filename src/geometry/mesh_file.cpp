@@ -14,17 +14,15 @@ MeshFormat meshFormatOf(const std::filesystem::path& path) {
   if (ending == ".obj") return MeshFormat::kObj;
   if (ending == ".stl") return MeshFormat::kStl;
   if (ending == ".ply") return MeshFormat::kPly;
-  throw core::Error(core::ErrorKind::kScene,
-                    fmt::format("the name of a mesh file must end in .obj, .stl or .ply, got {}",
-                                core::printable(path.filename().string())));
+  throw core::sceneError(fmt::format("the name of a mesh file must end in .obj, .stl or .ply, got {}",
+                                     core::printable(path.filename().string())));
 }
 
 MeshReading parseMesh(std::string_view bytes, MeshFormat format, const std::string& name,
                       const MeshLimits& limits) {
   const std::string shown = core::printable(name);
   if (bytes.size() > limits.bytes)
-    throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("{} has more than {} bytes, the most that are read", shown, limits.bytes));
+    throw core::limitError(fmt::format("{} has more than {} bytes, the most that are read", shown, limits.bytes));
   if (bytes.empty())
     throw core::Error(core::ErrorKind::kScene, "the file is empty; export the mesh again",
                       core::SourceLocation{shown});

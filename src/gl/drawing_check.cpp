@@ -51,9 +51,9 @@ void expectDraws() {
   drawTriangle();
   // Away from every edge, so that outlines are not enough.
   if (pixelAt(2, 2) == kTriangle && pixelAt(kSide - 2, kSide - 2) == kGround) return;
-  throw core::Error(core::ErrorKind::kGraphics,
-                    "the back end reports success but does not draw: a triangle did not come out as drawn; "
-                    "choose another --backend or reinstall Mesa; `poinsot doctor` tests the back ends");
+  throw core::graphicsError(
+      "the back end reports success but does not draw: a triangle did not come out as drawn; "
+      "choose another --backend or reinstall Mesa; `poinsot doctor` tests the back ends");
 }
 
 }  // namespace poinsot::gl

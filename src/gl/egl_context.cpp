@@ -89,7 +89,7 @@ Error SurfacelessDisplay::missing() {
 EGLDisplay SurfacelessDisplay::find() {
   const auto getPlatformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl().getProcAddress("eglGetPlatformDisplayEXT"));
-  if (!getPlatformDisplay) throw Error(ErrorKind::kGraphics, "EGL is too old: it has no platform displays");
+  if (!getPlatformDisplay) throw core::graphicsError("EGL is too old: it has no platform displays");
   const EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) throw missing();
   return display;
@@ -107,8 +107,7 @@ class EglContext final : public NestedContext {
                                       EGL_NONE};
     egl().bindApi(EGL_OPENGL_API);
     context_ = egl().createContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
-    if (context_ == EGL_NO_CONTEXT)
-      throw Error(ErrorKind::kGraphics, "EGL gives no surfaceless OpenGL 3.3 core context");
+    if (context_ == EGL_NO_CONTEXT) throw core::graphicsError("EGL gives no surfaceless OpenGL 3.3 core context");
   }
   ~EglContext() override {
     leave();

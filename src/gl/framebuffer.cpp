@@ -29,8 +29,7 @@ void requireComplete(glm::ivec2 size) {
   const GLenum error = glGetError();
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (error == GL_NO_ERROR && status == GL_FRAMEBUFFER_COMPLETE) return;
-  throw core::Error(
-      core::ErrorKind::kGraphics,
+  throw core::graphicsError(
       fmt::format("the back end cannot hold a picture of {} x {} pixels (error 0x{:x}, status 0x{:x})", size.x,
                   size.y, error, status));
 }

@@ -85,7 +85,7 @@ bool NestedContext::isCurrent() const { return latest_ == place_ && isBound(); }
 void NestedContext::makeCurrent() {
   if (latest_ && latest_ != place_ && latest_->context && latest_->context->isCurrent())
     latest_->context->unbind();
-  if (!bind()) throw Error(ErrorKind::kGraphics, std::string(backendName()) + " cannot make its context current");
+  if (!bind()) throw core::graphicsError(std::string(backendName()) + " cannot make its context current");
   latest_ = place_;
   begun_ = true;
   poinsot_gladLoadGL(loader());
@@ -108,7 +108,7 @@ std::string OffscreenContext::driver() const {
 
 void makeReady(NestedContext& context) {
   context.makeCurrent();
-  if (!POINSOT_GLAD_GL_VERSION_3_3) throw Error(ErrorKind::kGraphics, "the back end's OpenGL is older than 3.3");
+  if (!POINSOT_GLAD_GL_VERSION_3_3) throw core::graphicsError("the back end's OpenGL is older than 3.3");
   expectDraws();
 }
 
@@ -121,8 +121,8 @@ std::unique_ptr<OffscreenContext> openContext(Backend backend) {
     try {
       return openEglContext();
     } catch (const Error& eglError) {
-      throw Error(ErrorKind::kGraphics, "no OpenGL back end works\n  osmesa: " + osMesaError.message() +
-                                            "\n  egl: " + eglError.message());
+      throw core::graphicsError("no OpenGL back end works\n  osmesa: " + osMesaError.message() +
+                                "\n  egl: " + eglError.message());
     }
   }
 }

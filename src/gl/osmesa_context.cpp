@@ -58,7 +58,7 @@ class OsMesaContext final : public NestedContext {
                                    3,
                                    0};
     context_ = osMesa().createContextAttribs(kAttributes, nullptr);
-    if (!context_) throw Error(ErrorKind::kGraphics, "OSMesa gives no OpenGL 3.3 core context");
+    if (!context_) throw core::graphicsError("OSMesa gives no OpenGL 3.3 core context");
   }
   ~OsMesaContext() override {
     leave();

@@ -19,7 +19,7 @@ void requireOk(GLuint id, GLenum status, const std::string& what, GetParameter g
   get(id, GL_INFO_LOG_LENGTH, &length);
   std::string text(static_cast<std::size_t>(length), '\0');
   log(id, length, nullptr, text.data());
-  throw Error(ErrorKind::kGraphics, what + ": " + text);
+  throw core::graphicsError(what + ": " + text);
 }
 
 GLuint compile(GLenum stage, const std::string& label, const std::string& source) {

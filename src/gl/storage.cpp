@@ -12,8 +12,7 @@ void expectStored(const char* what, std::size_t bytes) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
   const char* why = error == GL_OUT_OF_MEMORY ? "it has no memory left" : "it refuses";
-  throw core::Error(
-      core::ErrorKind::kGraphics,
+  throw core::graphicsError(
       fmt::format("the back end cannot hold {} of {} bytes: {} (error 0x{:x})", what, bytes, why, error));
 }
 

@@ -22,8 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refusePlace(const fs::path& place, const std::string& owner, const std::string& renderer) {
-  throw core::Error(
-      core::ErrorKind::kUsage,
+  throw core::usageError(
       fmt::format("{}: is the reference of {}, and that of '{}' would have the same file name; choose "
                   "another variant",
                   core::printable(place.native()), owner, core::printable(renderer)));
@@ -50,8 +49,7 @@ core::AtomicFile copyOf(const compare::Outcome& outcome, const fs::path& place) 
   core::AtomicFile file(place);
   file.write(core::readRegularFile(outcome.actual, request::kMostPicture, core::ErrorKind::kIo));
   if (pixelDigestOf(file.temporary(), output::isFilm(outcome.actual)) != outcome.pixels)
-    throw core::Error(
-        core::ErrorKind::kIo,
+    throw core::ioError(
         fmt::format("{}: is no longer the picture that was compared; nothing was approved: run again",
                     core::printable(outcome.actual.native())));
   return file;

@@ -123,10 +123,9 @@ class FileUses {
   void expectKept(const Files& files, const SuiteFile& written) {
     const auto kept = files.find(names_.of(written.file));
     if (kept == files.end()) return;
-    throw core::Error(
-        core::ErrorKind::kUsage,
-        fmt::format("-o {}: {} would be {} and is {}; choose another folder", core::printable(output_.native()),
-                    core::printable(written.file.native()), textOf(written), textOf(kept->second)));
+    throw core::usageError(fmt::format("-o {}: {} would be {} and is {}; choose another folder",
+                                       core::printable(output_.native()), core::printable(written.file.native()),
+                                       textOf(written), textOf(kept->second)));
   }
 
   const fs::path &references_, &output_;
@@ -147,12 +146,11 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
     std::vector<std::string> known;
     for (const std::string& renderer : renderers)
       if (!renderer.empty()) known.push_back(renderer);
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("variant '{}': no reference was approved for it; {}; approve the first by {}",
-                                  core::printable(one.variant()),
-                                  known.empty() ? "there are none with a variant"
-                                                : fmt::format("there are {}", fmt::join(known, ", ")),
-                                  approveBy));
+    throw core::usageError(fmt::format(
+        "variant '{}': no reference was approved for it; {}; approve the first by {}",
+        core::printable(one.variant()),
+        known.empty() ? "there are none with a variant" : fmt::format("there are {}", fmt::join(known, ", ")),
+        approveBy));
   }
 }
 
@@ -175,9 +173,8 @@ void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCa
                       const fs::path& output) {
   std::error_code ignored;
   if (fs::equivalent(output, manifest.references, ignored))
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("-o {}: contains the approved references; choose another folder",
-                                  core::printable(output.native())));
+    throw core::usageError(fmt::format("-o {}: contains the approved references; choose another folder",
+                                       core::printable(output.native())));
   FileUses uses(manifest.references, output);
   for (const GoldenCase& one : cases)
     if (!one.test.isUnmatched) uses.addKept(one);

@@ -87,10 +87,9 @@ std::vector<GoldenCase> chosen(const std::vector<GoldenCase>& all, const std::ve
     std::vector<std::string> names;
     for (const GoldenCase& one : all) names.insert(names.end(), {one.name, one.test.name});
     const auto near = core::closest(name, names);
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("{}: no such test{}", core::printable(name),
-                                  near ? fmt::format("; did you mean '{}'?", *near)
-                                       : fmt::format("; there are {}", core::printable(listText(names)))));
+    throw core::usageError(fmt::format("{}: no such test{}", core::printable(name),
+                                       near ? fmt::format("; did you mean '{}'?", *near)
+                                            : fmt::format("; there are {}", core::printable(listText(names)))));
   }
   std::vector<GoldenCase> wanted;
   for (const GoldenCase& one : all)
@@ -158,10 +157,10 @@ std::string pixelsOf(const fs::path& picture) {
 /// Checks that the new picture of a case, which was read, is what its scene drew.
 void expectDrawn(const fs::path& picture, const std::string& read, const std::string& drawn) {
   if (read != drawn)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: is not the picture that was drawn there; let no other program write to it, "
-                                  "and run again",
-                                  core::printable(picture.native())));
+    throw core::ioError(
+        fmt::format("{}: is not the picture that was drawn there; let no other program write to it, "
+                    "and run again",
+                    core::printable(picture.native())));
 }
 
 /// Adds to the origin of a picture the texts in its file, and the variant that the user names.
@@ -186,10 +185,10 @@ void expectApart(const fs::path& actual, const std::vector<GoldenReference>& ref
   for (const GoldenReference& reference : references) {
     std::error_code ignored;
     if (fs::equivalent(actual, reference.picture, ignored))
-      throw core::Error(core::ErrorKind::kScene,
-                        fmt::format("{}: is its own reference and would always pass; name another folder in "
-                                    "references, or have the program write into another",
-                                    core::printable(actual.native())));
+      throw core::sceneError(
+          fmt::format("{}: is its own reference and would always pass; name another folder in "
+                      "references, or have the program write into another",
+                      core::printable(actual.native())));
   }
 }
 
@@ -349,9 +348,8 @@ class Run {
     for (const job::RenderRequest& request : requests) most_bytes = std::max(most_bytes, request.worker_bytes);
     const int fit = request::workersThatFit(request_.jobs, most_bytes, request::freeMemory());
     if (fit > 0) return fit;
-    throw core::Error(core::ErrorKind::kGraphics,
-                      fmt::format("the largest picture takes about {} of memory, which is not free",
-                                  request::memoryText(most_bytes)));
+    throw core::graphicsError(fmt::format("the largest picture takes about {} of memory, which is not free",
+                                          request::memoryText(most_bytes)));
   }
 
   void compare(std::size_t place) {

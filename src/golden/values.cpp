@@ -32,7 +32,7 @@ fs::path real(const fs::path& path) {
 
 }  // namespace
 
-void refuseValue(const std::string& message) { throw core::Error(core::ErrorKind::kScene, message); }
+void refuseValue(const std::string& message) { throw core::sceneError(message); }
 
 const std::string& textOf(const Node& node) {
   const auto* text = node.as<std::string>();

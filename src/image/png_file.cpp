@@ -202,9 +202,9 @@ void checkSize(png_structp png, png_infop info, std::string_view name) {
   const std::uint64_t pixelBytes = png_get_bit_depth(png, info) == 16 ? 8 : 4;
   if (width <= kLargestPngSide && height <= kLargestPngSide && width * height * pixelBytes <= kLargestPngBytes)
     return;
-  throw Error(ErrorKind::kLimit,
-              fmt::format("{}: the picture is {}x{} pixels; at most {} a side and {} MiB decoded are read",
-                          core::printable(name), width, height, kLargestPngSide, kLargestPngBytes >> 20));
+  throw core::limitError(
+      fmt::format("{}: the picture is {}x{} pixels; at most {} a side and {} MiB decoded are read",
+                  core::printable(name), width, height, kLargestPngSide, kLargestPngBytes >> 20));
 }
 
 template <typename Sample>
@@ -247,14 +247,14 @@ std::vector<std::uint8_t> encoded(const BasicImage<Sample>& picture, const std::
   const auto data = deflatedPixels(picture);
   Writer writer;
   if (!writeFile(writer.png(), writer.info(), header, chunks.data(), static_cast<int>(chunks.size()), data))
-    throw Error(ErrorKind::kEncode, fmt::format("writing a PNG: {}", writer.complaint()));
+    throw core::encodeError(fmt::format("writing a PNG: {}", writer.complaint()));
   return std::move(writer.bytes());
 }
 
 void check(bool done, const Reader& reader, std::string_view name) {
   if (done) return;
-  throw Error(ErrorKind::kIo, fmt::format("{}: not a readable PNG: {}", core::printable(name),
-                                          core::printable(reader.complaint())));
+  throw core::ioError(
+      fmt::format("{}: not a readable PNG: {}", core::printable(name), core::printable(reader.complaint())));
 }
 
 PngStorage storageOf(png_structp png, png_infop info) {
@@ -333,7 +333,7 @@ std::string_view faultOf(Remaining bytes) {
 
 void readHeader(Reader& reader, std::string_view name) {
   if (const auto fault = faultOf(reader.remaining()); !fault.empty())
-    throw Error(ErrorKind::kIo, fmt::format("{}: not a readable PNG: {}", core::printable(name), fault));
+    throw core::ioError(fmt::format("{}: not a readable PNG: {}", core::printable(name), fault));
   check(readHeader(reader.png(), reader.info()), reader, name);
   checkSize(reader.png(), reader.info(), name);
 }

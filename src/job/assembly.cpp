@@ -89,8 +89,7 @@ void assemble(core::FileBatch& batch, const path& workFolder, const JobRecord& j
               const request::OutputTarget& output, const path& target) {
   const JobStatus status = statusOf(workFolder, job, output);
   if (!status.complete())
-    throw core::Error(
-        core::ErrorKind::kIo,
+    throw core::ioError(
         fmt::format("{}: {}; {}", core::printable(target.native()), gapsText(status),
                     isFinished(job, output.path) ? "the film itself is whole" : makeText(job, status, output)));
   if (job.kind != request::OutputKind::kFilm) return;

@@ -36,7 +36,7 @@ std::vector<request::Subtitle> subtitlesOf(const Json& json) {
 output::FilmTrack filmOf(const Json& json) {
   const auto container = output::filmContainer("film." + json.at("container").get<std::string>());
   const auto fps = core::parseRational(json.at("fps").get<std::string>());
-  if (!container || !fps) throw core::Error(core::ErrorKind::kIo, "no film of this version");
+  if (!container || !fps) throw core::ioError("no film of this version");
   return {*container, *fps};
 }
 

@@ -41,8 +41,8 @@ std::string perhapsMemory(const std::string& how, double estimate_bytes) {
   const std::string task =
       worker.segment() ? fmt::format("while making frames {}-{}", worker.segment()->first, worker.segment()->last)
                        : "at its end";
-  throw core::Error(core::ErrorKind::kGraphics,
-                    fmt::format("a worker process {} {}{}", how, task, perhapsMemory(how, estimate_bytes)));
+  throw core::graphicsError(
+      fmt::format("a worker process {} {}{}", how, task, perhapsMemory(how, estimate_bytes)));
 }
 
 WorkFolderUse useOf(const RenderRequest& request) {
@@ -184,10 +184,9 @@ void RenderJob::countWritten(const request::FrameRange& segment) {
   constexpr auto kOutput = scene::Limit::kOutput;
   const scene::Limits& limits = request_.scene.request.allowance.limits;
   if (written_bytes_ <= static_cast<double>(limits[kOutput])) return;
-  throw core::Error(core::ErrorKind::kLimit,
-                    fmt::format("{:.0f} bytes are written after {} of {} frames; a run may write {}; {}",
-                                written_bytes_, segmentFramesDone_, request::framesIn(segments_),
-                                limitText(kOutput, limits[kOutput]), howToRaise(kOutput)));
+  throw core::limitError(fmt::format("{:.0f} bytes are written after {} of {} frames; a run may write {}; {}",
+                                     written_bytes_, segmentFramesDone_, request::framesIn(segments_),
+                                     limitText(kOutput, limits[kOutput]), howToRaise(kOutput)));
 }
 
 void RenderJob::handOut(WorkerProcess& worker) {
@@ -262,7 +261,7 @@ void awaitReports(const std::vector<const RenderJob*>& jobs) {
   std::vector<pollfd> watched{{process::interruptFd(), POLLIN, 0}};
   for (const RenderJob* job : jobs) job->watch(watched);
   if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR)
-    throw core::Error(core::ErrorKind::kGraphics, "cannot wait for the workers");
+    throw core::graphicsError("cannot wait for the workers");
   process::throwIfInterrupted();
 }
 

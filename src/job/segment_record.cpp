@@ -68,8 +68,7 @@ RecordedFile recordOf(const path& file) {
   const core::FileHandle handle = core::openForReading(file);
   struct stat status {};
   if (!handle || ::fstat(handle.get(), &status) != 0) cannotRead(file);
-  if (!S_ISREG(status.st_mode))
-    throw core::Error(core::ErrorKind::kIo, core::printable(file.native()) + " is not a regular file");
+  if (!S_ISREG(status.st_mode)) throw core::ioError(core::printable(file.native()) + " is not a regular file");
   core::Sha256 sum;
   RecordedFile record;
   record.path = file;

@@ -41,7 +41,7 @@ int writeOut(Bytes bytes) {
 
 [[noreturn]] void fail(int code) {
   if (code == EPIPE) throw core::BrokenPipe();
-  throw core::Error(core::ErrorKind::kIo, fmt::format("standard output: {}", core::systemReason(code)));
+  throw core::ioError(fmt::format("standard output: {}", core::systemReason(code)));
 }
 
 }  // namespace
@@ -75,8 +75,7 @@ void SegmentStream::send(const request::FrameRange& segment) {
 void SegmentStream::sendFile(const std::filesystem::path& file) const {
   std::ifstream in(file, std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in || bytes.empty())
-    throw core::Error(core::ErrorKind::kIo, core::printable(file.native()) + ": cannot be read again");
+  if (!in || bytes.empty()) throw core::ioError(core::printable(file.native()) + ": cannot be read again");
   if (const int code = writeOut({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}); code != 0)
     fail(code);
 }

@@ -27,8 +27,7 @@ struct Pipe {
 };
 
 [[noreturn]] void cannotStart(const char* what) {
-  throw core::Error(core::ErrorKind::kGraphics,
-                    fmt::format("cannot start a worker process: {}: {}", what, core::systemReason(errno)));
+  throw core::graphicsError(fmt::format("cannot start a worker process: {}: {}", what, core::systemReason(errno)));
 }
 
 Pipe makePipe() {
@@ -91,8 +90,7 @@ void WorkerProcess::give(const request::FrameRange& segment) {
 void WorkerProcess::tell(const std::string& line) const {
   const int code = process::writeText(segments_.get(), line + '\n');
   if (code != 0 && code != EPIPE)
-    throw core::Error(core::ErrorKind::kGraphics,
-                      "a message to a worker process could not be sent: " + core::systemReason(code));
+    throw core::graphicsError("a message to a worker process could not be sent: " + core::systemReason(code));
 }
 
 void WorkerProcess::giveNoMore() {

@@ -56,8 +56,7 @@ template <class Reading>
 auto readingLine(std::string_view line, Reading reading) try {
   return reading(Json::parse(line));
 } catch (const Json::exception&) {
-  throw core::Error(core::ErrorKind::kGraphics,
-                    "a message between the render and a worker process was lost or damaged; run it again");
+  throw core::graphicsError("a message between the render and a worker process was lost or damaged; run it again");
 }
 
 WorkerReport reportOf(const Json& json) {

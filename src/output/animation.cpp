@@ -31,7 +31,7 @@ constexpr std::int64_t kMostPixels = std::int64_t{16384} * 16384;
 using PictureListener = std::function<void(const image::Image&)>;
 
 [[noreturn]] void refuse(const path& segment, std::string_view reason) {
-  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(segment.native()), reason));
+  throw core::ioError(fmt::format("{}: {}", core::printable(segment.native()), reason));
 }
 
 CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
@@ -98,7 +98,7 @@ std::vector<Rgb> paletteOf(const std::vector<path>& segments) {
 
 CodecContextPtr opened(const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size) {
   const AVCodec* codec = ffmpeg().avcodec_find_encoder_by_name(encoderName(codecsOf(track.container).front()));
-  if (codec == nullptr) throw Error(ErrorKind::kEncode, "this libavcodec was built without this film's encoder");
+  if (codec == nullptr) throw core::encodeError("this libavcodec was built without this film's encoder");
   auto context = checkAlloc(CodecContextPtr(ffmpeg().avcodec_alloc_context3(codec)));
   describePictures(*context, size, track.fps);
   context->pix_fmt = pixels;

@@ -176,8 +176,7 @@ std::vector<std::string> animationTexts(const std::filesystem::path& file) {
   try {
     filmContainer(file) == FilmContainer::kApng ? readPng(Reader(file), texts) : readGif(Reader(file), texts);
   } catch (const std::ios_base::failure&) {
-    if (texts.empty())
-      throw core::Error(core::ErrorKind::kIo, core::printable(file.native()) + ": cannot be read as a film");
+    if (texts.empty()) throw core::ioError(core::printable(file.native()) + ": cannot be read as a film");
   }
   return texts;
 }

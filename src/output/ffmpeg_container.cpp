@@ -168,8 +168,7 @@ FrameClock frameClock(const core::Rational& fps) {
   std::int64_t factor = 1;
   while (fps.num * factor < kFineEnough) factor *= 2;
   if (fps.num * factor > kLargest || fps.den > kLargest / factor)
-    throw Error(ErrorKind::kUsage,
-                fmt::format("{} frames a second: no exact clock in an MP4", core::toString(fps)));
+    throw core::usageError(fmt::format("{} frames a second: no exact clock in an MP4", core::toString(fps)));
   return {static_cast<int>(fps.num * factor), static_cast<int>(fps.den * factor)};
 }
 
@@ -258,7 +257,7 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) :
           doing, ErrorKind::kIo);
   format_.reset(opened);
   if (opened->nb_streams != 1 || parameters().codec_type != AVMEDIA_TYPE_VIDEO)
-    throw Error(ErrorKind::kIo, doing + ": is not a film with one video track");
+    throw core::ioError(doing + ": is not a film with one video track");
   AVStream& stream = *format_->streams[0];
   if (ffmpeg().av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr)
     stream.codecpar->format = AV_PIX_FMT_YUVA420P;
@@ -285,7 +284,7 @@ bool TrackReader::next(AVPacket& packet) {
   checkAv(code, core::printable(path_.native()), ErrorKind::kIo);
   // Cut files are read to their cut as if they ended there; only the mark on the packet tells.
   if ((packet.flags & AV_PKT_FLAG_CORRUPT) != 0)
-    throw Error(ErrorKind::kIo, fmt::format("{}: ends too early", core::printable(path_.native())));
+    throw core::ioError(fmt::format("{}: ends too early", core::printable(path_.native())));
   return true;
 }
 

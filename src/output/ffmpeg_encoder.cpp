@@ -157,8 +157,8 @@ void open(AVCodecContext& context, const FilmFormat& format) {
   openEncoder(context, options);
   // libavcodec does not ask x265; as it is set above, its streams are made like those of x264.
   if (context.codec_id == AV_CODEC_ID_H264 && context.has_b_frames != reorderDelay(context.codec_id))
-    throw Error(ErrorKind::kEncode, fmt::format("{} reorders by {} frames, not {}", context.codec->name,
-                                                context.has_b_frames, reorderDelay(context.codec_id)));
+    throw core::encodeError(fmt::format("{} reorders by {} frames, not {}", context.codec->name,
+                                        context.has_b_frames, reorderDelay(context.codec_id)));
   if (context.codec_id == AV_CODEC_ID_H264)
     context.extradata_size =
         static_cast<int>(removeEncoderNote({context.extradata, static_cast<std::size_t>(context.extradata_size)}));

@@ -81,8 +81,7 @@ void AvOptions::set(const char* key, const std::string& value) {
 
 void AvOptions::expectAllTaken() const {
   if (const AVDictionaryEntry* left = ffmpeg().av_dict_get(entries_, "", nullptr, AV_DICT_IGNORE_SUFFIX))
-    throw core::Error(core::ErrorKind::kEncode,
-                      fmt::format("this libav does not know the option {}={}", left->key, left->value));
+    throw core::encodeError(fmt::format("this libav does not know the option {}={}", left->key, left->value));
 }
 
 }  // namespace poinsot::output

@@ -26,7 +26,7 @@ using core::ErrorKind;
 using std::filesystem::path;
 
 [[noreturn]] void refuse(const path& segment, std::string_view reason) {
-  throw Error(ErrorKind::kIo, fmt::format("{}: {}", core::printable(segment.native()), reason));
+  throw core::ioError(fmt::format("{}: {}", core::printable(segment.native()), reason));
 }
 
 /// One segment, read from its start.

@@ -71,45 +71,42 @@ void checkSize(const FilmFormat& format, image::PixelSize size) {
   const bool halved = format.chroma == Chroma::k420 && !isMadeWhole(format.container);
   const int step = halved ? 2 : 1;
   if (size.width >= step && size.height >= step && size.width % step == 0 && size.height % step == 0) return;
-  throw Error(ErrorKind::kUsage,
-              fmt::format("a film of {}x{} pixels: width and height must be even (chroma has half of each); the "
-                          "nearest is {}x{}",
-                          size.width, size.height, std::max(2, size.width & ~1), std::max(2, size.height & ~1)));
+  throw core::usageError(
+      fmt::format("a film of {}x{} pixels: width and height must be even (chroma has half of each); the "
+                  "nearest is {}x{}",
+                  size.width, size.height, std::max(2, size.width & ~1), std::max(2, size.height & ~1)));
 }
 
 void checkQuality(const FilmFormat& format) {
   if (!(format.crf >= 0 && format.crf <= 51))
-    throw Error(ErrorKind::kUsage, fmt::format("crf {}: must be from 0 (lossless) to 51", format.crf));
+    throw core::usageError(fmt::format("crf {}: must be from 0 (lossless) to 51", format.crf));
   if (format.crf == 0 && !factsOf(format.codec).lossless)
-    throw Error(ErrorKind::kUsage,
-                fmt::format("crf 0: {} is never lossless; {} can be", nameOf(format.codec),
-                            codecsWith([](const CodecFacts& facts) { return facts.lossless; })));
+    throw core::usageError(fmt::format("crf 0: {} is never lossless; {} can be", nameOf(format.codec),
+                                       codecsWith([](const CodecFacts& facts) { return facts.lossless; })));
 }
 
 /// A GIF has times in hundredths of a second, and browsers show pictures of less than two of them for ten.
 void checkRate(const FilmFormat& format, const core::Rational& fps) {
   if (format.container == FilmContainer::kGif && fps.value() > 50)
-    throw Error(ErrorKind::kUsage,
-                fmt::format("a .gif of {:g} frames/s: its players show at most 50", fps.value()));
+    throw core::usageError(fmt::format("a .gif of {:g} frames/s: its players show at most 50", fps.value()));
 }
 
 void checkCodec(const FilmFormat& format) {
   const auto codecs = codecsOf(format.container);
   const CodecFacts& codec = factsOf(format.codec);
   if (std::ranges::find(codecs, format.codec) == codecs.end())
-    throw Error(ErrorKind::kUsage, fmt::format("codec {}: does not go into a .{}; there go: {}", codec.name,
-                                               nameOf(format.container), namesOf(codecs)));
+    throw core::usageError(fmt::format("codec {}: does not go into a .{}; there go: {}", codec.name,
+                                       nameOf(format.container), namesOf(codecs)));
   if (format.transparent && !codec.transparent)
-    throw Error(
-        ErrorKind::kUsage,
+    throw core::usageError(
         fmt::format("{} in a .{} has no pixels that are half transparent; these have: vp9 in a .webm, prores in a "
                     ".mov, .apng, numbered pictures",
                     codec.name, nameOf(format.container)));
   if (format.chroma == Chroma::k444 && !codec.fine)
-    throw Error(ErrorKind::kUsage, fmt::format("chroma 4:4:4: not with {}; with {}", codec.name,
-                                               codecsWith([](const CodecFacts& facts) { return facts.fine; })));
+    throw core::usageError(fmt::format("chroma 4:4:4: not with {}; with {}", codec.name,
+                                       codecsWith([](const CodecFacts& facts) { return facts.fine; })));
   if (format.chroma == Chroma::k444 && format.codec == FilmCodec::kVp9 && format.transparent)
-    throw Error(ErrorKind::kUsage, "chroma 4:4:4: not with vp9 and transparency; prores in a .mov has both");
+    throw core::usageError("chroma 4:4:4: not with vp9 and transparency; prores in a .mov has both");
 }
 
 void checkEncoder(const FilmFormat& format) {
@@ -121,8 +118,7 @@ void checkEncoder(const FilmFormat& format) {
     if (missingEncoder(facts.codec) == nullptr) there.push_back(facts.codec);
   const std::string choice =
       there.empty() ? "" : fmt::format("choose another output.codec ({}) or ", namesOf(there));
-  throw Error(
-      ErrorKind::kEncode,
+  throw core::encodeError(
       fmt::format("the FFmpeg of this machine has no encoder {}, which a film of {} takes; {}install an FFmpeg "
                   "that has it, such as Debian's",
                   missing, nameOf(format.codec), choice));

@@ -43,9 +43,8 @@ void checkSize(image::PixelSize size, const std::string& name) {
   const std::int64_t pixels = std::int64_t{size.width} * size.height;
   if (size.width > 0 && size.height > 0 && size.width <= most && size.height <= most && pixels <= kMostFilmPixels)
     return;
-  throw Error(ErrorKind::kLimit,
-              fmt::format("{}: pictures of {}x{}; at most {} a side and {} million pixels are read", name,
-                          size.width, size.height, most, kMostFilmPixels >> 20));
+  throw core::limitError(fmt::format("{}: pictures of {}x{}; at most {} a side and {} million pixels are read",
+                                     name, size.width, size.height, most, kMostFilmPixels >> 20));
 }
 
 /// Looks into the streams, which decodes pictures: none that is too large.
@@ -92,8 +91,8 @@ const AVCodec* decoderOf(const AVStream& stream) {
 CodecContextPtr decoder(const AVStream& stream, std::int64_t mostPixels, const std::string& name) {
   const AVCodec* codec = decoderOf(stream);
   if (codec == nullptr)
-    throw Error(ErrorKind::kIo, fmt::format("{}: this FFmpeg has no decoder for {}", name,
-                                            ffmpeg().avcodec_get_name(stream.codecpar->codec_id)));
+    throw core::ioError(fmt::format("{}: this FFmpeg has no decoder for {}", name,
+                                    ffmpeg().avcodec_get_name(stream.codecpar->codec_id)));
   CodecContextPtr context(checkAlloc(ffmpeg().avcodec_alloc_context3(codec)));
   checkAv(ffmpeg().avcodec_parameters_to_context(context.get(), stream.codecpar), name, ErrorKind::kIo);
   context->thread_count = 1;
@@ -106,7 +105,7 @@ CodecContextPtr decoder(const AVStream& stream, std::int64_t mostPixels, const s
 /// RGB with what the film's own format has of bits and transparency.
 AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
   const AVPixFmtDescriptor* facts = ffmpeg().av_pix_fmt_desc_get(format);
-  if (facts == nullptr) throw Error(ErrorKind::kIo, name + ": pictures of an unknown kind");
+  if (facts == nullptr) throw core::ioError(name + ": pictures of an unknown kind");
   // The formats of palettes are told as having transparency, and may.
   const bool alpha = (facts->flags & (AV_PIX_FMT_FLAG_ALPHA | AV_PIX_FMT_FLAG_PAL)) != 0;
   if (facts->comp[0].depth > 8) return alpha ? AV_PIX_FMT_RGBA64 : AV_PIX_FMT_RGB48;
@@ -148,7 +147,7 @@ ScalerPtr scaler(const AVFrame& frame, AVPixelFormat rgb, const std::string& nam
   if (!made ||
       ffmpeg().sws_setColorspaceDetails(made.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
                                         ffmpeg().sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne) < 0)
-    throw Error(ErrorKind::kIo, name + ": this FFmpeg does not turn its pictures into RGB");
+    throw core::ioError(name + ": this FFmpeg does not turn its pictures into RGB");
   return made;
 }
 
@@ -196,7 +195,7 @@ struct FilmReader::Parts {
       }
       checkAv(code, name, ErrorKind::kIo);
       const bool ours = packet->stream_index == stream;
-      if ((packet->flags & AV_PKT_FLAG_CORRUPT) != 0) throw Error(ErrorKind::kIo, name + ": ends too early");
+      if ((packet->flags & AV_PKT_FLAG_CORRUPT) != 0) throw core::ioError(name + ": ends too early");
       const int sent = ours ? ffmpeg().avcodec_send_packet(codec.get(), packet.get()) : 0;
       ffmpeg().av_packet_unref(packet.get());
       checkAv(sent, name, ErrorKind::kIo);
@@ -236,12 +235,12 @@ struct FilmReader::Parts {
 
   image::AnyImage picture() {
     if (image::PixelSize{frame->width, frame->height} != size)
-      throw Error(ErrorKind::kIo, name + ": its pictures change their size");
+      throw core::ioError(name + ": its pictures change their size");
     const AVPixelFormat rgb = rgbFormat(static_cast<AVPixelFormat>(frame->format), name);
     const FramePtr out = rgbFrame(size, rgb, name);
     const int rows = ffmpeg().sws_scale(scaler(*frame, rgb, name).get(), frame->data, frame->linesize, 0,
                                         frame->height, out->data, out->linesize);
-    if (checkAv(rows, name, ErrorKind::kIo) != frame->height) throw Error(ErrorKind::kIo, name + ": lacks rows");
+    if (checkAv(rows, name, ErrorKind::kIo) != frame->height) throw core::ioError(name + ": lacks rows");
     return isDeepRgb(rgb) ? imageOf<std::uint16_t>(*out, channelsOf(rgb))
                           : imageOf<std::uint8_t>(*out, channelsOf(rgb));
   }

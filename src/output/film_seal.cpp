@@ -118,8 +118,8 @@ std::string originIn(std::string_view text) {
 void seal(core::AtomicFile& film, FileFormat format, const std::string& origin) {
   const auto found = findSeal(film.descriptor(), film.target(), format, origin);
   if (!found)  // a work folder may come from anyone
-    throw core::Error(core::ErrorKind::kIo, fmt::format("{}: the film cannot keep the text of its origin",
-                                                        core::printable(film.target().native())));
+    throw core::ioError(
+        fmt::format("{}: the film cannot keep the text of its origin", core::printable(film.target().native())));
   film.writeAt(found->offset, sealBytes(format, origin, found->digest));
 }
 

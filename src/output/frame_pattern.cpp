@@ -14,8 +14,7 @@ namespace poinsot::output {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, std::string_view reason) {
-  throw core::Error(
-      core::ErrorKind::kUsage,
+  throw core::usageError(
       fmt::format("{}: {}; write one {{frame}} or {{frame:05}} in the file name, as in name_{{frame:05}}.png",
                   core::printable(text), reason));
 }

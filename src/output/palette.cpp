@@ -23,7 +23,7 @@ using ResultPtr = std::unique_ptr<liq_result, LiqDeleter<&Imagequant::liq_result
 
 void check(liq_error code) {
   if (code == LIQ_OUT_OF_MEMORY) throw std::bad_alloc();
-  if (code != LIQ_OK) throw core::Error(core::ErrorKind::kEncode, "libimagequant finds no palette");
+  if (code != LIQ_OK) throw core::encodeError("libimagequant finds no palette");
 }
 
 std::vector<std::uint8_t> rgbaOf(const image::Image& picture) {

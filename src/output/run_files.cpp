@@ -23,18 +23,17 @@ void RunFiles::expectApart(const Entry& earlier, const Entry& later) {
   if (!earlier.isOutput && !later.isOutput) return;
   const Entry& output = later.isOutput ? later : earlier;
   const Entry& other = later.isOutput ? earlier : later;
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("{} is the same file as {}, which this run {}; choose another name",
-                                words(output.file, output.role), words(other.file, other.role),
-                                other.isOutput ? "writes, too" : "reads"));
+  throw core::usageError(fmt::format("{} is the same file as {}, which this run {}; choose another name",
+                                     words(output.file, output.role), words(other.file, other.role),
+                                     other.isOutput ? "writes, too" : "reads"));
 }
 
 void RunFiles::expectApart(const Entry& entry, const Pattern& pattern) {
   if (!entry.isOutput || !pattern.matches(entry.file)) return;
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("{} would be a file that {} matches, so the next run would take it up; choose "
-                                "another name or folder",
-                                words(entry.file, entry.role), pattern.words));
+  throw core::usageError(
+      fmt::format("{} would be a file that {} matches, so the next run would take it up; choose "
+                  "another name or folder",
+                  words(entry.file, entry.role), pattern.words));
 }
 
 void RunFiles::enter(Entry entry) {

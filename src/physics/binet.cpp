@@ -44,8 +44,7 @@ double separatrixAngle(double I1, double I2, double I3) {
 BinetConstruction::BinetConstruction(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   const FreeMotionConstants k = freeMotionConstants(moments, omega_P);
   if (k.L == DoubleDouble(0))
-    throw core::Error(core::ErrorKind::kPhysics,
-                      "the body is at rest: Binet's construction needs an angular velocity other than 0");
+    throw core::physicsError("the body is at rest: Binet's construction needs an angular velocity other than 0");
   const int exponent = k.start.momentExponent + k.start.rateExponent;
   sphereRadius_ = std::ldexp(toDouble(k.L), exponent);
   for (std::size_t i = 0; i < 3; ++i)
@@ -64,10 +63,10 @@ std::optional<Separatrix> separatrix(const PrincipalMoments& moments) {
 std::vector<Eigen::Vector3d> Separatrix::momentumCircle(double L, int count, bool mirrored) const {
   POINSOT_EXPECT(count >= 3);
   if (!(L >= 0 && std::isfinite(L)))
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("the magnitude of the angular momentum must be finite and not negative, got {} "
-                                  "kg·m²/s",
-                                  L));
+    throw core::physicsError(
+        fmt::format("the magnitude of the angular momentum must be finite and not negative, got {} "
+                    "kg·m²/s",
+                    L));
   const SineCosine psi = sineCosine(momentumAngle_rad);
   std::vector<Eigen::Vector3d> circle;
   for (int j = 0; j < count; ++j) {

@@ -170,9 +170,9 @@ class ClosedStartSearch {
   ClosedStart run() {
     if (k_.regime == PolhodeRegime::kSteady) return steady(omega0_P_);
     if (k_.regime == PolhodeRegime::kSeparatrix)
-      throw core::Error(core::ErrorKind::kPhysics,
-                        "a motion on the separatrix (L² = 2 T I of the middle moment) approaches the middle axis "
-                        "for ever and never repeats; change the start a little");
+      throw core::physicsError(
+          "a motion on the separatrix (L² = 2 T I of the middle moment) approaches the middle axis "
+          "for ever and never repeats; change the start a little");
     collect();
     POINSOT_EXPECT(!found_.empty());  // towards the separatrix the angle grows without bound
     return *std::ranges::min_element(found_, [&](const auto& a, const auto& b) { return better(a, b); });
@@ -191,7 +191,7 @@ class ClosedStartSearch {
   double multiple(double period_s) const {
     const double count = std::round(wanted_s_ / period_s);
     if (count > kLargestCount)
-      throw core::Error(core::ErrorKind::kPhysics, "the motion turns more than 1e9 times in the time of the loop");
+      throw core::physicsError("the motion turns more than 1e9 times in the time of the loop");
     return std::max(count, 1.0);
   }
 

@@ -148,8 +148,8 @@ RigidBodyState DrivenMotion::Solution::at(double t_s) const {
   if (closed) return closed->at(t_s);
   const double from_s = run->backward.end_s(), to_s = run->forward.end_s();
   if (!(from_s <= t_s && t_s <= to_s))
-    throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("t = {} s: this driven motion is known from {} s to {} s", t_s, from_s, to_s));
+    throw core::limitError(
+        fmt::format("t = {} s: this driven motion is known from {} s to {} s", t_s, from_s, to_s));
   const DrivenTrajectory& side = t_s < 0 ? run->backward : run->forward;
   const RigidBodyState state = bodyState(axes, side.at(t_s), t_s);
   if (!std::isfinite(state.kineticEnergy)) refuseTime(t_s);  // L alone is in range

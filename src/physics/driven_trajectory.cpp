@@ -19,8 +19,7 @@ void requireFinite(const DrivenState& state, double t) {
   const auto& q = state.q_WP;
   const double sum = q.w.hi + q.x.hi + q.y.hi + q.z.hi + norm({state.L_W[0].hi, state.L_W[1].hi, state.L_W[2].hi});
   if (std::isfinite(sum)) return;
-  throw core::Error(
-      core::ErrorKind::kPhysics,
+  throw core::physicsError(
       fmt::format("the driven motion is beyond the range of numbers at t = {:.6g} s; shorten the run, "
                   "or weaken what drives the body",
                   t));
@@ -28,10 +27,10 @@ void requireFinite(const DrivenState& state, double t) {
 
 void requireFewEnough(double steps, double tolerated) {
   if (steps <= tolerated) return;
-  throw core::Error(core::ErrorKind::kLimit,
-                    fmt::format("the driven motion needs {:.3g} steps, more than the {:.0f} allowed in a run; "
-                                "shorten the run, or ask for a larger tolerance",
-                                steps, tolerated));
+  throw core::limitError(
+      fmt::format("the driven motion needs {:.3g} steps, more than the {:.0f} allowed in a run; "
+                  "shorten the run, or ask for a larger tolerance",
+                  steps, tolerated));
 }
 
 }  // namespace

@@ -63,9 +63,8 @@ Rotor<double> aboutZ(const SineCosine& half) { return {half.cosine, 0, 0, half.s
 Rotor<DoubleDouble> unitRotor(const Quaternion& q) {
   const double largest = q.coeffs().cwiseAbs().maxCoeff();
   if (!q.coeffs().allFinite() || largest == 0)
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("orientation must be a nonzero, finite quaternion, got ({}, {}, {}, {})", q.w(),
-                                  q.x(), q.y(), q.z()));
+    throw core::physicsError(fmt::format("orientation must be a nonzero, finite quaternion, got ({}, {}, {}, {})",
+                                         q.w(), q.x(), q.y(), q.z()));
   int exponent = 0;
   std::frexp(largest, &exponent);
   const auto scaled = [&](double v) { return DoubleDouble(std::ldexp(v, -exponent)); };
@@ -127,7 +126,7 @@ FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d
   for (int i = 0; i < 3; ++i) L_W[i] = std::ldexp(toDouble(m0_W[static_cast<std::size_t>(i)]), exponent);
   kineticEnergy = std::ldexp(toDouble(k.twoT), exponent + k.start.rateExponent - 1);
   if (!L_W.allFinite() || !std::isfinite(kineticEnergy))
-    throw core::Error(core::ErrorKind::kPhysics, "angular momentum or energy is beyond the range of numbers");
+    throw core::physicsError("angular momentum or energy is beyond the range of numbers");
   setStart();
 }
 

@@ -113,7 +113,7 @@ FreeMotionConstants freeMotionConstants(const PrincipalMoments& moments, const E
   FreeMotionConstants k;
   k.start = scaledStart(moments, omega0_P);
   if (k.start.I[0] * kLargestRatioOfMoments < k.start.I[2])
-    throw core::Error(core::ErrorKind::kPhysics, "principal moments differ by more than a factor of 1e20");
+    throw core::physicsError("principal moments differ by more than a factor of 1e20");
   setInvariants(k);
   if (isSteady(k.start)) return k;
   k.regime = regimeOf(k.D);

@@ -27,9 +27,8 @@ Matrix rotationMatrix(const Rotor<DoubleDouble>& q) {
 
 Matrix rotationMatrix(const Quaternion& q) {
   if (!q.coeffs().allFinite() || q.coeffs().isZero(0))
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("a rotation must be a nonzero, finite quaternion, got ({}, {}, {}, {})", q.w(),
-                                  q.x(), q.y(), q.z()));
+    throw core::physicsError(fmt::format("a rotation must be a nonzero, finite quaternion, got ({}, {}, {}, {})",
+                                         q.w(), q.x(), q.y(), q.z()));
   return rotationMatrix(normalized(Rotor<DoubleDouble>{q.w(), q.x(), q.y(), q.z()}));
 }
 
@@ -43,7 +42,7 @@ std::array<DoubleDouble, 3> product(const Matrix& R, const std::array<DoubleDoub
 
 Eigen::Matrix3d symmetricTensor(const Eigen::Matrix3d& inertia) {
   constexpr std::array kAxes{'x', 'y', 'z'};
-  const auto refuse = [](const std::string& message) { throw core::Error(core::ErrorKind::kPhysics, message); };
+  const auto refuse = [](const std::string& message) { throw core::physicsError(message); };
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       if (!std::isfinite(inertia(i, j)))

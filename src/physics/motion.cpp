@@ -12,9 +12,8 @@ namespace poinsot::physics {
 
 void refuseTime(double t_s) {
   if (!std::isfinite(t_s))
-    throw core::Error(core::ErrorKind::kLimit, fmt::format("t = {} s: must be a finite number of seconds", t_s));
-  throw core::Error(
-      core::ErrorKind::kLimit,
+    throw core::limitError(fmt::format("t = {} s: must be a finite number of seconds", t_s));
+  throw core::limitError(
       fmt::format("t = {} s: so far from the start that the motion is beyond the range of numbers, or "
                   "|omega t| beyond {:g}; choose a time nearer to 0",
                   t_s, kFarthestPhase_rad / 2));

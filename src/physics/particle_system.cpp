@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 
 void requireValid(const Particle& p) {
   if (!std::isfinite(p.mass_kg) || p.mass_kg <= 0)
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("the mass of a particle must be positive and finite, got {} kg", p.mass_kg));
+    throw core::physicsError(
+        fmt::format("the mass of a particle must be positive and finite, got {} kg", p.mass_kg));
   if (!p.position_W.allFinite() || !p.velocity_W.allFinite())
-    throw core::Error(core::ErrorKind::kPhysics, "the position and the velocity of a particle must be finite");
+    throw core::physicsError("the position and the velocity of a particle must be finite");
 }
 
 double energyOf(double mass_kg, const Vector3d& velocity) {
@@ -30,7 +30,7 @@ double energyOf(double mass_kg, const Vector3d& velocity) {
 }  // namespace
 
 ParticleSystem::ParticleSystem(std::vector<Particle> particles) : particles_(std::move(particles)) {
-  if (particles_.empty()) throw core::Error(core::ErrorKind::kPhysics, "a body of particles needs at least one");
+  if (particles_.empty()) throw core::physicsError("a body of particles needs at least one");
   Vector3d firstMoment = Vector3d::Zero();
   for (const Particle& p : particles_) {
     requireValid(p);

@@ -108,8 +108,7 @@ PrincipalMoments momentsOf(const std::array<double, 3>& moments) {
 void requireThickness(const std::array<double, 3>& moments) {
   const auto& [low, middle, high] = moments;
   if (low > 0 && low <= kTensorRounding * high)
-    throw core::Error(
-        core::ErrorKind::kPhysics,
+    throw core::physicsError(
         fmt::format("principal moments must be positive; the least of ({}, {}, {}) kg·m² is nothing but "
                     "rounding: matter on one line has no moment about it; give it another part, or an extent",
                     low, middle, high));

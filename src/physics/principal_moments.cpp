@@ -12,8 +12,7 @@ namespace poinsot::physics {
 namespace {
 
 [[noreturn]] void refuse(const Eigen::Vector3d& I, const char* reason) {
-  throw core::Error(core::ErrorKind::kPhysics,
-                    fmt::format("{}, got ({}, {}, {}) kg·m²", reason, I[0], I[1], I[2]));
+  throw core::physicsError(fmt::format("{}, got ({}, {}, {}) kg·m²", reason, I[0], I[1], I[2]));
 }
 
 }  // namespace

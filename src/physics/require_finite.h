@@ -15,14 +15,13 @@ namespace poinsot::physics {
 /// with its blank
 inline void requireFinite(double value, std::string_view name, std::string_view unit = "") {
   if (!std::isfinite(value))
-    throw core::Error(core::ErrorKind::kPhysics, fmt::format("{} must be finite, got {}{}", name, value, unit));
+    throw core::physicsError(fmt::format("{} must be finite, got {}{}", name, value, unit));
 }
 
 /// Likewise of a vector, of which it shows all three components.
 inline void requireFinite(const Eigen::Vector3d& v, std::string_view name, std::string_view unit = "") {
   if (!v.allFinite())
-    throw core::Error(core::ErrorKind::kPhysics,
-                      fmt::format("{} must be finite, got ({}, {}, {}){}", name, v[0], v[1], v[2], unit));
+    throw core::physicsError(fmt::format("{} must be finite, got ({}, {}, {}){}", name, v[0], v[1], v[2], unit));
 }
 
 }  // namespace poinsot::physics

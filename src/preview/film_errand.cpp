@@ -21,7 +21,7 @@ namespace poinsot::preview {
 namespace {
 
 [[noreturn]] void refuse(int why) {
-  throw core::Error(core::ErrorKind::kGraphics, "no process can be started: " + core::systemReason(why));
+  throw core::graphicsError("no process can be started: " + core::systemReason(why));
 }
 
 /// Its standard error goes to `errors`; it reads nothing and prints nothing else.

@@ -34,8 +34,7 @@ Header headerAt(int socket) {
 
 PendingConnections::PendingConnections(std::function<void(core::FileHandle)> admit)
     : admit_(std::move(admit)), events_(epoll_create1(EPOLL_CLOEXEC)) {
-  if (!events_)
-    throw core::Error(core::ErrorKind::kIo, "connections cannot be watched: " + core::systemReason(errno));
+  if (!events_) throw core::ioError("connections cannot be watched: " + core::systemReason(errno));
   watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 

@@ -39,7 +39,7 @@ class PicturePress::Drawer {
   explicit Drawer(gl::Backend backend) : cache_(backend) {}
 
   std::string png(const SceneVersion& version, const PictureAsk& ask) {
-    if (!version.scene) throw core::Error(core::ErrorKind::kScene, version.error);
+    if (!version.scene) throw core::sceneError(version.error);
     if (version.number != version_) cache_.clear();
     version_ = version.number;
     auto& scene = cache_.of(keyOf(ask), [&] { return sceneFor(version, ask); }, {});

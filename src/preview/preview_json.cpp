@@ -92,8 +92,7 @@ int indexOf(const std::string& name) {
   const auto all = scene::stateQuantities();
   const auto found = std::ranges::find(all, name, &scene::StateQuantity::name);
   if (found == all.end())
-    throw core::Error(core::ErrorKind::kUsage,
-                      fmt::format("{}: no quantity has this name", core::printable(name)));
+    throw core::usageError(fmt::format("{}: no quantity has this name", core::printable(name)));
   return static_cast<int>(found - all.begin());
 }
 

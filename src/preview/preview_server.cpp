@@ -42,7 +42,7 @@ constexpr std::size_t kMostOverrides = 64, kLongestOverride = 1000;
 std::string randomToken() {
   std::array<std::uint8_t, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw core::Error(core::ErrorKind::kIo, "the system has no random numbers");
+    throw core::ioError("the system has no random numbers");
   std::string token;
   for (const std::uint8_t byte : bytes) token += fmt::format("{:02x}", byte);
   return token;
@@ -142,9 +142,7 @@ class PreviewServer::Site {
     port_ = request.port;
     const bool bound = request.port > 0 ? server_.bind_to_port("127.0.0.1", request.port)
                                         : (port_ = server_.bind_to_any_port("127.0.0.1")) > 0;
-    if (!bound)
-      throw core::Error(core::ErrorKind::kIo,
-                        fmt::format("--port {}: another program listens there", request.port));
+    if (!bound) throw core::ioError(fmt::format("--port {}: another program listens there", request.port));
     server_.widen();
   }
 

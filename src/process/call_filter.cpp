@@ -53,8 +53,8 @@ using Filter = std::unique_ptr<void, Release>;
 /// libseccomp answers with -errno.
 void expect(int status) {
   if (status < 0)
-    throw core::Error(core::ErrorKind::kGraphics,
-                      "--untrusted: the kernel takes no filter of system calls: " + core::systemReason(-status));
+    throw core::graphicsError("--untrusted: the kernel takes no filter of system calls: " +
+                              core::systemReason(-status));
 }
 
 /// All is allowed that it does not forbid. A call by another architecture's numbers would not be told by them.

@@ -82,8 +82,7 @@ void watch(int signal) {
 void interruptComputations() { static const core::InterruptionCheck check(throwIfInterrupted); }
 
 void openWakePipe() {
-  if (wakePipe[0] < 0 && pipe2(wakePipe, O_CLOEXEC | O_NONBLOCK) != 0)
-    throw core::Error(core::ErrorKind::kIo, "cannot open a pipe");
+  if (wakePipe[0] < 0 && pipe2(wakePipe, O_CLOEXEC | O_NONBLOCK) != 0) throw core::ioError("cannot open a pipe");
 }
 
 }  // namespace
@@ -120,8 +119,7 @@ int interruptFd() { return wakePipe[0]; }
 
 void throwIfInterrupted() {
   if (firstSignal == SIGALRM)
-    throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("stopped after {} s, as --max-seconds says", allowed_s));
+    throw core::limitError(fmt::format("stopped after {} s, as --max-seconds says", allowed_s));
   if (firstSignal != 0) throw Interrupted(firstSignal);
 }
 

@@ -45,9 +45,7 @@ std::uint64_t knownRights(int version) {
   return rights;
 }
 
-[[noreturn]] void fail(const std::string& why) {
-  throw core::Error(core::ErrorKind::kGraphics, "--untrusted: " + why);
-}
+[[noreturn]] void fail(const std::string& why) { throw core::graphicsError("--untrusted: " + why); }
 
 int versionOfKernel() {
   const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
@@ -86,8 +84,7 @@ void Landlock::allow(const std::filesystem::path& path, unsigned long long right
   if (!file && (errno == ENOENT || errno == ENOTDIR)) return;
   struct stat facts {};
   if (!file || ::fstat(file.get(), &facts) != 0)
-    throw core::Error(core::ErrorKind::kIo,
-                      fmt::format("{}: {}", core::printable(path.native()), core::systemReason(errno)));
+    throw core::ioError(fmt::format("{}: {}", core::printable(path.native()), core::systemReason(errno)));
   if (!S_ISDIR(facts.st_mode)) rights &= kReadingFile | kWritingFile;
   landlock_path_beneath_attr rule{};
   rule.allowed_access = rights & knownRights(version_);

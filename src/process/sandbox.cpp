@@ -35,8 +35,7 @@ constexpr const char* kOfTheSystem[] = {"/usr/lib",
                                         "/proc/self/cgroup"};
 
 [[noreturn]] void fail(const char* what) {
-  throw core::Error(core::ErrorKind::kGraphics,
-                    std::string("--untrusted: ") + what + ": " + core::systemReason(errno));
+  throw core::graphicsError(std::string("--untrusted: ") + what + ": " + core::systemReason(errno));
 }
 
 /// Never above what is allowed already. The last `warned` of it are told by a signal first.

@@ -76,8 +76,7 @@ int runConfined(Confinement confinement, const std::function<int(const std::func
   std::optional<SignalsHeld> held(std::in_place);
   const pid_t process = fork();
   if (process < 0)
-    throw core::Error(core::ErrorKind::kGraphics,
-                      "--untrusted: no process can be started: " + core::systemReason(errno));
+    throw core::graphicsError("--untrusted: no process can be started: " + core::systemReason(errno));
   if (process == 0) {
     held.reset();
     dieWith(supervisor);

@@ -92,9 +92,8 @@ double attitudeLimit_rad(std::string_view name, std::string_view word) {
   const auto quantity =
       number ? scene::Quantity{*number, ""} : scene::parseQuantity(text, scene::Dimension::kAngle);
   if (quantity.ok() && quantity.value >= 0) return quantity.value;
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("{} '{}': an angle that is not negative, such as 1e-6 (rad) or '0.1 deg'", name,
-                                core::printable(text)));
+  throw core::usageError(fmt::format("{} '{}': an angle that is not negative, such as 1e-6 (rad) or '0.1 deg'",
+                                     name, core::printable(text)));
 }
 
 }  // namespace poinsot::reference

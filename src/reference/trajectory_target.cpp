@@ -12,9 +12,8 @@ TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (path.extension() == ".csv") return {TrajectoryFormat::kCsv, path};
   if (path.extension() == ".json") return {TrajectoryFormat::kJson, path};
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("output '{}': works: NAME.csv, NAME.json, - (CSV on standard output){}",
-                                core::printable(name), core::smallLettersHint(name, {".csv", ".json"})));
+  throw core::usageError(fmt::format("output '{}': works: NAME.csv, NAME.json, - (CSV on standard output){}",
+                                     core::printable(name), core::smallLettersHint(name, {".csv", ".json"})));
 }
 
 output::FileKind trajectoryKind(TrajectoryFormat format) {

@@ -22,8 +22,7 @@ constexpr double kExactIntegers = 0x1p53;  // every integer up to it is a double
 std::int64_t countWithin(double span_s, const core::Rational& rate_hz) {
   const double last = std::floor(std::abs(span_s) * rate_hz.value() * (1 + 0x1p-50));
   if (!(last * static_cast<double>(rate_hz.den) < kExactIntegers))
-    throw core::Error(
-        core::ErrorKind::kLimit,
+    throw core::limitError(
         fmt::format("--rate {}: {:.3g} rows are more than can be told apart", core::toString(rate_hz), last));
   return static_cast<std::int64_t>(last) + 1;
 }
@@ -32,9 +31,9 @@ std::int64_t countWithin(double span_s, const core::Rational& rate_hz) {
 
 TrajectoryTimes::TrajectoryTimes(std::vector<double> listed_s)
     : listed_s_(std::move(listed_s)), count_(static_cast<std::int64_t>(listed_s_.size())) {
-  if (listed_s_.empty()) throw core::Error(core::ErrorKind::kUsage, "no times are given");
+  if (listed_s_.empty()) throw core::usageError("no times are given");
   for (const double t_s : listed_s_)
-    if (!std::isfinite(t_s)) throw core::Error(core::ErrorKind::kUsage, fmt::format("no motion time: {}", t_s));
+    if (!std::isfinite(t_s)) throw core::usageError(fmt::format("no motion time: {}", t_s));
   const auto [least, largest] = std::minmax_element(listed_s_.begin(), listed_s_.end());
   earliest_s_ = *least;
   latest_s_ = *largest;

@@ -18,9 +18,7 @@ struct EmbeddedShader {
 };
 #include "embedded_shaders.inc"
 
-[[noreturn]] void noShader(const std::string& file) {
-  throw core::Error(core::ErrorKind::kGraphics, "no shader named " + file);
-}
+[[noreturn]] void noShader(const std::string& file) { throw core::graphicsError("no shader named " + file); }
 
 std::string embedded(const std::string& file) {
   for (const EmbeddedShader& shader : kEmbeddedShaders)

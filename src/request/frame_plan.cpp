@@ -18,7 +18,7 @@ std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
 }
 
 [[noreturn]] void refuse(std::string_view frames, std::string_view why) {
-  throw core::Error(core::ErrorKind::kUsage, fmt::format("--frames '{}': {}", core::printable(frames), why));
+  throw core::usageError(fmt::format("--frames '{}': {}", core::printable(frames), why));
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>
   POINSOT_EXPECT(frameCount > 0);
   const FrameRange frames = asked.value_or(FrameRange{0, frameCount - 1});
   if (frames.last >= frameCount)
-    throw core::Error(core::ErrorKind::kUsage, fmt::format("--frames {}-{}: the film has frames 0 to {}",
-                                                           frames.first, frames.last, frameCount - 1));
+    throw core::usageError(
+        fmt::format("--frames {}-{}: the film has frames 0 to {}", frames.first, frames.last, frameCount - 1));
   return frames;
 }
 
@@ -63,8 +63,7 @@ Shard parseShard(std::string_view text) {
   const auto k = parseFrameNumber(text.substr(0, slash));
   const auto n = slash == std::string_view::npos ? std::nullopt : parseFrameNumber(text.substr(slash + 1));
   if (!k || !n || *k < 1 || *k > *n || *n > kMostShards)
-    throw core::Error(
-        core::ErrorKind::kUsage,
+    throw core::usageError(
         fmt::format("--shard '{}': a shard is k/n, such as 2/7: the k-th of n, from 1/n to n/n, at most {}",
                     core::printable(text), kMostShards));
   return {static_cast<int>(*k), static_cast<int>(*n)};

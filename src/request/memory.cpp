@@ -135,9 +135,8 @@ std::string memoryText(double bytes) { return fmt::format("{:.1f} GiB", bytes / 
 void expectWithinMemory(double bytes, const std::string& what, const scene::Limits& limits) {
   constexpr auto kMemory = scene::Limit::kMemory;
   if (bytes <= static_cast<double>(limits[kMemory])) return;
-  throw core::Error(core::ErrorKind::kLimit,
-                    fmt::format("{}: about {} of memory, more than the {} that it may take; {}", what,
-                                memoryText(bytes), limitText(kMemory, limits[kMemory]), howToRaise(kMemory)));
+  throw core::limitError(fmt::format("{}: about {} of memory, more than the {} that it may take; {}", what,
+                                     memoryText(bytes), limitText(kMemory, limits[kMemory]), howToRaise(kMemory)));
 }
 
 FreeMemory freeMemory(const path& root) { return {std::min(ofMachine(root), ofGroups(root)), ofProcess()}; }

@@ -17,10 +17,10 @@ namespace poinsot::request {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, std::string_view why) {
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("output '{}': {}; works: {} (a film), NAME.png (one frame), "
-                                "NAME_{{frame:05}}.png (a numbered picture per frame)",
-                                core::printable(name), why, output::filmFormatsText()));
+  throw core::usageError(
+      fmt::format("output '{}': {}; works: {} (a film), NAME.png (one frame), "
+                  "NAME_{{frame:05}}.png (a numbered picture per frame)",
+                  core::printable(name), why, output::filmFormatsText()));
 }
 
 std::vector<std::string> filmAndPictureEndings() {
@@ -63,9 +63,9 @@ OutputTarget parseTarget(const std::string& name) {
 OutputTarget streamTarget(const std::string& format) {
   if (format == "mp4") return {OutputKind::kFilm, "-.mp4", true};
   if (format == "png") return {OutputKind::kSequence, "-{frame:09}.png", true};
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("-o - writes to standard output: say what, with --format png or --format mp4{}",
-                                format.empty() ? "" : fmt::format("; got '{}'", core::printable(format))));
+  throw core::usageError(
+      fmt::format("-o - writes to standard output: say what, with --format png or --format mp4{}",
+                  format.empty() ? "" : fmt::format("; got '{}'", core::printable(format))));
 }
 
 OutputTarget parseStillTarget(const std::string& name) {
@@ -76,9 +76,8 @@ OutputTarget parseStillTarget(const std::string& name) {
       isStandardOutput(path)
           ? "; for standard output use poinsot render --format png -o - --frames K, where K is the frame's number"
           : core::smallLettersHint(name, {".png", ".pdf", ".svg", ".tex"});
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex{}",
-                                core::printable(name), hint));
+  throw core::usageError(fmt::format("output '{}': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex{}",
+                                     core::printable(name), hint));
 }
 
 namespace {

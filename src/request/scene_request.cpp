@@ -26,11 +26,10 @@ std::string texProblem(std::string_view tex) {
 void showOnly(std::size_t which, scene::Scene& scene) {
   const std::size_t count = scene.views.size();
   if (which >= count)
-    throw core::Error(core::ErrorKind::kUsage,
-                      count == 0
-                          ? "--view: the scene has no view; leave it out"
-                          : fmt::format("--view {}: the scene has {} view{}; give {}", which + 1, count,
-                                        count == 1 ? "" : "s", count == 1 ? "1" : fmt::format("1 to {}", count)));
+    throw core::usageError(count == 0 ? "--view: the scene has no view; leave it out"
+                                      : fmt::format("--view {}: the scene has {} view{}; give {}", which + 1,
+                                                    count, count == 1 ? "" : "s",
+                                                    count == 1 ? "1" : fmt::format("1 to {}", count)));
   scene::View view = std::move(scene.views[which]);
   view.place = {};
   scene.views = {std::move(view)};

@@ -140,8 +140,8 @@ using scene::Node;
 void take(const Node& value, scene::Limit limit, Limits& limits) {
   if (const auto* number = value.as<std::int64_t>()) return limits.set(limit, *number);
   if (const auto* text = value.as<std::string>()) return limits.set(limit, std::string_view(*text));
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("expected a whole number, or a size such as \"4 GiB\", got {}", describe(value)));
+  throw core::usageError(
+      fmt::format("expected a whole number, or a size such as \"4 GiB\", got {}", describe(value)));
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw core::Error(core::ErrorKind::kUsage, fmt::format("-D {}: '{}': {}", core::printable(found_.key),
-                                                           core::printable(found_.range), why));
+    throw core::usageError(
+        fmt::format("-D {}: '{}': {}", core::printable(found_.key), core::printable(found_.range), why));
   }
 
   /// All have one unit, which need not be said more than once.
@@ -239,13 +239,12 @@ std::optional<SweepAxis> sweepAxis(const std::string& override) {
     return std::nullopt;
   if (!hasRange(override)) {
     if (!meansRange(std::string_view(override).substr(equals))) return std::nullopt;
-    throw core::Error(core::ErrorKind::kUsage, fmt::format("-D {}: {}", core::printable(override), kForms));
+    throw core::usageError(fmt::format("-D {}: {}", core::printable(override), kForms));
   }
   const auto place = std::min(override.find("..", equals), override.find('|', equals));
   const Found found = foundAt(override, equals, place);
   if (isRange(found.after))
-    throw core::Error(
-        core::ErrorKind::kUsage,
+    throw core::usageError(
         fmt::format("-D {}: one range in a key; another -D may have another", core::printable(override)));
   return Reader(found).axis();
 }

@@ -17,8 +17,8 @@ void expectPicture(const Moment& moment, glm::ivec2 size_px) {
 
 void requireWithin(const Moment& moment, double duration_s) {
   if (moment.filmTime_s > duration_s)
-    throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("film time {} s: the film lasts from 0 to {} s", moment.filmTime_s, duration_s));
+    throw core::limitError(
+        fmt::format("film time {} s: the film lasts from 0 to {} s", moment.filmTime_s, duration_s));
 }
 
 }  // namespace poinsot::stage

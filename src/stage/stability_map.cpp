@@ -46,9 +46,7 @@ constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kAx
                  kDot = 3.2, kRing = 1.3;
 constexpr double kLeastRim_px = 2;  // covers the steps that areas over one another leave at their common edge
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw core::Error(core::ErrorKind::kPhysics, "stability map: " + why);
-}
+[[noreturn]] void refuse(const std::string& why) { throw core::physicsError("stability map: " + why); }
 
 Vector3d startingL_P(const scene::Scene& scene) {
   if (!scene.motion.forcing.none()) refuse("the body is not free: leave out what acts on it");

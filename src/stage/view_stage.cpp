@@ -63,8 +63,7 @@ void refuseTooFar(const Extent& extent) {
   for (const auto* points : {&extent.points_V, &extent.passing_V})
     for (const Vector3d& point_V : *points) farthest = std::max(farthest, point_V.cwiseAbs().maxCoeff());
   if (farthest <= kFarthest) return;
-  throw core::Error(
-      core::ErrorKind::kLimit,
+  throw core::limitError(
       fmt::format("the flight is too long for a picture: it reaches {:.3g} times the size of the body; "
                   "choose motion times nearer to 0 by time.start, time.speed or time.duration",
                   farthest));

@@ -91,8 +91,7 @@ struct Font::Handles {
     const EmbeddedFile file = fileOf(which);
     if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, file.begin, file.size(), 0, &face) != 0) {
       release();
-      throw core::Error(core::ErrorKind::kGraphics,
-                        fmt::format("FreeType cannot read the embedded font {}", file.name));
+      throw core::graphicsError(fmt::format("FreeType cannot read the embedded font {}", file.name));
     }
     blob = hb_blob_create(reinterpret_cast<const char*>(file.begin), static_cast<unsigned>(file.size()),
                           HB_MEMORY_MODE_READONLY, nullptr, nullptr);

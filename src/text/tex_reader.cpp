@@ -62,8 +62,7 @@ void TexReader::skipBlanks() {
 }
 
 void TexReader::fail(std::size_t column, const std::string& what) const {
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("column {} of \"{}\": {}", column, core::printable(tex_), what));
+  throw core::usageError(fmt::format("column {} of \"{}\": {}", column, core::printable(tex_), what));
 }
 
 TexReader::Nested::Nested(TexReader& reader) : reader_(reader) {

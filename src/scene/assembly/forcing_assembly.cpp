@@ -123,7 +123,7 @@ class ForcingAssembly {
     try {
       return parseTorqueTable(csv, draft_.interpolation == 0);
     } catch (const core::Error& error) {
-      throw core::Error(core::ErrorKind::kScene, fmt::format("{}: {}", *draft_.torqueFile, error.message()));
+      throw core::sceneError(fmt::format("{}: {}", *draft_.torqueFile, error.message()));
     }
   }
 

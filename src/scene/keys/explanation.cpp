@@ -216,9 +216,8 @@ std::vector<Explanation> explain(std::string_view word, const std::vector<std::s
   std::vector<std::string> words = known();
   words.insert(words.end(), otherWords.begin(), otherWords.end());
   const auto near = word.size() > kLongest ? std::nullopt : core::closest(word, words);
-  throw core::Error(core::ErrorKind::kUsage,
-                    fmt::format("{}: no key, table, shape or quantity of a scene has this name{}",
-                                core::printable(word), near ? fmt::format("; did you mean {}?", *near) : ""));
+  throw core::usageError(fmt::format("{}: no key, table, shape or quantity of a scene has this name{}",
+                                     core::printable(word), near ? fmt::format("; did you mean {}?", *near) : ""));
 }
 
 }  // namespace poinsot::scene

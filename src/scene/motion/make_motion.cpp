@@ -60,8 +60,7 @@ Eigen::Vector3d drawnOmega_P(const Scene& scene) {
   Eigen::Vector3d drawn_P = exaggerated(omega_P, spinAxis(omega_P), scene.show.exaggerateAngles);
   const bool sameAxis = spinAxis(drawn_P) == spinAxis(omega_P);
   if (sameAxis && roundLargest(moments, drawn_P) == roundLargest(moments, omega_P)) return drawn_P;
-  throw core::Error(
-      core::ErrorKind::kScene,
+  throw core::sceneError(
       "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
 }
 

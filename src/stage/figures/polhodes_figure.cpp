@@ -22,8 +22,7 @@ constexpr double kTube = 0.012;  // radius of the polhode of this motion
 
 void requireFree(const PictureMotion& motion, const char* key) {
   if (motion.isFree()) return;
-  throw core::Error(
-      core::ErrorKind::kScene,
+  throw core::sceneError(
       fmt::format("{}: polhodes stay as they are only where nothing acts on the body; leave them out", key));
 }
 

@@ -67,7 +67,7 @@ void expectTex(const std::string& name) {
   try {
     text::setTex(name);
   } catch (const core::Error& error) {
-    throw core::Error(core::ErrorKind::kUsage, "--label: " + error.message());
+    throw core::usageError("--label: " + error.message());
   }
 }
 
