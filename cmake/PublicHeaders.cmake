@@ -30,7 +30,7 @@ set(POINSOT_PUBLIC_HEADERS
   geometry/mesh_integrals.h
   geometry/primitives.h
   gl/offscreen_context.h
-  golden/suite.h
+  suite/suite.h
   image/image.h
   image/png_file.h
   job/render_job.h

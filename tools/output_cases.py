@@ -46,10 +46,9 @@ class Case:
 
 
 # What may differ from one run to the next.
-TIMES = [(rb"(poinsot: \d+ of \d+ frames \(\d+ %\)[^\n]*\n)+", b"PROGRESS\n"), (rb"\d+(\.\d+)? ?(ms|s|min|h)\b", b"TIME"), (rb"\d+(\.\d+)? (KiB|MiB|GiB|MB|GB)\b", b"MEMORY"),
-         (rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?", b"DATE"),
-         (rb"/tmp/poinsot-\w+", b"TEMPORARY"), (rb"\"(elapsed|left|time|seconds|duration)\w*\": ?[\d.e+-]+", b"TIME"),
-         (rb" time=\"[\d.]+\"", b"TIME")]
+TIMES = [(rb"(poinsot: \d+ of \d+ frames \(\d+ %\)[^\n]*\n)+", b"PROGRESS\n"), (rb"([(,] ?)[\d.]+ s(?=[,)])", rb"\1TIME"),
+         (rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?", b"DATE"), (rb"/tmp/poinsot-\w+", b"TEMPORARY"),
+         (rb"(?s)\"spent\": \{.*?\n \}", b"SPENT"), (rb"\"(elapsed_s|seconds)\": ?[\d.e+-]+", b"TIME"), (rb" time=\"[\d.]+\"", b"TIME")]
 NUMBERS = [(rb"[\d.]+", b"N")]
 
 

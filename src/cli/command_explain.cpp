@@ -8,8 +8,8 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "golden/explanation.h"
 #include "scene/keys/explanation.h"
+#include "suite/explanation.h"
 
 namespace poinsot::cli {
 namespace {
@@ -33,8 +33,8 @@ std::string textOf(const scene::Explanation& explanation) {
 
 /// Explains a name of a scene, of a golden.toml, or of both. @throws core::Error(kUsage) for any other word.
 std::vector<scene::Explanation> explanationsOf(const std::string& word) {
-  std::vector<scene::Explanation> golden = golden::explainGolden(word);
-  if (golden.empty()) return scene::explain(word, golden::goldenWords());
+  std::vector<scene::Explanation> golden = suite::explainGolden(word);
+  if (golden.empty()) return scene::explain(word, suite::goldenWords());
   std::vector<scene::Explanation> all = scene::explanationsOf(word);
   std::ranges::move(golden, std::back_inserter(all));
   return all;

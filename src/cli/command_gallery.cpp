@@ -43,6 +43,7 @@ struct GalleryOptions : RenderOptions {
 /// A picture to make, and how the scene is called.
 struct Item {
   std::string name;
+  fs::path target;
   job::RenderRequest request;
 };
 
@@ -121,7 +122,7 @@ Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, co
       std::move(requested), {request::OutputKind::kPicture, target}, {0, 0},
       {.time_s = time_s, .backend = requestedBackend(options), .reproducible = options.reproducible});
   job::expectWithinMemory(request);
-  return {name, std::move(request)};
+  return {name, target, std::move(request)};
 }
 
 void say(const GalleryOptions& options, const std::string& line) {
@@ -167,21 +168,22 @@ class Gallery {
 
   int describe() const {
     for (const Item& item : items_)
-      writeOut(fmt::format("{}: {} at {} s of film\n", core::printable(item.request.target.path.native()),
+      writeOut(fmt::format("{}: {} at {} s of film\n", core::printable(item.target.native()),
                            core::printable(item.request.scene.request.fileName), *item.request.time_s));
     if (options_.sheet && !items_.empty()) writeOut(fmt::format("{}\n", core::printable(sheet().native())));
     return exitCode_;
   }
 
   void makePictures() {
+    const int workers = workersOf();
     std::vector<job::RenderRequest> requests;
-    for (const Item& item : items_) requests.push_back(item.request);
+    for (Item& item : items_) requests.push_back(std::move(item.request));
     const auto listener = [&](std::size_t i, const std::optional<core::Error>& failure) {
-      const std::string target = core::printable(items_[i].request.target.path.native());
+      const std::string target = core::printable(items_[i].target.native());
       if (failure) writeError(fmt::format("{}: {}", target, failure->what()));
       if (!failure) say(options_, target + " is ready");
     };
-    made_ = job::makeStills(requests, workers(), listener);
+    made_ = job::makeStills(std::move(requests), workers, listener);
     std::set<std::string> renderers;
     for (const job::MadeStill& still : made_) {
       if (still.failure) fail(still.failure->kind());
@@ -191,7 +193,7 @@ class Gallery {
   }
 
   /// As many as have memory while each makes the largest picture.
-  int workers() const {
+  int workersOf() const {
     const auto bytes = [](const Item& item) { return item.request.worker_bytes; };
     const auto largest = std::ranges::max_element(items_, {}, bytes);
     if (largest == items_.end()) return 1;
@@ -202,7 +204,7 @@ class Gallery {
   void makeSheet() const {
     std::vector<SheetEntry> entries;
     for (std::size_t i = 0; i < items_.size(); ++i)
-      if (!made_[i].failure) entries.push_back({items_[i].name, image::readPng(items_[i].request.target.path)});
+      if (!made_[i].failure) entries.push_back({items_[i].name, image::readPng(items_[i].target)});
     if (entries.empty()) return;
     core::writeFileAtomically(sheet(), image::encodePng(contactSheet(entries)));
     say(options_, core::printable(sheet().native()) + " is ready");

@@ -28,15 +28,15 @@
 #include "core/folder.h"
 #include "core/shell_word.h"
 #include "core/text.h"
-#include "golden/approval.h"
-#include "golden/checks.h"
-#include "golden/strays.h"
-#include "golden/suite.h"
-#include "golden/values.h"
 #include "job/render_job.h"
 #include "output/run_files.h"
 #include "process/interrupt.h"
 #include "request/user_files.h"
+#include "suite/approval.h"
+#include "suite/checks.h"
+#include "suite/strays.h"
+#include "suite/suite.h"
+#include "suite/values.h"
 
 namespace poinsot::cli {
 namespace {
@@ -51,7 +51,7 @@ gl::Backend backendOf(const std::string& word) {
   return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;
 }
 
-golden::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allowance) {
+suite::GoldenRequest requestOf(const GoldenOptions& options, scene::Allowance allowance) {
   return {options.only,
           options.output,
           options.jobs > 0 ? options.jobs : job::availableCpus(),
@@ -101,18 +101,18 @@ class Golden {
   explicit Golden(const GoldenOptions& options)
       : options_(options),
         request_(requestOf(options, granted(options))),
-        manifest_(golden::readGoldenManifest(options.manifest, request_.allowance, options.images)),
+        manifest_(suite::readGoldenManifest(options.manifest, request_.allowance, options.images)),
         files_(options.force) {}
 
   int run() {
     if (!options_.images.empty() && !fs::is_directory(options_.images))
       throw core::ioError(fmt::format("--images {}: no such folder", core::printable(options_.images)));
-    golden::expectFilesApart(manifest_, allCases(), request_.output);
+    suite::expectFilesApart(manifest_, allCases(), request_.output);
     if (options_.list) return list();
     checkOptions();
     checkPlaces();
     process::watchInterrupts();
-    outcomes_ = options_.unused ? golden::unusedReferences(manifest_) : golden::runGoldens(manifest_, request_);
+    outcomes_ = options_.unused ? suite::unusedReferences(manifest_) : suite::runGoldens(manifest_, request_);
     const auto isError = [](const Outcome& o) { return o.status == OutcomeStatus::kError; };
     writeErr(options_.quiet ? linesOf(outcomes_, isError) : rendererNotes(renderers()));
     if (options_.update) return update();
@@ -122,10 +122,10 @@ class Golden {
   }
 
  private:
-  std::vector<golden::GoldenCase> allCases() const {
-    golden::GoldenRequest all = request_;
+  std::vector<suite::GoldenCase> allCases() const {
+    suite::GoldenRequest all = request_;
     all.only.clear();
-    return golden::casesOf(manifest_, all);
+    return suite::casesOf(manifest_, all);
   }
 
   /// The renderers that drew the scenes. Pictures of other programs have none that is known.
@@ -137,10 +137,10 @@ class Golden {
   }
 
   int list() const {
-    const std::vector<golden::GoldenCase> cases = golden::casesOf(manifest_, request_);
-    if (options_.json) writeOut(golden::casesJson(cases));
+    const std::vector<suite::GoldenCase> cases = suite::casesOf(manifest_, request_);
+    if (options_.json) writeOut(suite::casesJson(cases));
     if (!options_.json)
-      for (const golden::GoldenCase& one : cases) writeOut(one.name + "\n");
+      for (const suite::GoldenCase& one : cases) writeOut(one.name + "\n");
     return kDone;
   }
 
@@ -150,20 +150,20 @@ class Golden {
     if (options_.unused && (options_.update || !options_.only.empty()))
       throw core::usageError("--unused: looks at all tests and approves nothing; leave out --only and --update");
     if (!options_.update && !options_.unused)
-      golden::expectKnownVariants(manifest_, request_,
-                                  options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
+      suite::expectKnownVariants(manifest_, request_,
+                                 options_.approveBy.empty() ? "--update --beside" : options_.approveBy);
     if (options_.beside && !namesVariants()) expectOnlyScenes();
   }
 
   /// Whether any image of the manifest has a variant. The others then have one that is not named.
   bool namesVariants() const {
-    return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const golden::GoldenTest& test) {
+    return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const suite::GoldenTest& test) {
       return test.scene.empty() && !test.variant.empty();
     });
   }
 
   void expectOnlyScenes() const {
-    for (const golden::GoldenCase& one : golden::casesOf(manifest_, request_))
+    for (const suite::GoldenCase& one : suite::casesOf(manifest_, request_))
       if (one.test.scene.empty())
         throw core::usageError(fmt::format(
             "--beside: {}: of a picture that another program made, the renderer is not known: name it by "
@@ -173,32 +173,32 @@ class Golden {
 
   /// Checks that everything has a place where it can be written, and replaces nothing that somebody else wrote.
   void checkPlaces() {
-    enterFiles(golden::casesOf(manifest_, request_));
+    enterFiles(suite::casesOf(manifest_, request_));
     if (options_.unused) return;
     core::makeFolders(request_.output);
     core::expectWritableFolder(request_.output);
   }
 
-  void enterFiles(const std::vector<golden::GoldenCase>& cases) {
+  void enterFiles(const std::vector<suite::GoldenCase>& cases) {
     files_.reads(options_.manifest, "MANIFEST");
     files_.reads(request::userLimitsFile(), "your limits");
-    for (const golden::GoldenCase& one : cases) {
+    for (const suite::GoldenCase& one : cases) {
       files_.reads(one.test.scene.empty() ? one.actual : one.test.scene, "the suite's file");
       files_.reads(one.test.rule.mask, "the suite's file");
     }
-    golden::enterPatterns(files_, manifest_);
+    suite::enterPatterns(files_, manifest_);
     enterReferences(cases);
-    for (const golden::GoldenCase& one : cases)
-      if (!one.test.isUnmatched && !options_.unused) golden::enterFilesMade(files_, one, request_.output);
+    for (const suite::GoldenCase& one : cases)
+      if (!one.test.isUnmatched && !options_.unused) suite::enterFilesMade(files_, one, request_.output);
     enterReports(files_, options_);
     request_.files = &files_;
   }
 
-  void enterReferences(const std::vector<golden::GoldenCase>& cases) {
+  void enterReferences(const std::vector<suite::GoldenCase>& cases) {
     std::set<fs::path> folders;
-    for (const golden::GoldenCase& one : cases) {
-      const fs::path usual = golden::usualFile(manifest_.references, one.reference());
-      if (options_.update && !one.test.isUnmatched) golden::enterApproval(files_, usual);
+    for (const suite::GoldenCase& one : cases) {
+      const fs::path usual = suite::usualFile(manifest_.references, one.reference());
+      if (options_.update && !one.test.isUnmatched) suite::enterApproval(files_, usual);
       folders.insert(usual.parent_path());
     }
     if (options_.update) return;  // there are no reports, and expectFilesApart() looks at the rest
@@ -260,7 +260,7 @@ class Golden {
   /// Whether an image with a variant can be approved; references of its other variants are to stay.
   bool failsForAVariant() const {
     std::set<std::string> ofVariants;
-    for (const golden::GoldenCase& one : golden::casesOf(manifest_, request_))
+    for (const suite::GoldenCase& one : suite::casesOf(manifest_, request_))
       if (!one.variant().empty()) ofVariants.insert(one.name);
     return std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
       return compare::isToApprove(outcome, options_.exact) && ofVariants.contains(outcome.name);
@@ -317,13 +317,13 @@ class Golden {
   /// Whether it is written down what the reference was made with.
   static bool hasOrigin(const Outcome& outcome) {
     std::error_code ignored;
-    return golden::isDescription(golden::descriptionOf(outcome.reference));
+    return suite::isDescription(suite::descriptionOf(outcome.reference));
   }
 
   /// Approves them together. Returns a line for each.
   std::string approve() const {
-    golden::GoldenApproval approval(manifest_.references, options_.beside, options_.force);
-    const std::vector<golden::GoldenCase> cases = golden::casesOf(manifest_, request_);
+    suite::GoldenApproval approval(manifest_.references, options_.beside, options_.force);
+    const std::vector<suite::GoldenCase> cases = suite::casesOf(manifest_, request_);
     std::string lines = fmt::format("nothing to approve: {}\n", compare::countsText(outcomes_));
     bool isFirst = true;
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -335,7 +335,7 @@ class Golden {
     return lines;
   }
 
-  std::string approvalLines(const Outcome& outcome, const golden::Approval& approval) const {
+  std::string approvalLines(const Outcome& outcome, const suite::Approval& approval) const {
     std::string lines;
     for (const fs::path& file : approval.removed)
       lines += fmt::format("{}: removed: it was approved for an earlier scene or picture\n",
@@ -346,8 +346,8 @@ class Golden {
   }
 
   const GoldenOptions& options_;
-  golden::GoldenRequest request_;
-  golden::GoldenManifest manifest_;
+  suite::GoldenRequest request_;
+  suite::GoldenManifest manifest_;
   output::RunFiles files_;
   std::vector<Outcome> outcomes_;
 };

@@ -12,7 +12,7 @@ class App;
 
 namespace poinsot::cli {
 
-/// What the command line asks for. Parsing only chooses it.
+/// The command on the command line. Parsing chooses it and does nothing else.
 struct Action {
   std::function<int()> run = {};                ///< returns the exit code
   const AllowanceOptions* allowance = nullptr;  ///< of a command that has --untrusted

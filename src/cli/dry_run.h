@@ -4,7 +4,6 @@
 #include <string>
 
 #include "job/render_request.h"
-#include "scene/scene.h"
 
 /// Decisions and messages of `render` and `sweep` that concern shards only.
 namespace poinsot::cli {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "cli/rendering.h"
-#include "request/frame_plan.h"
 
 namespace poinsot::cli {
 

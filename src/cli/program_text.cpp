@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/version.h"
-#include "golden/explanation.h"
 #include "scene/keys/keys.h"
+#include "suite/explanation.h"
 
 namespace poinsot::cli {
 namespace {
@@ -89,9 +89,9 @@ void readFooter(const std::string& footer, CommandText& command) {
 
 std::vector<FileKeyText> goldenKeyTexts() {
   std::vector<FileKeyText> texts;
-  for (const golden::GoldenKey& key : golden::goldenKeys()) {
+  for (const suite::GoldenKey& key : suite::goldenKeys()) {
     const std::string fallback = *key.fallback ? std::string(" (default: ") + key.fallback + ")" : "";
-    texts.push_back({golden::pathInFile(key), key.value, key.help + fallback});
+    texts.push_back({suite::pathInFile(key), key.value, key.help + fallback});
   }
   return texts;
 }

@@ -21,7 +21,7 @@ struct PartsOptions {
 /// What it touches. @param target  where it was named; else `out` is made.
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
 
-/// What is drawn, and where it goes.
+/// A film, a sequence or a picture to make: scene, target and frames.
 struct RequestedFilm {
   request::RequestedScene scene;
   request::OutputTarget target;

@@ -52,7 +52,7 @@ struct PictureDiff {
   image::PixelSize size;    ///< of the reference; 0 where none could be read
   int channels = 3;         ///< of the reference, as stored
   ImageDifference figures;
-  double beyond = 0;                      ///< image::distanceBeyond() of the rule
+  double beyond = 0;                      ///< compare::distanceBeyond() of the rule
   Changes changes;                        ///< where and how the pictures differ; empty where there are no figures
   std::vector<std::string> excesses;      ///< what of the rule does not hold
   double ignoredShare = 0;                ///< part of the picture that was not compared, 0 to 1

@@ -46,7 +46,7 @@ struct FigureOptions {
 };
 
 /// What of the picture the medium takes as an image: to be rendered by the caller, transparent (with fitAlpha() of
-/// figure_alpha.h) or not.
+/// alpha.h) or not.
 draw::Picture imagePartOf(const draw::Picture& picture, FigureMedium medium);
 
 /// Returns the bytes of figureFiles(), in their order.

@@ -254,7 +254,7 @@ Bytes pdfOf(const Figure& figure) {
                                                                scale * figure.picture.size_px.y),
                            &cairo_surface_destroy);
   check(cairo_surface_status(surface.get()));
-  // What every viewer and press reads; and it keeps the metadata plain to see (figure_mark.cpp).
+  // What every viewer and press reads; and it keeps the metadata plain to see (mark.cpp).
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
   setMetadata(surface.get(), figure.options);
   const ContextPtr context(cairo_create(surface.get()), &cairo_destroy);

@@ -15,7 +15,7 @@
 
 namespace poinsot::job {
 
-/// What a caller may choose of a render besides its scene, its target and its frames.
+/// Choices of a caller besides the scene, the target and the frames.
 struct RenderChoices {
   std::optional<double> time_s = {};  ///< of a still: film time in place of the frame's own
   gl::Backend backend = gl::Backend::kAuto;
@@ -53,7 +53,7 @@ RenderRequest renderRequest(request::RequestedScene scene, const request::Output
 /// @throws core::Error(kLimit) if a worker would take more memory than the scene's allowance has.
 void expectWithinMemory(const RenderRequest& request);
 
-/// What all workers of a render inherit.
+/// Values that all workers of a render inherit.
 struct WorkerTask {
   const RenderRequest& render;
   std::filesystem::path workFolder;  ///< takes the segments of a film

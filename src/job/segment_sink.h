@@ -7,7 +7,7 @@
 
 namespace poinsot::job {
 
-/// Where a still's worker leaves the files that output::figureFiles() names, for the render to give them their
+/// Where a still's worker leaves the files that figure::figureFiles() names, for the render to give them their
 /// names together.
 std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& workFolder,
                                                const request::OutputTarget& target);

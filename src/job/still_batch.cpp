@@ -12,8 +12,8 @@ namespace {
 /// Runs of the batch, of which some are at work. All in one thread: workers are forks of it.
 class Batch {
  public:
-  Batch(const std::vector<RenderRequest>& requests, const StillListener& listener)
-      : requests_(requests), listener_(listener), made_(requests.size()) {}
+  Batch(std::vector<RenderRequest> requests, const StillListener& listener)
+      : requests_(std::move(requests)), listener_(listener), made_(requests_.size()) {}
   ~Batch() {
     for (const Running& each : running_) each.job->askToStop();
   }
@@ -35,7 +35,8 @@ class Batch {
 
   void begin(std::size_t index) {
     attempt(index, [&] {
-      auto job = std::make_unique<RenderJob>(requests_[index], [](std::int64_t, std::int64_t, double) {});
+      auto job =
+          std::make_unique<RenderJob>(std::move(requests_[index]), [](std::int64_t, std::int64_t, double) {});
       job->begin();
       running_.push_back({index, std::move(job)});
     });
@@ -68,7 +69,7 @@ class Batch {
     }
   }
 
-  const std::vector<RenderRequest>& requests_;
+  std::vector<RenderRequest> requests_;
   const StillListener& listener_;
   std::vector<MadeStill> made_;
   std::vector<Running> running_;
@@ -76,10 +77,9 @@ class Batch {
 
 }  // namespace
 
-std::vector<MadeStill> makeStills(const std::vector<RenderRequest>& requests, int jobs,
-                                  const StillListener& listener) {
+std::vector<MadeStill> makeStills(std::vector<RenderRequest> requests, int jobs, const StillListener& listener) {
   for (const RenderRequest& request : requests) POINSOT_EXPECT(request.frames.count() == 1);
-  return Batch(requests, listener).make(static_cast<std::size_t>(std::max(jobs, 1)));
+  return Batch(std::move(requests), listener).make(static_cast<std::size_t>(std::max(jobs, 1)));
 }
 
 }  // namespace poinsot::job

@@ -25,7 +25,6 @@ struct MadeStill {
 /// @pre every request is of one frame.
 /// @returns the result of each request.
 /// @throws Interrupted
-std::vector<MadeStill> makeStills(const std::vector<RenderRequest>& requests, int jobs,
-                                  const StillListener& listener);
+std::vector<MadeStill> makeStills(std::vector<RenderRequest> requests, int jobs, const StillListener& listener);
 
 }  // namespace poinsot::job

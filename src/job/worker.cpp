@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job/worker.h"
 
-#include <fmt/format.h>
 #include <signal.h>
 #include <cstdlib>
 #include <exception>
@@ -9,7 +8,6 @@
 #include <string>
 
 #include "core/file_error.h"
-#include "core/text.h"
 #include "image/pixel_digest.h"
 #include "job/job_record.h"
 #include "job/scene_frames.h"

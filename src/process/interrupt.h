@@ -47,7 +47,7 @@ int interruptSignal();
 /// Readable once a signal was noted, for poll(). -1, which poll() passes over, before watchInterrupts().
 int interruptFd();
 
-/// @throws Interrupted once a signal was noted; core::Error(kLimit) if the time is over (time_limit.h).
+/// @throws Interrupted once a signal was noted; core::Error(kLimit) if the time is over (limitTime()).
 void throwIfInterrupted();
 
 /// Ends this process after so many seconds by the clock, as a limit that was exceeded. Where interrupts are

@@ -15,7 +15,7 @@ enum class OutputKind {
   kFilm,      ///< one file of an output::FilmContainer
   kPicture,   ///< one .png of one frame
   kSequence,  ///< a .png per frame; the path is an output::FramePattern
-  kFigure,    ///< of one frame, with vectors and type: one of output::FigureMedium
+  kFigure,    ///< of one frame, with vectors and type: one of figure::FigureMedium
 };
 
 /// Where the result goes.

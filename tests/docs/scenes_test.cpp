@@ -10,10 +10,10 @@
 
 #include "core/error.h"
 #include "docs/pages.h"
-#include "golden/manifest.h"
 #include "request/scene_request.h"
 #include "request/user_files.h"
 #include "scene/scene_file.h"
+#include "suite/manifest.h"
 #include "support/scratch_folder.h"
 #include "text/commands.h"
 #include "text/math_setter.h"
@@ -56,7 +56,7 @@ std::string problemOfGoldens(const std::string& toml) {
     folder.put(std::string(scenes) + "/racket.toml", "");
   }
   try {
-    golden::readGoldenManifest(folder.put("golden.toml", toml));
+    suite::readGoldenManifest(folder.put("golden.toml", toml));
     return "";
   } catch (const std::exception& error) {
     return error.what();

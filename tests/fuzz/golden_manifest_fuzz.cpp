@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/input.h"
-#include "golden/manifest.h"
 #include "scene/document/problem.h"
+#include "suite/manifest.h"
 
 // Of a folder that is not there.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    poinsot::golden::parseGoldenManifest(std::string(poinsot::fuzz::textOf({data, size})), "/nowhere/golden.toml");
+    poinsot::suite::parseGoldenManifest(std::string(poinsot::fuzz::textOf({data, size})), "/nowhere/golden.toml");
   } catch (const poinsot::scene::SceneErrors& errors) {
     poinsot::fuzz::expectPrintable(errors.what());
   }

@@ -160,21 +160,23 @@ NUMBERS = ["nan", "inf", "1e999", "-0", "1e-320", "9223372036854775807", "-92233
 
 def strings(pattern, kind=r"[A-Za-z_][\w./^-]{0,30}"):
     """What stands between quotes in sources of the program."""
-    text = "\n".join(path.read_text() for path in sorted((ROOT / "src").glob(pattern)))
+    paths = sorted((ROOT / "src").glob(pattern))
+    assert paths, f"src/{pattern}: there is no such file"
+    text = "\n".join(path.read_text() for path in paths)
     return sorted(set(re.findall(f'"({kind})"', text, re.ASCII)))
 
 
 def vocabulary(target):
     return {
-        "scene": lambda: strings("scene/*.cpp") + strings("scene/unit*.h") + TOML,
+        "scene": lambda: strings("scene/**/*.cpp") + strings("scene/unit*.h") + TOML,
         "tex": lambda: ["\\\\" + name for name in strings("text/commands.cpp", "[A-Za-z]{2,20}")] + ["$", "{", "}", "_", "^", "'", "``", "--", "~"],
         "mesh": lambda: strings("geometry/*.cpp") + NUMBERS + ["property list uchar int vertex_indices", "end_header", "\\\\\\x0a", "f ", "v "],
         "png": lambda: ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "tEXt", "zTXt", "iTXt", "iCCP", "sPLT", "hIST", "pCAL", "sCAL", "bKGD", "eXIf", "acTL", "cICP", "gAMA", "cHRM"],
         "torque_table": lambda: ["t,Nx,Ny,Nz", *NUMBERS],
-        "trajectory_table": lambda: strings("reference/trajectory_row.h") + NUMBERS + ["\\x22", ",", "#"],
-        "grade": lambda: strings("reference/trajectory_row.h") + NUMBERS + ["1e300", "-1e300", "1e308", "1e289", "4.9e-324", ",", "\\x0a"],
+        "trajectory_table": lambda: strings("reference/trajectory.h") + NUMBERS + ["\\x22", ",", "#"],
+        "grade": lambda: strings("reference/trajectory.h") + NUMBERS + ["1e300", "-1e300", "1e308", "1e289", "4.9e-324", ",", "\\x0a"],
         "work_folder": lambda: strings("job/job_record.cpp") + strings("job/segment_record.cpp") + ["mp4", "mov", "webm", "gif", "apng", "../", *NUMBERS],
-        "golden_manifest": lambda: strings("golden/manifest.cpp") + strings("golden/keys.cpp", "[a-z_]{3,12}") + TOML,
+        "golden_manifest": lambda: strings("suite/manifest.cpp") + strings("suite/keys.cpp", "[a-z_]{3,12}") + TOML,
         "command_line": lambda: strings("cli/*.cpp", r"-{0,2}[a-z][a-z-]{1,20}") + NUMBERS + ["-D", "-o", "=", "--"],
     }[target]()
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "fuzz/input.h"
-#include "golden/reference.h"
 #include "job/job_record.h"
 #include "job/segment_record.h"
+#include "suite/reference.h"
 
 namespace {
 
@@ -38,6 +38,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const request::OutputTarget& target = data[0] == 'J' || data[0] == 'R' ? kFilm : kSequence;
   if (data[0] == 'J' || data[0] == 'j') readJob(text, target);
   if (data[0] == 'R' || data[0] == 'r') readRecord(text, target);
-  if (data[0] == 'o') golden::parsePictureOrigin(text);
+  if (data[0] == 'o') suite::parsePictureOrigin(text);
   return 0;
 }

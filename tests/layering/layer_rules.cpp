@@ -151,12 +151,12 @@ const std::vector<Layer>& layers() {
       {"job",
        {"describe", "request", "output", "figure", "render", "stage", "scene", "process", "draw", "gl", "image",
         "core"}},
-      {"golden", {"job", "compare", "request", "output", "scene", "gl", "image", "core"}},
+      {"suite", {"job", "compare", "request", "output", "scene", "gl", "image", "core"}},
       {"reference", {"output", "scene", "process", "physics", "core"}},
       {"cluster", {"request", "image", "core"}},
       {"preview", {"job", "describe", "request", "stage", "scene", "gl", "image", "core"}},
       {"cli",
-       {"preview", "cluster", "reference", "golden", "job", "describe", "compare", "request", "output", "figure",
+       {"preview", "cluster", "reference", "suite", "job", "describe", "compare", "request", "output", "figure",
         "render", "stage", "scene", "process", "draw", "text", "gl", "image", "core"}},
   };
   return kLayers;

@@ -197,10 +197,11 @@ TEST(Consumer, NeedsOnlyWhatItsLayersNeed) {
 TEST(Consumer, AllLayersAreFoundWithWhatTheyLink) {
   const InstalledTree tree;
   tree.folder().put("main.cpp", "int main() {}\n");
-  tree.folder().put("CMakeLists.txt",
-                    "cmake_minimum_required(VERSION 3.25)\nproject(p LANGUAGES CXX)\n"
-                    "find_package(poinsot REQUIRED)\nadd_executable(p main.cpp)\n"
-                    "target_link_libraries(p PRIVATE poinsot::cluster poinsot::golden poinsot::preview poinsot::reference)\n");
+  tree.folder().put(
+      "CMakeLists.txt",
+      "cmake_minimum_required(VERSION 3.25)\nproject(p LANGUAGES CXX)\n"
+      "find_package(poinsot REQUIRED)\nadd_executable(p main.cpp)\n"
+      "target_link_libraries(p PRIVATE poinsot::cluster poinsot::suite poinsot::preview poinsot::reference)\n");
   tree.run(
       "cmake -G Ninja -S . -B p -DCMAKE_PREFIX_PATH=$PREFIX -DCMAKE_CXX_COMPILER=$CXX >log 2>&1 || { cat log; "
       "exit 1; }");

@@ -13,6 +13,7 @@
 #include "output/video_segment.h"
 #include "physics/driven_motion.h"
 #include "preconditions/breaches.h"
+#include "process/interrupt.h"
 #include "reference/grade.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -41,7 +42,7 @@ std::vector<Breach> ofDrawAndText() {
        [] {
          draw::lookAt({0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 1, {9, 9});
        }},
-      {"draw/camera.h", "depthOf(camera, target_W) > 0",
+      {"draw/camera.h", "depthOf(camera, target_V) > 0",
        [=] {
          orthographic(camera, {0, 0, 6});
        }},
@@ -264,6 +265,7 @@ std::vector<Breach> ofResults() {
        [] {
          reportTable({"a", {{"b", {{"c", "d", 1.0, "", ""}}}}}, 18);
        }},
+      {"process/interrupt.h", "seconds > 0", [] { process::limitTime(0, 2); }},
       {"job/still_batch.h", "of one frame",
        [] {
          RenderRequest request;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kOpening = R"(# Scene files
 
-<!-- Made from the table in src/scene/key_table*.cpp; a test compares the two. Do not edit by hand. -->
+<!-- Made from the table in src/scene/keys/key_table*.cpp; a test compares the two. Do not edit by hand. -->
 
 A scene is a [TOML](https://toml.io/en/v1.0.0) file. A body and a start are required; every other key has a default.
 This is a whole scene:

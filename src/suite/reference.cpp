@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/reference.h"
+#include "suite/reference.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,8 @@
 #include "core/folder.h"
 #include "core/json.h"
 #include "core/regular_file.h"
-#include "core/text.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 namespace fs = std::filesystem;
 
@@ -72,4 +71,4 @@ std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& refere
   return own.empty() ? references : own;
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

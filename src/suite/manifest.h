@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "scene/limits.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// One [[test]]: a scene, drawn at some times, or a picture that somebody else makes.
 struct GoldenTest {
@@ -43,7 +43,7 @@ struct GoldenManifest {
   std::vector<GoldenTest> tests;     ///< those of a pattern by name
 };
 
-/// Reads it; paths in it are from its folder. The path of a scene or an image may be a pattern (golden_files.h): a
+/// Reads it; paths in it are from its folder. The path of a scene or an image may be a pattern (files.h): a
 /// test for each file. A manifest may be a stranger's, so scenes and images must lie below its folder, the current
 /// one, that of images or an asset root, and references, which are written, below its folder or an asset root;
 /// links lead no further.
@@ -56,4 +56,4 @@ GoldenManifest parseGoldenManifest(std::string text, const std::filesystem::path
                                    const scene::Allowance& allowance = {},
                                    const std::filesystem::path& images = {});
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

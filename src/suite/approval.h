@@ -7,10 +7,10 @@
 
 #include "compare/outcome.h"
 #include "core/file_batch.h"
-#include "golden/reference.h"
 #include "output/run_files.h"
+#include "suite/reference.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// Returns image::pixelDigest() of a PNG file; of a film, the SHA-256 of the file.
 /// @throws core::Error(kIo) if it cannot be read; (kLimit) as image::readPngAsStored()
@@ -55,4 +55,4 @@ class GoldenApproval {
   core::FileBatch batch_;
 };
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/keys.h"
 #include "scene/keys/explanation.h"
+#include "suite/keys.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// Returns the path of a key in its file: "references", "test.image", "rule.max".
 std::string pathInFile(const GoldenKey& key);
@@ -26,4 +26,4 @@ std::vector<std::string> goldenWords();
 /// The keys as a table in Markdown for each table of the file, as docs/golden.md has them.
 std::string goldenKeysMarkdown();
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

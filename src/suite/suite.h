@@ -8,11 +8,11 @@
 
 #include "compare/outcome.h"
 #include "gl/offscreen_context.h"
-#include "golden/manifest.h"
-#include "golden/reference.h"
 #include "output/run_files.h"
+#include "suite/manifest.h"
+#include "suite/reference.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// Endings of the files that a run writes beside the picture of a case: FLIP's map and the difference.
 inline constexpr std::string_view kMapEnding = ".flip.png", kDifferenceEnding = ".difference.png";
@@ -61,4 +61,4 @@ std::vector<compare::Outcome> runGoldens(const GoldenManifest& manifest, const G
 /// Returns the cases of a suite as JSON, each with its scene or image as the manifest names it.
 std::string casesJson(const std::vector<GoldenCase>& cases);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -10,7 +10,7 @@
 #include "core/abi.h"
 
 /// Names and places of the files of references: NAME.png, NAME@RENDERER.png, and a description NAME.json of each.
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// Largest description that is read, in bytes.
 inline constexpr std::size_t kMostDescription = std::size_t{64} << 10;
@@ -44,4 +44,4 @@ std::filesystem::path usualFile(const std::filesystem::path& folder, const Golde
 /// Returns the file of a test's reference for one renderer only. @param usual  usualFile()
 std::filesystem::path fileFor(const std::string& renderer, const std::filesystem::path& usual);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

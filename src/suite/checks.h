@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "golden/suite.h"
+#include "suite/suite.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// Checks that for the variant of each case that is asked for, a reference of some case of the manifest was
 /// approved, if references of any variant were: another one is probably a slip.
@@ -28,4 +28,4 @@ void enterPatterns(output::RunFiles& files, const GoldenManifest& manifest);
 void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
                       const std::filesystem::path& output);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// A key of a golden.toml, for people who write one.
 struct GoldenKey {
@@ -24,4 +24,4 @@ std::span<const GoldenKey> goldenKeys();
 /// Names of the keys of a table, sorted.
 std::vector<std::string> goldenKeysOf(std::string_view table);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

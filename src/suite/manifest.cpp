@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/manifest.h"
+#include "suite/manifest.h"
 
 #include <fmt/format.h>
 
@@ -12,14 +12,14 @@
 #include "core/expect.h"
 #include "core/regular_file.h"
 #include "core/text.h"
-#include "golden/files.h"
-#include "golden/keys.h"
-#include "golden/values.h"
 #include "output/film_reader.h"
 #include "scene/document/document.h"
 #include "scene/limits.h"
+#include "suite/files.h"
+#include "suite/keys.h"
+#include "suite/values.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -310,4 +310,4 @@ GoldenManifest readGoldenManifest(const fs::path& file, const scene::Allowance& 
   return parseGoldenManifest(core::readRegularFile(file, most, core::ErrorKind::kIo), file, allowance, images);
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

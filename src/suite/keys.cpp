@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/keys.h"
+#include "suite/keys.h"
 
 #include <algorithm>
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 constexpr GoldenKey kKeys[] = {
@@ -59,4 +59,4 @@ std::vector<std::string> goldenKeysOf(std::string_view table) {
   return names;
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/files.h"
+#include "suite/files.h"
 
 #include <algorithm>
 #include <system_error>
 
 #include "core/wildcard.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ bool isMatch(const fs::path& folder, const std::string& pattern, const fs::path&
   return matches(rest.begin(), rest.end(), name.begin(), name.end());
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

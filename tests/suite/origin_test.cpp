@@ -2,9 +2,9 @@
 // What a reference was made with: its description, and how a new picture's origin differs from it.
 #include <gtest/gtest.h>
 
-#include "golden/reference.h"
+#include "suite/reference.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 const compare::PictureOrigin kThen{"llvmpipe (LLVM 15.0.6, 128 bits)", "Mesa 22.3.6", "poinsot 0.1.0", "5f"};
@@ -54,4 +54,4 @@ TEST(PictureOrigin, IsReadFromDescriptionsWithAndWithoutADriver) {
 }
 
 }  // namespace
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

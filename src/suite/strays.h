@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "golden/suite.h"
+#include "suite/suite.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// The error of a pattern of images that matches no file.
 compare::Outcome unmatchedOutcome(const GoldenCase& pattern);
@@ -21,4 +21,4 @@ std::vector<compare::Outcome> strayOutcomes(const GoldenManifest& manifest, cons
 /// patterns that match no image.
 std::vector<compare::Outcome> unusedReferences(const GoldenManifest& manifest);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

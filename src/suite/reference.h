@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "compare/picture_origin.h"
-#include "golden/reference_files.h"
+#include "suite/reference_files.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// A picture that was approved for a test. Usually there is one, NAME.png; where drivers draw differently and each
 /// is right, others stand beside it, NAME@RENDERER.png.
@@ -39,4 +39,4 @@ std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, c
 /// Which of them a picture is compared with: those of its own renderer, if there are any, else all.
 std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& references, const std::string& renderer);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/strays.h"
+#include "suite/strays.h"
 
 #include <fmt/format.h>
 
@@ -10,15 +10,13 @@
 
 #include "core/error.h"
 #include "core/folder.h"
-#include "core/json.h"
-#include "core/regular_file.h"
 #include "core/text.h"
 #include "core/wildcard.h"
-#include "golden/files.h"
-#include "golden/values.h"
 #include "output/film_reader.h"
+#include "suite/files.h"
+#include "suite/values.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,4 +206,4 @@ std::vector<compare::Outcome> unusedReferences(const GoldenManifest& manifest) {
   return outcomes;
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

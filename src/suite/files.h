@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 /// A file that a pattern means.
 struct MatchedFile {
@@ -28,4 +28,4 @@ std::vector<MatchedFile> filesMatching(const std::filesystem::path& folder, cons
 /// Whether a pattern means this file, if it is made: by its name, and where links among the folders lead.
 bool isMatch(const std::filesystem::path& folder, const std::string& pattern, const std::filesystem::path& file);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

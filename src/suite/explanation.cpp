@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/explanation.h"
+#include "suite/explanation.h"
 
 #include <fmt/format.h>
 
-#include "core/text.h"
-
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 using scene::Explanation;
@@ -116,4 +114,4 @@ std::string goldenKeysMarkdown() {
   return text + "\n";
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

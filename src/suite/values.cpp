@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/values.h"
+#include "suite/values.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "scene/units.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ bool isBeneath(const fs::path& path, const fs::path& folder) {
   return !inner.empty() && !outer.empty() && std::ranges::mismatch(outer, inner).in1 == outer.end();
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

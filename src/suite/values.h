@@ -11,7 +11,7 @@
 #include "scene/limits.h"
 
 /// Values of a golden.toml. All throw core::Error(kScene) that says what was expected and what there is.
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 [[noreturn]] void refuseValue(const std::string& message);
 
@@ -48,4 +48,4 @@ std::vector<image::PixelRect> boxesOf(const scene::Node& node);
 /// Whether a path, with its links followed, lies in a folder or below it.
 bool isBeneath(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nothing but the picture that was drawn and compared becomes a reference.
-#include "golden/approval.h"
+#include "suite/approval.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include "image/png_file.h"
 #include "support/scratch_folder.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST_F(GoldenApprovalTest, LeavesTheReferencesOfOtherTestsAlone) {
 }
 
 }  // namespace
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

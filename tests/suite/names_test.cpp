@@ -10,10 +10,10 @@
 #include <set>
 
 #include "core/text.h"
-#include "golden/checks.h"
+#include "suite/checks.h"
 #include "support/scratch_folder.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 using ::testing::HasSubstr;
@@ -161,4 +161,4 @@ TEST_F(GoldenNames, AreComparedWithLinksFollowed) {
 }
 
 }  // namespace
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/suite.h"
+#include "suite/suite.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,8 +19,6 @@
 #include "core/parallel.h"
 #include "core/text.h"
 #include "core/wildcard.h"
-#include "golden/approval.h"
-#include "golden/strays.h"
 #include "image/png_file.h"
 #include "job/job_identity.h"
 #include "job/still_batch.h"
@@ -29,8 +27,10 @@
 #include "request/memory.h"
 #include "request/sweep_cells.h"
 #include "scene/limits.h"
+#include "suite/approval.h"
+#include "suite/strays.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -127,6 +127,7 @@ double timeOf(const GoldenCase& one, const scene::Scene& scene) {
 struct Drawing {
   std::size_t place = 0;  ///< among the cases
   job::RenderRequest request;
+  std::string scene;  ///< its digest
 };
 
 Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
@@ -144,7 +145,8 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   const image::PixelSize size = render.scene.size();
   request::expectWithinMemory(compare::compareMemory_bytes(size), request::pictureText(size),
                               golden.allowance.limits);
-  return {place, std::move(render)};
+  std::string digest = core::toHex(job::sceneDigest(render.scene));
+  return {place, std::move(render), std::move(digest)};
 }
 
 /// Returns a picture's digest. @throws core::Error(kIo) if it, or a film's first one, cannot be read.
@@ -275,7 +277,7 @@ class Run {
   Run(const GoldenManifest& manifest, const GoldenRequest& request)
       : manifest_(manifest),
         request_(request),
-        cases_(golden::casesOf(manifest, request)),
+        cases_(suite::casesOf(manifest, request)),
         outcomes_(cases_.size()) {}
 
   std::vector<compare::Outcome> outcomes() {
@@ -325,18 +327,19 @@ class Run {
 
   void draw() {
     std::vector<job::RenderRequest> requests;
-    for (const Drawing& drawing : drawings_) {
+    for (Drawing& drawing : drawings_) {
       const fs::path& picture = cases_[drawing.place].actual;
       core::makeFolders(picture.parent_path());
       std::error_code ignored;
       fs::remove(picture, ignored);  // of an earlier run
-      requests.push_back(drawing.request);
+      requests.push_back(std::move(drawing.request));
     }
-    const auto made = job::makeStills(requests, jobsThatFit(requests), [](std::size_t, const auto&) {});
+    const int workers = jobsThatFit(requests);
+    const auto made = job::makeStills(std::move(requests), workers, [](std::size_t, const auto&) {});
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       const std::size_t place = drawings_[i].place;
       if (made[i].failure) fail(place, *made[i].failure);
-      outcomes_[place].origin.scene = core::toHex(job::sceneDigest(drawings_[i].request.scene));
+      outcomes_[place].origin.scene = drawings_[i].scene;
       outcomes_[place].origin.driver = made[i].summary.driver;
       outcomes_[place].pixels = made[i].summary.pixels;
     }
@@ -416,4 +419,4 @@ std::string casesJson(const std::vector<GoldenCase>& cases) {
   return core::jsonText({{"tests", std::move(tests)}});
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

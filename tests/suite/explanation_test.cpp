@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said about the keys of a golden.toml, held against the reader of such files and the page of the docs.
-#include "golden/explanation.h"
+#include "suite/explanation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "golden/manifest.h"
+#include "suite/manifest.h"
 #include "support/scratch_folder.h"
 #include "support/text_of.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 using ::testing::AllOf;
@@ -84,4 +84,4 @@ TEST(GoldenExplanation, IsWhatThePageSays) {
 }
 
 }  // namespace
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

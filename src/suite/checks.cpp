@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/checks.h"
+#include "suite/checks.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,11 +11,11 @@
 #include "core/error.h"
 #include "core/file_names.h"
 #include "core/text.h"
-#include "golden/files.h"
 #include "output/film_reader.h"
 #include "scene/document/problem.h"
+#include "suite/files.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ void expectFilesApart(const GoldenManifest& manifest, const std::vector<GoldenCa
     if (!one.test.isUnmatched) uses.addWritten(one);
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

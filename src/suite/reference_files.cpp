@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/reference_files.h"
+#include "suite/reference_files.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <system_error>
-
-#include "core/error.h"
-#include "core/text.h"
-
-namespace poinsot::golden {
+namespace poinsot::suite {
 
 namespace fs = std::filesystem;
 
@@ -43,4 +37,4 @@ fs::path fileFor(const std::string& renderer, const fs::path& usual) {
          fmt::format("{}@{}{}", usual.stem().native(), slugOf(renderer), usual.extension().native());
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite

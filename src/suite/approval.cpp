@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "golden/approval.h"
+#include "suite/approval.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "output/film_reader.h"
 #include "request/picture_options.h"
 
-namespace poinsot::golden {
+namespace poinsot::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ Approval GoldenApproval::add(const GoldenName& name, const compare::Outcome& out
   return approval;
 }
 
-}  // namespace poinsot::golden
+}  // namespace poinsot::suite
