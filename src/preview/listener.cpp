@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <memory>
+#include <thread>
 #include <utility>
 
 namespace poinsot::preview {
@@ -102,7 +104,16 @@ void Listener::serve() {
     threads.enqueue([this, shared] { answer(*shared); });
   });
   pending_ = &pending;
-  listen_after_bind();
+  serving_ = true;
+  if (!ended_) listen_after_bind();
+  serving_ = false;
+}
+
+void Listener::end() {
+  ended_ = true;
+  // The library's stop() does nothing before its loop runs.
+  while (serving_ && !is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  stop();
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {

@@ -3,6 +3,8 @@
 
 #include <httplib.h>
 
+#include <atomic>
+
 #undef _res  // a macro of <resolv.h>, which httplib.h brings; Eigen has arguments of that name
 
 #include "core/file_handle.h"
@@ -22,8 +24,10 @@ class Listener : public httplib::Server {
   /// Lengthens the queue of new connections: that of the library drops the sixth, which retries after seconds.
   /// @pre it was bound.
   void widen();
-  /// Answers until stop(). @pre it was bound.
+  /// Answers until end(). @pre it was bound.
   void serve();
+  /// Ends serve(), also one that has not begun. May be called from any thread.
+  void end();
 
  private:
   bool process_and_close_socket(socket_t socket) override;
@@ -33,6 +37,7 @@ class Listener : public httplib::Server {
   static void process(Self& self, httplib::Stream& connection);
 
   PendingConnections* pending_ = nullptr;  // while it serves
+  std::atomic<bool> serving_ = false, ended_ = false;
 };
 
 }  // namespace poinsot::preview

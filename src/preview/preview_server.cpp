@@ -151,7 +151,7 @@ class PreviewServer::Site {
   void run() { server_.serve(); }
   void stop() {
     scene_.stop();
-    server_.stop();
+    server_.end();
   }
 
  private:

@@ -332,5 +332,17 @@ TEST_F(Preview, TwoCannotHaveOnePort) {
   EXPECT_THROW(PreviewServer second(request), core::Error);
 }
 
+// A signal may come while the server is about to begin.
+TEST(PreviewServerTest, EndsWhenItWasStoppedBeforeItRan) {
+  const ScratchFolder folder;
+  folder.put("a.toml", kScene);
+  for (int i = 0; i < 20; ++i) {
+    PreviewServer server(PreviewRequest{.fileName = folder / "a.toml", .overrides = {}, .allowance = {}});
+    std::thread stopping([&] { server.stop(); });
+    server.run();
+    stopping.join();
+  }
+}
+
 }  // namespace
 }  // namespace poinsot::preview
