@@ -161,7 +161,7 @@ int featureRadius(double pixelsPerDegree) {
   return static_cast<int>(std::ceil(3 * featureWidth(pixelsPerDegree)));
 }
 
-/// Of the weights at -radius..radius, by the half at 0..radius: the sum of those above 0.
+/// Returns the sum of the positive weights at -radius..radius.
 double positiveSum(const Kernel& kernel) {
   double sum = 0;
   for (int i = -kernel.radius(); i <= kernel.radius(); ++i) sum += std::max(kernel.at(i), 0.0);

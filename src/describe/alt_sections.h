@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-/// What altText() consists of: whole sentences.
+/// The sentences of altText().
 namespace poinsot::describe {
 
 using Sentences = std::vector<std::string>;
@@ -14,11 +14,11 @@ using Sentences = std::vector<std::string>;
 /// The names of the principal axes, "e1" to "e3".
 std::string axisName(int axis);
 
-/// What turns: shape, size, mass, moments.
+/// Describes the body: shape, size, mass, moments.
 Sentences bodySentences(const scene::Scene& scene);
-/// How it turns: what acts on it, its rates and periods, what stays.
+/// Describes the motion: what acts on the body, its rates and periods, what is conserved.
 Sentences motionSentences(const scene::Scene& scene);
-/// What is drawn, in which colour, as seen by whom; how long the film is and how fast time runs in it.
+/// Describes the picture: what is drawn, in which colour, from where; the film's length and pace.
 Sentences pictureSentences(const scene::Scene& scene);
 
 /// To three digits: "0.0123", "12800", "8.01 × 10³⁷"; "0" for anything so small that it is rounding beside
