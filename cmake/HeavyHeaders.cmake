@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What takes most of a compiler's time here is reading the headers of Eigen, fmt, CLI11 and GoogleTest: they are read
+# What takes most of a compiler's time here is reading the headers of Eigen, fmt and GoogleTest: they are read
 # once. Every file includes what it uses all the same; POINSOT_PCH=OFF builds without, and shows it.
 option(POINSOT_PCH "Precompile the headers of third parties" ON)
 

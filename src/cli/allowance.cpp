@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <system_error>
 
+#include "cli/command.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "core/error.h"
@@ -37,36 +37,29 @@ void expectFolder(const std::string& word) {
 
 }  // namespace
 
-void addLimitOptions(CLI::App& command, AllowanceOptions& options) {
+void addLimitOptions(const Command& command, AllowanceOptions& options) {
+  command.option("--limit", options.limits, "raise or lower a limit, such as side=16384 (docs/scene.md, Limits)")
+      .type("NAME=VALUE")
+      .repeats();
   command
-      .add_option("--limit", options.limits, "raise or lower a limit, such as side=16384 (docs/scene.md, Limits)")
-      ->type_name("NAME=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command
-      .add_option("--max-memory", options.memory,
-                  "refuse what is estimated to take more in one process (default: 2GiB)")
-      ->type_name("SIZE")
-      ->check(notEmpty());
-  command.add_option("--max-seconds", options.seconds, "end after so long, with exit code 2")
-      ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, scene::rowOf(Limit::kSeconds).highest));
-  command.add_flag(
-      "--untrusted", options.untrusted,
-      "of a stranger's files: in a sandbox that reads nothing but them, writes nothing but the output, "
-      "and has no network and no other programs (Linux)");
+      .option("--max-memory", options.memory,
+              "refuse what is estimated to take more in one process (default: 2GiB)")
+      .type("SIZE")
+      .notEmpty();
+  command.option("--max-seconds", options.seconds, "end after so long, with exit code 2")
+      .type("N")
+      .range(std::int64_t{1}, scene::rowOf(Limit::kSeconds).highest);
+  command.flag("--untrusted", options.untrusted,
+               "of a stranger's files: in a sandbox that reads nothing but them, writes nothing but the output, "
+               "and has no network and no other programs (Linux)");
 }
 
-void addAllowance(CLI::App& command, AllowanceOptions& options) {
+void addAllowance(const Command& command, AllowanceOptions& options) {
   addLimitOptions(command, options);
-  command
-      .add_option("--asset-root", options.assetRoots, "another folder in which files that a scene names may lie")
-      ->type_name("FOLDER")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(notEmpty());
+  command.option("--asset-root", options.assetRoots, "another folder in which files that a scene names may lie")
+      .type("FOLDER")
+      .repeats()
+      .notEmpty();
 }
 
 scene::Allowance allowed(const AllowanceOptions& options) {

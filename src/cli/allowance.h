@@ -7,11 +7,9 @@
 
 #include "scene/limits.h"
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 namespace poinsot::cli {
+
+class Command;
 
 /// What the user allows, as typed.
 struct AllowanceOptions {
@@ -22,9 +20,9 @@ struct AllowanceOptions {
 };
 
 /// Declares --limit, --max-memory, --max-seconds and --untrusted.
-void addLimitOptions(CLI::App& command, AllowanceOptions& options);
+void addLimitOptions(const Command& command, AllowanceOptions& options);
 /// Declares these and --asset-root.
-void addAllowance(CLI::App& command, AllowanceOptions& options);
+void addAllowance(const Command& command, AllowanceOptions& options);
 
 /// Limits, folders and memory as words for another process, which has a time of its own.
 std::vector<std::string> allowanceWords(const AllowanceOptions& options);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -65,20 +64,20 @@ int assemble(const AssembleOptions& options) {
 
 }  // namespace
 
-void addAssemble(CLI::App& program, Action& chosen) {
+void addAssemble(const Command& program) {
   auto options = std::make_shared<AssembleOptions>();
-  CLI::App* command = program.add_subcommand("assemble", "join the segments that shards have made; refuses gaps");
-  command->add_option("OUTPUT", options->output, "what the shards were told with -o")->required();
-  command->add_option("-o,--output", options->film, "another name for the film")->type_name("FILE");
-  command->add_flag("--force", options->force, "replace a file that this program did not write");
-  command->add_flag("--keep", options->keep, "keep the segments");
-  command->add_flag("--quiet", options->quiet, "say nothing but errors");
-  command->footer(
+  const Command command = program.command("assemble", "join the segments that shards have made; refuses gaps");
+  command.option("OUTPUT", options->output, "what the shards were told with -o").required();
+  command.option("-o,--output", options->film, "another name for the film").type("FILE");
+  command.flag("--force", options->force, "replace a file that this program did not write");
+  command.flag("--keep", options->keep, "keep the segments");
+  command.flag("--quiet", options->quiet, "say nothing but errors");
+  command.footer(
       "Examples:\n"
       "  poinsot render scenes/football.toml -o out/football.mp4 --shard 1/2\n"
       "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    # on another machine, say\n"
       "  poinsot assemble out/football.mp4");
-  command->callback([options, &chosen] { chosen.run = [options] { return assemble(*options); }; });
+  command.does({[options] { return assemble(*options); }});
 }
 
 }  // namespace poinsot::cli

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -25,14 +23,14 @@ int backends() {
 
 }  // namespace
 
-void addBackends(CLI::App& program, Action& chosen) {
-  CLI::App* command =
-      program.add_subcommand("backends", "list the OpenGL back ends: which work, what to install for the others");
-  command->footer(
+void addBackends(const Command& program) {
+  const Command command =
+      program.command("backends", "list the OpenGL back ends: which work, what to install for the others");
+  command.footer(
       "Example:\n"
       "  poinsot backends\n"
       "Exit code 1 when none works.");
-  command->callback([&chosen] { chosen.run = backends; });
+  command.does({backends});
 }
 
 }  // namespace poinsot::cli

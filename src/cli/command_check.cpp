@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
@@ -56,20 +55,18 @@ int check(const CheckOptions& options) {
 
 }  // namespace
 
-void addCheck(CLI::App& program, Action& chosen) {
+void addCheck(const Command& program) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = program.add_subcommand("check", "say what is wrong with scene files, all of it at once");
-  command->add_option("SCENE", options->scenes, "scene files (TOML)")->required();
-  addOverrides(*command, *options);
-  command->footer(
+  const Command command = program.command("check", "say what is wrong with scene files, all of it at once");
+  command.option("SCENE", options->scenes, "scene files (TOML)").required();
+  addOverrides(command, *options);
+  command.footer(
       "Example:\n"
       "  poinsot check scenes/*.toml");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return check(*options); }, options.get(),
-              [options] {
-                return FileAccess{options->scenes, options->assetRoots};
-              }};
-  });
+  command.does({[options] { return check(*options); }, options.get(),
+                [options] {
+                  return FileAccess{options->scenes, options->assetRoots};
+                }});
 }
 
 }  // namespace poinsot::cli

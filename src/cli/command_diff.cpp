@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -306,10 +305,10 @@ int diff(const DiffOptions& options) {
   return Diff(options).run();
 }
 
-void addLimits(CLI::App& command, DiffOptions& options) {
+void addLimits(const Command& command, DiffOptions& options) {
   constexpr const char* kGroup = "What is \"near\"";
   const auto add = [&](const char* name, auto& value, const char* form, const std::string& help) {
-    return command.add_option(name, value, help)->type_name(form)->check(notEmpty())->group(kGroup);
+    return command.option(name, value, help).type(form).notEmpty().group(kGroup);
   };
   add("--rule", options.rule, "NAME",
       fmt::format("limits by name: {} (default: near); those below change it", compare::ruleNames()));
@@ -317,62 +316,55 @@ void addLimits(CLI::App& command, DiffOptions& options) {
     const compare::RuleLimit& limit = compare::ruleLimits()[i];
     add(limit.option, options.limits[i], limit.form, limit.help);
   }
-  add("--ignore", options.ignore, "X,Y,W,H", "a box of pixels that is not compared; may be given again")
-      ->allow_extra_args(false);
+  add("--ignore", options.ignore, "X,Y,W,H", "a box of pixels that is not compared; may be given again").repeats();
   add("--mask", options.mask, "FILE", "PNG of the pictures' size; where it is painted, pixels are not compared");
 }
 
 }  // namespace
 
-void addDiff(CLI::App& program, Action& chosen) {
+void addDiff(const Command& program) {
   auto options = std::make_shared<DiffOptions>();
-  CLI::App* command = program.add_subcommand("diff", "compare two pictures, folders of them, or films");
-  command->add_option("REFERENCE", options->reference, "PNG file, folder or film")->required()->check(notEmpty());
-  command->add_option("TEST", options->test, "what is compared with it")->required()->check(notEmpty());
-  command->add_flag("--exact", options->exact, "exit 0 only for identical pictures that are stored alike");
-  command->add_flag("--json", options->json, "the figures as a JSON object");
-  command->add_flag("--quiet", options->quiet, "only the exit code");
+  const Command command = program.command("diff", "compare two pictures, folders of them, or films");
+  command.option("REFERENCE", options->reference, "PNG file, folder or film").required().notEmpty();
+  command.option("TEST", options->test, "what is compared with it").required().notEmpty();
+  command.flag("--exact", options->exact, "exit 0 only for identical pictures that are stored alike");
+  command.flag("--json", options->json, "the figures as a JSON object");
+  command.flag("--quiet", options->quiet, "only the exit code");
   command
-      ->add_option(
-          "--map", options->map,
-          "write what FLIP has of each pixel, in the colours of magma: PNG; of folders a folder; of films "
-          "that of the worst frame")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command->add_option("--diff-image", options->difference, "likewise the difference, 16 times amplified")
-      ->type_name("FILE")
-      ->check(notEmpty());
+      .option("--map", options->map,
+              "write what FLIP has of each pixel, in the colours of magma: PNG; of folders a folder; of films "
+              "that of the worst frame")
+      .type("FILE")
+      .notEmpty();
+  command.option("--diff-image", options->difference, "likewise the difference, 16 times amplified")
+      .type("FILE")
+      .notEmpty();
+  command.option("--curve", options->curve, "write the figures of two films over time: CSV, or SVG as a picture")
+      .type("FILE")
+      .notEmpty();
+  command.option("--report", options->report, "write a page of HTML that shows what changed")
+      .type("FILE")
+      .notEmpty();
+  command.option("--junit", options->junit, "write the outcome as JUnit XML").type("FILE").notEmpty();
   command
-      ->add_option("--curve", options->curve, "write the figures of two films over time: CSV, or SVG as a picture")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command->add_option("--report", options->report, "write a page of HTML that shows what changed")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command->add_option("--junit", options->junit, "write the outcome as JUnit XML")
-      ->type_name("FILE")
-      ->check(notEmpty());
+      .option("--markdown", options->markdown, "add a table in Markdown to a NAME.md, or to $GITHUB_STEP_SUMMARY")
+      .type("FILE")
+      .notEmpty();
   command
-      ->add_option("--markdown", options->markdown,
-                   "add a table in Markdown to a NAME.md, or to $GITHUB_STEP_SUMMARY")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command
-      ->add_option(
-          "--update", options->update,
-          "approve: copy the pictures of these names, * for any characters, over the reference; not in CI")
-      ->type_name("NAME")
-      ->check(notEmpty());
-  command->add_option("--ppd", options->pixelsPerDegree, "pixels per degree of view, for FLIP (default: 67.02)")
-      ->type_name("N")
-      ->check(CLI::Range(1.0, 1000.0));
-  command->add_option("-j,--jobs", options->jobs, "pairs at a time (default: one for each CPU)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command->add_flag("--force", options->force, "replace files that poinsot did not write");
-  addLimits(*command, *options);
-  addLimitOptions(*command, *options);
-  command->footer(
+      .option("--update", options->update,
+              "approve: copy the pictures of these names, * for any characters, over the reference; not in CI")
+      .type("NAME")
+      .notEmpty();
+  command.option("--ppd", options->pixelsPerDegree, "pixels per degree of view, for FLIP (default: 67.02)")
+      .type("N")
+      .range(1.0, 1000.0);
+  command.option("-j,--jobs", options->jobs, "pairs at a time (default: one for each CPU)")
+      .type("N")
+      .range(1, 1024);
+  command.flag("--force", options->force, "replace files that poinsot did not write");
+  addLimits(command, *options);
+  addLimitOptions(command, *options);
+  command.footer(
       "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
       "Pictures of another size are different: nothing is resized. How pixels are stored (grey, palette,\n"
       "16 bits, opaque alpha) is no difference, except with --exact.\n"
@@ -380,9 +372,7 @@ void addDiff(CLI::App& program, Action& chosen) {
       "  poinsot diff approved.png new.png --map flip.png\n"
       "  poinsot diff approved/ new/ --report out/diff.html\n"
       "  poinsot diff a.mp4 b.mp4 --curve out/curve.svg --json");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return diff(*options); }, options.get(), [options] { return accessOf(*options); }};
-  });
+  command.does({[options] { return diff(*options); }, options.get(), [options] { return accessOf(*options); }});
 }
 
 }  // namespace poinsot::cli

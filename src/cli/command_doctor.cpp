@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -40,15 +38,15 @@ int doctor() {
 
 }  // namespace
 
-void addDoctor(CLI::App& program, Action& chosen) {
-  CLI::App* command = program.add_subcommand(
+void addDoctor(const Command& program) {
+  const Command command = program.command(
       "doctor",
       "say what of this machine works: OpenGL, encoders, memory, a film of a second; and what to install");
-  command->footer(
+  command.footer(
       "Example:\n"
       "  poinsot doctor\n"
       "Exit code 1 when no film can be made.");
-  command->callback([&chosen] { chosen.run = doctor; });
+  command.does({doctor});
 }
 
 }  // namespace poinsot::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -51,24 +50,22 @@ int explain(const std::vector<std::string>& words) {
 
 }  // namespace
 
-void addExplain(CLI::App& program, Action& chosen) {
+void addExplain(const Command& program) {
   auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = program.add_subcommand(
+  const Command command = program.command(
       "explain", "say what a key of a scene or of a golden.toml means: unit, range, default, an example");
-  command->add_option(
+  command.option(
       "NAME", *words,
       "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue, a quantity or a unit; "
       "units for the list of all units; golden for a golden.toml, and its keys (golden.rule.max, or max); all "
       "tables where none is named");
-  command->footer(
+  command.footer(
       "Examples:\n"
       "  poinsot explain camera\n"
       "  poinsot explain time.speed racket\n"
       "  poinsot explain units\n"
       "  poinsot explain golden golden.test.image");
-  command->callback([words, &chosen] {
-    chosen.run = [words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); };
-  });
+  command.does({[words] { return explain(words->empty() ? std::vector<std::string>{""} : *words); }});
 }
 
 }  // namespace poinsot::cli

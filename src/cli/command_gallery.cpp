@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -230,30 +229,26 @@ FileAccess accessOf(const GalleryOptions& options) {
 
 }  // namespace
 
-void addGallery(CLI::App& program, Action& chosen) {
+void addGallery(const Command& program) {
   auto options = std::make_shared<GalleryOptions>();
-  CLI::App* command = program.add_subcommand("gallery", "make a picture of every scene, and a sheet of them all");
-  command->add_option("SCENE", options->places, "scene files, or folders of them (default: the scenes of poinsot)")
-      ->check(notEmpty());
-  addOverrides(*command, *options);
-  addPictureOptions(*command, *options);
-  command->add_option("-o,--output", options->output, "folder of the pictures (default: out/gallery)")
-      ->type_name("FOLDER")
-      ->check(notEmpty());
-  command->add_option("--only", options->only, "only the scenes of these names")
-      ->type_name("NAME")
-      ->check(notEmpty());
-  command->add_flag("!--no-sheet", options->sheet, "leave out the sheet of them all");
-  command->footer(
+  const Command command = program.command("gallery", "make a picture of every scene, and a sheet of them all");
+  command.option("SCENE", options->places, "scene files, or folders of them (default: the scenes of poinsot)")
+      .notEmpty();
+  addOverrides(command, *options);
+  addPictureOptions(command, *options);
+  command.option("-o,--output", options->output, "folder of the pictures (default: out/gallery)")
+      .type("FOLDER")
+      .notEmpty();
+  command.option("--only", options->only, "only the scenes of these names").type("NAME").notEmpty();
+  command.flag("!--no-sheet", options->sheet, "leave out the sheet of them all");
+  command.footer(
       "Each picture is taken at the scene's time.still. A scene that fails is named; the others are made.\n"
       "Examples:\n"
       "  poinsot gallery\n"
       "  poinsot gallery lectures/ -q preview -o out/lectures\n"
       "  poinsot gallery --only football tennis_racket -D style.theme=dark");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return Gallery(*options).make(); }, options.get(),
-              [options] { return accessOf(*options); }};
-  });
+  command.does(
+      {[options] { return Gallery(*options).make(); }, options.get(), [options] { return accessOf(*options); }});
 }
 
 }  // namespace poinsot::cli

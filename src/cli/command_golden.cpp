@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -419,19 +418,18 @@ FileAccess accessOf(const GoldenOptions& options) {
 
 }  // namespace
 
-void addGolden(CLI::App& program, Action& chosen) {
+void addGolden(const Command& program) {
   auto options = std::make_shared<GoldenOptions>();
-  CLI::App* command = program.add_subcommand("golden", "make the pictures of a golden.toml and compare them");
-  addGoldenOptions(*command, *options);
-  command->footer(
+  const Command command = program.command("golden", "make the pictures of a golden.toml and compare them");
+  addGoldenOptions(command, *options);
+  command.footer(
       "Exit code 0 if all are identical or near; 1 if a picture is different, missing, new, cannot be made\n"
       "or read, or is approved and made by no test.\n"
       "Examples:\n"
       "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
       "  poinsot golden tests/golden.toml --update --only racket");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return runGolden(*options); }, options.get(), [options] { return accessOf(*options); }};
-  });
+  command.does(
+      {[options] { return runGolden(*options); }, options.get(), [options] { return accessOf(*options); }});
 }
 
 }  // namespace poinsot::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
@@ -48,33 +47,30 @@ int gradeTheirs(const GradeOptions& options) {
 
 }  // namespace
 
-void addGrade(CLI::App& program, Action& chosen) {
+void addGrade(const Command& program) {
   auto options = std::make_shared<GradeOptions>();
-  CLI::App* command =
-      program.add_subcommand("grade", "say how far another engine's trajectory is off, and from when on");
-  addSceneOptions(*command, *options);
+  const Command command =
+      program.command("grade", "say how far another engine's trajectory is off, and from when on");
+  addSceneOptions(command, *options);
   command
-      ->add_option("THEIRS", options->theirs,
-                   "CSV with the columns of `poinsot trajectory`, any order; t and q or omega_B at least")
-      ->required();
+      .option("THEIRS", options->theirs,
+              "CSV with the columns of `poinsot trajectory`, any order; t and q or omega_B at least")
+      .required();
   command
-      ->add_option("--max-attitude-error", options->limit,
-                   "exit 1 if the attitude is off by more, rad or with a unit")
-      ->type_name("ANGLE")
-      ->check(notEmpty());
-  command->add_flag("--json", options->json, "as a JSON object");
-  command->footer(
+      .option("--max-attitude-error", options->limit, "exit 1 if the attitude is off by more, rad or with a unit")
+      .type("ANGLE")
+      .notEmpty();
+  command.flag("--json", options->json, "as a JSON object");
+  command.footer(
       "Example:\n"
       "  poinsot grade scenes/football.toml mine.csv --max-attitude-error '0.1 deg'\n"
       "Exit code 0 when graded, however bad; 1 only beyond --max-attitude-error.");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return gradeTheirs(*options); }, options.get(),
-              [options] {
-                FileAccess access{{options->scene}, options->assetRoots};
-                access.inputs.push_back(options->theirs);
-                return access;
-              }};
-  });
+  command.does({[options] { return gradeTheirs(*options); }, options.get(),
+                [options] {
+                  FileAccess access{{options->scene}, options->assetRoots};
+                  access.inputs.push_back(options->theirs);
+                  return access;
+                }});
 }
 
 }  // namespace poinsot::cli

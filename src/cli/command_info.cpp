@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
@@ -37,32 +36,30 @@ int info(const InfoOptions& options) {
 
 }  // namespace
 
-void addInfo(CLI::App& program, Action& chosen) {
+void addInfo(const Command& program) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command =
-      program.add_subcommand("info", "print what one would work out by hand: moments, periods, cones, rates");
-  addSceneOptions(*command, *options);
-  CLI::Option* json = command->add_flag("--json", options->json,
-                                        "as a JSON object, SI units, full precision; infinite numbers are null");
-  command->add_flag("--alt", options->alt, "as a paragraph in words, for readers who do not see the picture")
-      ->excludes(json);
+  const Command command =
+      program.command("info", "print what one would work out by hand: moments, periods, cones, rates");
+  addSceneOptions(command, *options);
+  const Option json = command.flag("--json", options->json,
+                                   "as a JSON object, SI units, full precision; infinite numbers are null");
+  command.flag("--alt", options->alt, "as a paragraph in words, for readers who do not see the picture")
+      .excludes(json);
   command
-      ->add_option("--digits", options->digits,
-                   fmt::format("how many digits numbers have; {} tell any from any other", describe::kAllDigits))
-      ->check(CLI::Range(1, describe::kAllDigits))
-      ->capture_default_str()
-      ->excludes(json);
-  command->footer(
+      .option("--digits", options->digits,
+              fmt::format("how many digits numbers have; {} tell any from any other", describe::kAllDigits))
+      .range(1, describe::kAllDigits)
+      .showDefault()
+      .excludes(json);
+  command.footer(
       "Examples:\n"
       "  poinsot info scenes/football.toml\n"
       "  poinsot info scenes/football.toml --alt\n"
       "Equation numbers are those of the lecture that docs/physics.md follows.");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return info(*options); }, options.get(),
-              [options] {
-                return FileAccess{{options->scene}, options->assetRoots};
-              }};
-  });
+  command.does({[options] { return info(*options); }, options.get(),
+                [options] {
+                  return FileAccess{{options->scene}, options->assetRoots};
+                }});
 }
 
 }  // namespace poinsot::cli

@@ -23,33 +23,33 @@ constexpr std::string_view kExamples =
     "  poinsot help render\n"
     "Exit codes: ";
 
-struct Command {
+struct Entry {
   std::string_view name;
-  void (*add)(CLI::App& program, Action& chosen);
+  void (*add)(const Command& program);
 };
 
 /// In the order of the help.
 constexpr std::array kCommands{
-    Command{"new", addNew},
-    Command{"preview", addPreview},
-    Command{"render", addRender},
-    Command{"still", addStill},
-    Command{"sweep", addSweep},
-    Command{"gallery", addGallery},
-    Command{"status", addStatus},
-    Command{"assemble", addAssemble},
-    Command{"submit", addSubmit},
-    Command{"diff", addDiff},
-    Command{"golden", addGolden},
-    Command{"info", addInfo},
-    Command{"trajectory", addTrajectory},
-    Command{"grade", addGrade},
-    Command{"check", addCheck},
-    Command{"explain", addExplain},
-    Command{"schema", addSchema},
-    Command{"doctor", addDoctor},
-    Command{"backends", addBackends},
-    Command{"self-describe", addSelfDescribe},
+    Entry{"new", addNew},
+    Entry{"preview", addPreview},
+    Entry{"render", addRender},
+    Entry{"still", addStill},
+    Entry{"sweep", addSweep},
+    Entry{"gallery", addGallery},
+    Entry{"status", addStatus},
+    Entry{"assemble", addAssemble},
+    Entry{"submit", addSubmit},
+    Entry{"diff", addDiff},
+    Entry{"golden", addGolden},
+    Entry{"info", addInfo},
+    Entry{"trajectory", addTrajectory},
+    Entry{"grade", addGrade},
+    Entry{"check", addCheck},
+    Entry{"explain", addExplain},
+    Entry{"schema", addSchema},
+    Entry{"doctor", addDoctor},
+    Entry{"backends", addBackends},
+    Entry{"self-describe", addSelfDescribe},
 };
 
 /// Later versions of CLI11 fill paragraphs, and would join the lines of an example.
@@ -69,9 +69,10 @@ void declare(CLI::App& program, std::string_view word, Action& chosen) {
   program.set_version_flag("--version", versionText, "versions of the program and its libraries");
   program.footer(std::string(kExamples) + kExitCodesText);
   program.require_subcommand(1);
-  const auto named = std::ranges::find(kCommands, word, &Command::name);
-  if (named != kCommands.end() && named->add != addSelfDescribe) return named->add(program, chosen);
-  for (const Command& command : kCommands) command.add(program, chosen);
+  const Command command(program, chosen);
+  const auto named = std::ranges::find(kCommands, word, &Entry::name);
+  if (named != kCommands.end() && named->add != addSelfDescribe) return named->add(command);
+  for (const Entry& entry : kCommands) entry.add(command);
 }
 
 /// Of the commands that --help lists.

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -94,20 +93,20 @@ int makeNew(const NewOptions& options) {
 
 }  // namespace
 
-void addNew(CLI::App& program, Action& chosen) {
+void addNew(const Command& program) {
   auto options = std::make_shared<NewOptions>();
-  CLI::App* command = program.add_subcommand("new", "write a scene to begin with, with comments");
-  command->add_option("NAME", options->name, "file to write; .toml is added")->required()->check(notEmpty());
-  command->add_option("--from", options->from, "begin with a scene of the gallery: football, tennis_racket, ...")
-      ->type_name("SCENE")
-      ->check(notEmpty());
-  command->add_flag("--force", options->force, "replace a scene that is there");
-  command->footer(
+  const Command command = program.command("new", "write a scene to begin with, with comments");
+  command.option("NAME", options->name, "file to write; .toml is added").required().notEmpty();
+  command.option("--from", options->from, "begin with a scene of the gallery: football, tennis_racket, ...")
+      .type("SCENE")
+      .notEmpty();
+  command.flag("--force", options->force, "replace a scene that is there");
+  command.footer(
       "Examples:\n"
       "  poinsot new book\n"
       "  poinsot new throw --from football\n"
       "~/.config/poinsot/defaults.toml says what every new scene has (docs/defaults.md).");
-  command->callback([options, &chosen] { chosen.run = [options] { return makeNew(*options); }; });
+  command.does({[options] { return makeNew(*options); }});
 }
 
 }  // namespace poinsot::cli

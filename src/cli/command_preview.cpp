@@ -3,7 +3,6 @@
 #include <poll.h>
 #include <stdlib.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
@@ -95,19 +94,17 @@ int preview(const PreviewOptions& options) {
 
 }  // namespace
 
-void addPreview(CLI::App& program, Action& chosen) {
+void addPreview(const Command& program) {
   auto options = std::make_shared<PreviewOptions>();
-  CLI::App* command =
-      program.add_subcommand("preview", "show a scene in the browser while you write it, drawn as the film is");
-  addSceneOptions(*command, *options);
-  command->add_option("--port", options->port, "to listen on; any that is free if not said")
-      ->type_name("N")
-      ->check(CLI::Range(1, 65535));
-  command->footer(
+  const Command command =
+      program.command("preview", "show a scene in the browser while you write it, drawn as the film is");
+  addSceneOptions(command, *options);
+  command.option("--port", options->port, "to listen on; any that is free if not said").type("N").range(1, 65535);
+  command.footer(
       "Keys in the page: space plays, arrows step (with Shift a second), Home, End.\n"
       "Example:\n"
       "  poinsot preview book.toml");
-  command->callback([options, &chosen] { chosen.run = [options] { return preview(*options); }; });
+  command.does({[options] { return preview(*options); }});
 }
 
 }  // namespace poinsot::cli

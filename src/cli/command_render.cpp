@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
@@ -36,21 +35,19 @@ int render(const FilmOptions& options) {
 
 }  // namespace
 
-void addRender(CLI::App& program, Action& chosen) {
+void addRender(const Command& program) {
   auto options = std::make_shared<FilmOptions>();
-  CLI::App* command = program.add_subcommand("render", "make a film, a frame or a numbered sequence from a scene");
-  addRenderOptions(*command, *options);
-  addFilmOptions(*command, *options);
-  addPartsOptions(*command, options->parts);
-  command->footer(
+  const Command command = program.command("render", "make a film, a frame or a numbered sequence from a scene");
+  addRenderOptions(command, *options);
+  addFilmOptions(command, *options);
+  addPartsOptions(command, options->parts);
+  command.footer(
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
       "  poinsot render scenes/football.toml -q preview -D time.duration=4\n"
       "  poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...\n"
       "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return render(*options); }, options.get(), [options] { return accessOf(*options); }};
-  });
+  command.does({[options] { return render(*options); }, options.get(), [options] { return accessOf(*options); }});
 }
 
 }  // namespace poinsot::cli

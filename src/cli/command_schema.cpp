@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
-
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -8,17 +6,15 @@
 
 namespace poinsot::cli {
 
-void addSchema(CLI::App& program, Action& chosen) {
-  CLI::App* command = program.add_subcommand("schema", "print the JSON Schema of scene files, for editors");
-  command->footer(
+void addSchema(const Command& program) {
+  const Command command = program.command("schema", "print the JSON Schema of scene files, for editors");
+  command.footer(
       "Example:\n"
       "  poinsot schema > out/scene.schema.json");
-  command->callback([&chosen] {
-    chosen.run = [] {
-      writeOut(scene::schemaJson());
-      return static_cast<int>(kDone);
-    };
-  });
+  command.does({[] {
+    writeOut(scene::schemaJson());
+    return static_cast<int>(kDone);
+  }});
 }
 
 }  // namespace poinsot::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -24,8 +23,8 @@ void put(const fs::path& file, const std::string& text) {
 }
 
 /// The places below share/ where man and the shells look.
-int selfDescribe(const CLI::App& program, const fs::path& share) {
-  const ProgramText text = textOf(program);
+int selfDescribe(const Command& program, const fs::path& share) {
+  const ProgramText text = textOf(program.parser());
   const fs::path manuals = share / "man" / "man1";
   put(manuals / manPageName(text.program), manPage(text, text.program));
   for (const CommandText& command : text.commands) put(manuals / manPageName(command), manPage(text, command));
@@ -37,13 +36,12 @@ int selfDescribe(const CLI::App& program, const fs::path& share) {
 
 }  // namespace
 
-void addSelfDescribe(CLI::App& program, Action& chosen) {
+void addSelfDescribe(const Command& program) {
   auto share = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("self-describe", "write man pages and completions into a folder");
-  command->group("");  // not in the help: the build runs it
-  command->add_option("FOLDER", *share, "laid out as share/ of an installed program")->required();
-  command->callback(
-      [share, &program, &chosen] { chosen.run = [share, &program] { return selfDescribe(program, *share); }; });
+  const Command command = program.command("self-describe", "write man pages and completions into a folder");
+  command.hide();  // the build runs it
+  command.option("FOLDER", *share, "laid out as share/ of an installed program").required();
+  command.does({[share, program] { return selfDescribe(program, *share); }});
 }
 
 }  // namespace poinsot::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -185,21 +184,21 @@ int status(const StatusOptions& options) {
 
 }  // namespace
 
-void addStatus(CLI::App& program, Action& chosen) {
+void addStatus(const Command& program) {
   auto options = std::make_shared<StatusOptions>();
-  CLI::App* command =
-      program.add_subcommand("status", "say how far a film is: which frames are done, missing, stale, corrupt");
-  command->add_option("OUTPUT", options->output, "what the render was told with -o")->required();
-  command->add_flag("--json", options->json, "the same for a program");
-  command->add_flag("--shards", options->shards,
-                    "only the shards that have segments to make, such as 2,7-9: for a job array");
-  command->footer(
+  const Command command =
+      program.command("status", "say how far a film is: which frames are done, missing, stale, corrupt");
+  command.option("OUTPUT", options->output, "what the render was told with -o").required();
+  command.flag("--json", options->json, "the same for a program");
+  command.flag("--shards", options->shards,
+               "only the shards that have segments to make, such as 2,7-9: for a job array");
+  command.footer(
       "Exit code 1 where something is left to do, be it only the joining; 4 where nothing of it is there.\n"
       "A numbered sequence that has no work folder keeps no record of its length: 0 if frames are there without\n"
       "a gap. If the scene has more, render --resume makes those, and none again.\n"
       "Example:\n"
       "  poinsot status out/film.mp4");
-  command->callback([options, &chosen] { chosen.run = [options] { return status(*options); }; });
+  command.does({[options] { return status(*options); }});
 }
 
 }  // namespace poinsot::cli

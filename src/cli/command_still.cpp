@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.h"
@@ -27,26 +26,23 @@ int still(const Options& options) {
 
 }  // namespace
 
-void addStill(CLI::App& program, Action& chosen) {
+void addStill(const Command& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("still", "make one picture of a scene");
-  addRenderOptions(*command, *options);
+  const Command command = program.command("still", "make one picture of a scene");
+  addRenderOptions(command, *options);
   command
-      ->add_option("-o,--output", options->output,
-                   "NAME.png, NAME.pdf, NAME.svg or NAME.tex (default: out/SCENE.png)")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  addStillOptions(*command, options->still);
-  command->add_flag("--transparent", options->transparent, "no paper behind the picture");
-  addBitsOption(*command, options->bits);
-  command->footer(
+      .option("-o,--output", options->output, "NAME.png, NAME.pdf, NAME.svg or NAME.tex (default: out/SCENE.png)")
+      .type("FILE")
+      .notEmpty();
+  addStillOptions(command, options->still);
+  command.flag("--transparent", options->transparent, "no paper behind the picture");
+  addBitsOption(command, options->bits);
+  command.footer(
       "Examples:\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm -o out/fig.pdf");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return still(*options); }, options.get(),
-              [options] { return accessOf(*options, targetOf(*options, "SCENE")); }};
-  });
+  command.does({[options] { return still(*options); }, options.get(),
+                [options] { return accessOf(*options, targetOf(*options, "SCENE")); }});
 }
 
 }  // namespace poinsot::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -130,46 +129,44 @@ int submit(SubmitOptions options) {
 }
 
 /// Declares how the work is divided.
-void addDivisionOptions(CLI::App& command, SubmitOptions& options) {
+void addDivisionOptions(const Command& command, SubmitOptions& options) {
   options.jobs = 1;
-  command.add_option("--engine", options.engine, "slurm, parallel (GNU parallel) or make (default: slurm)")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"slurm", "parallel", "make"}));
-  command.add_option("--shards", options.shards, "how many tasks (default: of so many minutes)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100'000));
-  command.add_option("--task-minutes", options.task_min, "how long a task should be (default: 10)")
-      ->type_name("M")
-      ->check(CLI::Range(0.1, 1e5));
+  command.option("--engine", options.engine, "slurm, parallel (GNU parallel) or make (default: slurm)")
+      .type("NAME")
+      .among({"slurm", "parallel", "make"});
+  command.option("--shards", options.shards, "how many tasks (default: of so many minutes)")
+      .type("N")
+      .range(1, 100'000);
+  command.option("--task-minutes", options.task_min, "how long a task should be (default: 10)")
+      .type("M")
+      .range(0.1, 1e5);
   command
-      .add_option("--frame-seconds", options.frame_s,
-                  "CPU time of a frame, as --stats of a short render tells (default: guessed from the size)")
-      ->type_name("S")
-      ->check(CLI::Range(1e-3, 1e5));
-  command.add_option("-j,--jobs", options.jobs, "CPUs of a task (default: 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      .option("--frame-seconds", options.frame_s,
+              "CPU time of a frame, as --stats of a short render tells (default: guessed from the size)")
+      .type("S")
+      .range(1e-3, 1e5);
+  command.option("-j,--jobs", options.jobs, "CPUs of a task (default: 1)").type("N").range(1, 1024);
   command
-      .add_option("--retries", options.retries,
-                  "how often a task that fails is tried again, in Slurm at one segment (default: 3)")
-      ->type_name("N")
-      ->check(CLI::Range(0, 100));
-  command.add_flag("--keep", options.keep, "keep the segments when the film is ready");
+      .option("--retries", options.retries,
+              "how often a task that fails is tried again, in Slurm at one segment (default: 3)")
+      .type("N")
+      .range(0, 100);
+  command.flag("--keep", options.keep, "keep the segments when the film is ready");
 }
 
 }  // namespace
 
-void addSubmit(CLI::App& program, Action& chosen) {
+void addSubmit(const Command& program) {
   auto options = std::make_shared<SubmitOptions>();
-  CLI::App* command = program.add_subcommand(
-      "submit", "print a script that makes a film on a cluster: for Slurm, GNU parallel or make");
-  addSceneOptions(*command, *options);
-  addViewOption(*command, *options);
-  addLookOptions(*command, *options);
-  addFilmOptions(*command, *options);
-  addGridOptions(*command, options->grid);
-  addDivisionOptions(*command, *options);
-  command->footer(
+  const Command command =
+      program.command("submit", "print a script that makes a film on a cluster: for Slurm, GNU parallel or make");
+  addSceneOptions(command, *options);
+  addViewOption(command, *options);
+  addLookOptions(command, *options);
+  addFilmOptions(command, *options);
+  addGridOptions(command, options->grid);
+  addDivisionOptions(command, *options);
+  command.footer(
       "Nothing is started: the script is text to read, change and run. The film has the bytes that render\n"
       "--reproducible gives on one machine; -D with a range is that of a sweep. Where a task or the joining has\n"
       "failed, running the same script again submits what is left, and nothing if the film is there.\n"
@@ -177,10 +174,8 @@ void addSubmit(CLI::App& program, Action& chosen) {
       "  poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash football.sh\n"
       "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "
       "-j 8");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return submit(*options); }, options.get(),
-              [options] { return accessOf(*options, namedTarget(*options)); }};
-  });
+  command.does({[options] { return submit(*options); }, options.get(),
+                [options] { return accessOf(*options, namedTarget(*options)); }});
 }
 
 }  // namespace poinsot::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -57,6 +56,7 @@ int makeFilm(const SweepOptions& options) {
 }
 
 int sweep(SweepOptions options) {
+  checkWords(options);
   options.sweep = options.asked;
   if (isFilm(options)) return makeFilm(options);
   return makeStill(options, options.still, pictureOptions(options),
@@ -64,6 +64,7 @@ int sweep(SweepOptions options) {
 }
 
 FileAccess accessOf(const SweepOptions& options) {
+  checkWords(options);
   FileAccess access =
       accessOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
   access.outputs.push_back(options.parts.manifest);
@@ -72,26 +73,24 @@ FileAccess accessOf(const SweepOptions& options) {
 
 }  // namespace
 
-void addSweep(CLI::App& program, Action& chosen) {
+void addSweep(const Command& program) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = program.add_subcommand(
-      "sweep", "draw a scene with several values of a key side by side, or its stability map");
-  addRenderOptions(*command, *options);
-  addFilmOptions(*command, *options);
-  command->get_option("--output")
-      ->description(
-          output::filmFormatsText() +
-          ", NAME_{frame:05}.png, or - for all cells on one clock; NAME.png, NAME.pdf, NAME.svg or NAME.tex "
-          "for a sheet or a map (default: out/SCENE_sweep.png, out/SCENE_map.png)");
-  command->remove_option(command->get_option("--loop"));  // would change each motion by itself
-  addPartsOptions(*command, options->parts);
-  addStillOptions(*command, options->still);
-  command->add_flag(
-      "--map", options->asked.map,
-      "in place of the grid: the sphere of directions of L in the body, coloured by the time from flip "
-      "to flip, with the separatrix");
-  addGridOptions(*command, options->asked);
-  command->footer(
+  const Command command =
+      program.command("sweep", "draw a scene with several values of a key side by side, or its stability map");
+  addRenderOptions(command, *options);
+  addFilmOptions(command, *options);
+  command.declared("--output")
+      .help(output::filmFormatsText() +
+            ", NAME_{frame:05}.png, or - for all cells on one clock; NAME.png, NAME.pdf, NAME.svg or NAME.tex "
+            "for a sheet or a map (default: out/SCENE_sweep.png, out/SCENE_map.png)");
+  command.remove("--loop");  // would change each motion by itself
+  addPartsOptions(command, options->parts);
+  addStillOptions(command, options->still);
+  command.flag("--map", options->asked.map,
+               "in place of the grid: the sphere of directions of L in the body, coloured by the time from flip "
+               "to flip, with the separatrix");
+  addGridOptions(command, options->asked);
+  command.footer(
       "A range is FROM..TO:COUNT, both ends included, with a unit where the key has one; :log after it makes the "
       "ratios equal; 1|2|5 are these. One range fills rows; of two, the first runs from left to right, the second "
       "from top to bottom.\n"
@@ -99,10 +98,7 @@ void addSweep(CLI::App& program, Action& chosen) {
       "  poinsot sweep scenes/tennis_racket.toml -D 'motion.omega_body=[0.01..0.41:9, 4.2, 0]' -o out/grid.mp4\n"
       "  poinsot sweep scenes/football.toml -D 'time.start=0..2 s:6' -o out/sheet.pdf\n"
       "  poinsot sweep scenes/tennis_racket.toml --map -o out/map.pdf");
-  command->callback([options, &chosen] {
-    checkWords(*options);
-    chosen = {[options] { return sweep(*options); }, options.get(), [options] { return accessOf(*options); }};
-  });
+  command.does({[options] { return sweep(*options); }, options.get(), [options] { return accessOf(*options); }});
 }
 
 }  // namespace poinsot::cli

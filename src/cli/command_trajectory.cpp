@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <span>
@@ -111,35 +110,29 @@ int trajectory(const TrajectoryOptions& options) {
 
 }  // namespace
 
-void addTrajectory(CLI::App& program, Action& chosen) {
+void addTrajectory(const Command& program) {
   auto options = std::make_shared<TrajectoryOptions>();
-  CLI::App* command =
-      program.add_subcommand("trajectory", "write the motion as numbers, to test an engine against");
-  addSceneOptions(*command, *options);
-  command->add_option("--at", options->at, "motion times in s, any order, such as 0,-3.5,1e9")
-      ->type_name("T1,T2,...")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(notEmpty());
-  command
-      ->add_option("--rate", options->rate, "rows per second of motion, over the film's span, both ends included")
-      ->type_name("HZ")
-      ->check(notEmpty());
-  command->add_option("-o,--output", options->output, "NAME.csv, NAME.json, or - for CSV on stdout (default)")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command->add_flag("--force", options->force, "replace a file that this program did not write");
-  command->footer(
+  const Command command = program.command("trajectory", "write the motion as numbers, to test an engine against");
+  addSceneOptions(command, *options);
+  command.option("--at", options->at, "motion times in s, any order, such as 0,-3.5,1e9")
+      .type("T1,T2,...")
+      .repeats()
+      .notEmpty();
+  command.option("--rate", options->rate, "rows per second of motion, over the film's span, both ends included")
+      .type("HZ")
+      .notEmpty();
+  command.option("-o,--output", options->output, "NAME.csv, NAME.json, or - for CSV on stdout (default)")
+      .type("FILE")
+      .notEmpty();
+  command.flag("--force", options->force, "replace a file that this program did not write");
+  command.footer(
       "Examples:\n"
       "  poinsot trajectory scenes/football.toml --rate 100 -o out/football.csv\n"
       "  poinsot trajectory scenes/football.toml --at=-3.5,0,1e6");
-  command->callback([options, &chosen] {
-    chosen = {[options] { return trajectory(*options); }, options.get(),
-              [options] {
-                return FileAccess{{options->scene}, options->assetRoots, {options->output}};
-              }};
-  });
+  command.does({[options] { return trajectory(*options); }, options.get(),
+                [options] {
+                  return FileAccess{{options->scene}, options->assetRoots, {options->output}};
+                }});
 }
 
 }  // namespace poinsot::cli

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/film_options.h"
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
+#include "cli/command.h"
 #include "cli/option_values.h"
 #include "core/error.h"
 #include "core/frame_clock.h"
@@ -11,66 +11,57 @@
 #include "scene/sweep.h"
 
 namespace poinsot::cli {
-void addFilmOptions(CLI::App& command, FilmOptions& options) {
+void addFilmOptions(const Command& command, FilmOptions& options) {
   command
-      .add_option("-o,--output", options.output,
-                  output::filmFormatsText() + ", NAME.png, NAME_{frame:05}.png, or - (default: out/SCENE.mp4)")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command.add_option("--format", options.format, "what -o - writes to standard output")
-      ->type_name("NAME")
-      ->check(notEmpty({"png", "mp4"}));
-  command.add_option("--frames", options.frames, "only these frames, both ends included")
-      ->type_name("A-B")
-      ->check(notEmpty());
-  command.add_option("--fps", options.fps, "frames per second, such as 30 or 30000/1001")
-      ->type_name("RATE")
-      ->check(notEmpty());
-  command.add_flag("--transparent", options.transparent,
-                   "no paper behind the pictures: .webm, .mov, .apng and PNG");
+      .option("-o,--output", options.output,
+              output::filmFormatsText() + ", NAME.png, NAME_{frame:05}.png, or - (default: out/SCENE.mp4)")
+      .type("FILE")
+      .notEmpty();
+  command.option("--format", options.format, "what -o - writes to standard output")
+      .type("NAME")
+      .notEmpty({"png", "mp4"});
+  command.option("--frames", options.frames, "only these frames, both ends included").type("A-B").notEmpty();
+  command.option("--fps", options.fps, "frames per second, such as 30 or 30000/1001").type("RATE").notEmpty();
+  command.flag("--transparent", options.transparent, "no paper behind the pictures: .webm, .mov, .apng and PNG");
   addBitsOption(command, options.bits);
-  command.add_flag(
-      "--loop", options.loop,
-      "a film that repeats without a jump: changes the start and the speed least, and says by how much");
-  command.add_option("--segment", options.parts.segmentFrames, "frames of a segment (default: 30)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10'000));
+  command.flag("--loop", options.loop,
+               "a film that repeats without a jump: changes the start and the speed least, and says by how much");
+  command.option("--segment", options.parts.segmentFrames, "frames of a segment (default: 30)")
+      .type("N")
+      .range(1, 10'000);
 }
 
-void addGridOptions(CLI::App& command, request::SweepRequest& grid) {
-  command.add_option("--columns", grid.columns, "of the grid of one range (default: as the picture has room)")
-      ->type_name("N")
-      ->check(CLI::Range(1, scene::kMostCells));
+void addGridOptions(const Command& command, request::SweepRequest& grid) {
+  command.option("--columns", grid.columns, "of the grid of one range (default: as the picture has room)")
+      .type("N")
+      .range(1, scene::kMostCells);
   command
-      .add_option("--label", grid.labels,
-                  "what a range's key is called in the picture, in TeX: the first for the first range")
-      ->type_name("TEX")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(notEmpty());
+      .option("--label", grid.labels,
+              "what a range's key is called in the picture, in TeX: the first for the first range")
+      .type("TEX")
+      .repeats()
+      .notEmpty();
 }
 
-void addPartsOptions(CLI::App& command, PartsOptions& parts) {
-  command.add_flag("--resume", parts.resume,
-                   "go on where a render of this output stopped; what has changed is made again");
-  command.add_flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
+void addPartsOptions(const Command& command, PartsOptions& parts) {
+  command.flag("--resume", parts.resume,
+               "go on where a render of this output stopped; what has changed is made again");
+  command.flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
   command
-      .add_option("--manifest", parts.manifest,
-                  "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
-      ->type_name("FILE")
-      ->check(notEmpty());
+      .option("--manifest", parts.manifest,
+              "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
+      .type("FILE")
+      .notEmpty();
   command
-      .add_option("--shard", parts.shard,
-                  "only the segments of the k-th of n processes; then join them with assemble")
-      ->type_name("k/n")
-      ->check(notEmpty());
+      .option("--shard", parts.shard, "only the segments of the k-th of n processes; then join them with assemble")
+      .type("k/n")
+      .notEmpty();
   command
-      .add_option("--shards-left", parts.shardsLeft,
-                  "make nothing: print which of n shards have segments to make, such as 2,7-9; exit code 0 if the "
-                  "output is complete, else 1")
-      ->type_name("n")
-      ->check(CLI::Range(1, request::kMostShards));
+      .option("--shards-left", parts.shardsLeft,
+              "make nothing: print which of n shards have segments to make, such as 2,7-9; exit code 0 if the "
+              "output is complete, else 1")
+      .type("n")
+      .range(1, request::kMostShards);
 }
 
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target) {

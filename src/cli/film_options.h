@@ -16,13 +16,13 @@ struct FilmOptions : RenderOptions {
 };
 
 /// Declares the output, the frames and their rate, --loop, and --segment.
-void addFilmOptions(CLI::App& command, FilmOptions& options);
+void addFilmOptions(const Command& command, FilmOptions& options);
 
 /// Declares how it is made in parts: --resume, --keep, --manifest, --shard.
-void addPartsOptions(CLI::App& command, PartsOptions& parts);
+void addPartsOptions(const Command& command, PartsOptions& parts);
 
 /// Declares the columns and names of a sweep's grid.
-void addGridOptions(CLI::App& command, request::SweepRequest& grid);
+void addGridOptions(const Command& command, request::SweepRequest& grid);
 
 /// @throws core::Error(kUsage) for what the target cannot be made in.
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target);

@@ -8,6 +8,8 @@
 
 namespace poinsot::cli {
 
+class Command;
+
 /// Words of the command line of `poinsot golden`, as typed.
 struct GoldenOptions : AllowanceOptions {
   std::string manifest = "golden.toml", output = "out/golden", images, junit, report, markdown, outcome, variant,
@@ -19,6 +21,6 @@ struct GoldenOptions : AllowanceOptions {
 };
 
 /// Declares them.
-void addGoldenOptions(CLI::App& command, GoldenOptions& options);
+void addGoldenOptions(const Command& command, GoldenOptions& options);
 
 }  // namespace poinsot::cli

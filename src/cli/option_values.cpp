@@ -2,10 +2,10 @@
 #include "cli/option_values.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
+#include "cli/command.h"
 #include "core/error.h"
 #include "core/number.h"
 #include "core/text.h"
@@ -101,10 +101,10 @@ image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize
       print.dpi, sides.width, sides.height, scene::kLeastSide, longest, advice(print, proportion, longest)));
 }
 
-void addBitsOption(CLI::App& command, int& bits) {
-  command.add_option("--bits", bits, "of a sample in a PNG: 8, or 16 for gradients to work on (default: 8)")
-      ->type_name("N")
-      ->check(CLI::IsMember({8, 16}));
+void addBitsOption(const Command& command, int& bits) {
+  command.option("--bits", bits, "of a sample in a PNG: 8, or 16 for gradients to work on (default: 8)")
+      .type("N")
+      .among({8, 16});
 }
 
 void checkBits(int bits, const request::OutputTarget& target) {

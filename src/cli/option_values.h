@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-namespace CLI {
-class App;
-}
 #pragma once
 
 #include <string>
@@ -14,6 +11,8 @@ class App;
 #include "scene/limits.h"
 
 namespace poinsot::cli {
+
+class Command;
 
 /// A number of seconds, or a number with a unit of time as scene files have it; possibly not finite.
 /// @throws core::Error(kUsage) naming the option
@@ -34,7 +33,7 @@ image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize
                                const scene::Limits& limits);
 
 /// Declares --bits.
-void addBitsOption(CLI::App& command, int& bits);
+void addBitsOption(const Command& command, int& bits);
 
 /// @throws core::Error(kUsage) where the target takes no pictures of that many bits, saying what does.
 void checkBits(int bits, const request::OutputTarget& target);

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command.h"
 #include "core/error.h"
 #include "core/number.h"
 #include "core/text.h"
@@ -59,46 +58,44 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
 
 }  // namespace
 
-void addLookOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--size", options.size, "size of the picture in pixels")->type_name("WxH")->check(notEmpty());
-  command.add_option("-q,--quality", options.quality, "size and quality")
-      ->type_name("NAME")
-      ->check(notEmpty(qualityNames()));
-  command.add_flag("--force", options.force, "replace a file that this program did not write");
-  command.add_option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+void addLookOptions(const Command& command, RenderOptions& options) {
+  command.option("--size", options.size, "size of the picture in pixels").type("WxH").notEmpty();
+  command.option("-q,--quality", options.quality, "size and quality").type("NAME").notEmpty(qualityNames());
+  command.flag("--force", options.force, "replace a file that this program did not write");
+  command.option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
+      .type("NAME")
+      .among({"auto", "osmesa", "egl"});
 }
 
-void addPictureOptions(CLI::App& command, RenderOptions& options) {
+void addPictureOptions(const Command& command, RenderOptions& options) {
   addLookOptions(command, options);
-  command.add_option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--quiet", options.quiet, "say nothing but errors");
-  command.add_flag("--reproducible", options.reproducible, "the same pixels on every x86-64 CPU");
-  command.add_flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
+  command.option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
+      .type("N")
+      .range(1, 1024);
+  command.flag("--quiet", options.quiet, "say nothing but errors");
+  command.flag("--reproducible", options.reproducible, "the same pixels on every x86-64 CPU");
+  command.flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
 }
 
-void addViewOption(CLI::App& command, RenderOptions& options) {
-  command.add_option("--view", options.view, "only the N-th view, as the whole picture; counted from 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000));
+void addViewOption(const Command& command, RenderOptions& options) {
+  command.option("--view", options.view, "only the N-th view, as the whole picture; counted from 1")
+      .type("N")
+      .range(1, 1'000'000);
 }
 
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
+void addRenderOptions(const Command& command, RenderOptions& options) {
   addSceneOptions(command, options);
   addViewOption(command, options);
   addPictureOptions(command, options);
-  command.add_option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
-      ->type_name("STYLE")
-      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
-  command.add_flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
+  command.option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
+      .type("STYLE")
+      .among({"auto", "plain", "json", "none"});
+  command.flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
   command
-      .add_option("--trace", options.trace,
-                  "besides, a JSON file of what each worker did when, for chrome://tracing or ui.perfetto.dev")
-      ->type_name("FILE")
-      ->check(notEmpty());
+      .option("--trace", options.trace,
+              "besides, a JSON file of what each worker did when, for chrome://tracing or ui.perfetto.dev")
+      .type("FILE")
+      .notEmpty();
 }
 
 image::PixelSize parseSize(const std::string& text, const scene::Limits& limits) {

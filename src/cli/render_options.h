@@ -24,16 +24,16 @@ struct RenderOptions : SceneOptions {
 };
 
 /// Declares those that every process of a render must be told: size, quality, back end, what may be replaced.
-void addLookOptions(CLI::App& command, RenderOptions& options);
+void addLookOptions(const Command& command, RenderOptions& options);
 
 /// Declares those of how pictures are made: size, quality, workers, what may be replaced, back end, dry run.
-void addPictureOptions(CLI::App& command, RenderOptions& options);
+void addPictureOptions(const Command& command, RenderOptions& options);
 
 /// Declares --view.
-void addViewOption(CLI::App& command, RenderOptions& options);
+void addViewOption(const Command& command, RenderOptions& options);
 
 /// Declares them all, except for the output and --fps.
-void addRenderOptions(CLI::App& command, RenderOptions& options);
+void addRenderOptions(const Command& command, RenderOptions& options);
 
 /// "640x360".
 /// @throws core::Error(kUsage) when it is no such thing, core::Error(kLimit) beyond the limits of a picture.

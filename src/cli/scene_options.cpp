@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_options.h"
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command.h"
 #include "request/scene_request.h"
 #include "request/user_files.h"
 
 namespace poinsot::cli {
 
-void addOverrides(CLI::App& command, SceneOptions& options) {
-  command.add_option("-D", options.overrides, "set a key of the scene, above what the file says")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+void addOverrides(const Command& command, SceneOptions& options) {
+  command.option("-D", options.overrides, "set a key of the scene, above what the file says")
+      .type("KEY=VALUE")
+      .repeats();
   addAllowance(command, options);
 }
 
-void addSceneOptions(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE", options.scene, "scene file (TOML)")->required();
+void addSceneOptions(const Command& command, SceneOptions& options) {
+  command.option("SCENE", options.scene, "scene file (TOML)").required();
   addOverrides(command, options);
-}
-
-CLI::Validator notEmpty(const std::vector<std::string>& words) {
-  return {[](std::string& word) -> std::string { return word.empty() ? "is empty" : ""; },
-          words.empty() ? "" : CLI::detail::generate_set(words), ""};
 }
 
 scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance) {

@@ -8,11 +8,6 @@
 #include "output/run_files.h"
 #include "scene/scene.h"
 
-namespace CLI {
-class App;
-class Validator;
-}  // namespace CLI
-
 namespace poinsot::cli {
 
 /// Words of the command line common to every command that reads one scene, as typed.
@@ -22,14 +17,10 @@ struct SceneOptions : AllowanceOptions {
 };
 
 /// Declares -D and what may be allowed.
-void addOverrides(CLI::App& command, SceneOptions& options);
+void addOverrides(const Command& command, SceneOptions& options);
 
 /// Declares SCENE, -D and what may be allowed.
-void addSceneOptions(CLI::App& command, SceneOptions& options);
-
-/// Refuses '' as a value, most often a shell variable without one, which would else count as not given. `words`
-/// are the values there are, for the help; what reads the value refuses others.
-CLI::Validator notEmpty(const std::vector<std::string>& words = {});
+void addSceneOptions(const Command& command, SceneOptions& options);
 
 /// Reads and checks the scene file, with -D above it.
 /// @throws scene::SceneErrors, core::Error(kScene, kLimit, kUsage)

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command.h"
 #include "cli/option_values.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -35,20 +34,18 @@ std::optional<double> askedTime_s(const StillOptions& options) {
 
 }  // namespace
 
-void addStillOptions(CLI::App& command, StillOptions& options) {
+void addStillOptions(const Command& command, StillOptions& options) {
   command
-      .add_option("-t,--time", options.time,
-                  "film time, such as 1.25 (seconds) or '90 ms' (default: the scene's time.still)")
-      ->type_name("T");
+      .option("-t,--time", options.time,
+              "film time, such as 1.25 (seconds) or '90 ms' (default: the scene's time.still)")
+      .type("T");
   command
-      .add_option("--width", options.width,
-                  "width on paper, in mm, cm, in or pt: then type and lines have a size in points, and --size is "
-                  "only the proportion (default of a PDF, SVG or TeX: 86mm)")
-      ->type_name("LENGTH")
-      ->check(notEmpty());
-  command.add_option("--dpi", options.dpi, "pixels to the inch on paper (default: 600)")
-      ->type_name("N")
-      ->check(CLI::Range(1.0, 10000.0));
+      .option("--width", options.width,
+              "width on paper, in mm, cm, in or pt: then type and lines have a size in points, and --size is "
+              "only the proportion (default of a PDF, SVG or TeX: 86mm)")
+      .type("LENGTH")
+      .notEmpty();
+  command.option("--dpi", options.dpi, "pixels to the inch on paper (default: 600)").type("N").range(1.0, 10000.0);
 }
 
 int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,

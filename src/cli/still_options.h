@@ -9,6 +9,8 @@
 
 namespace poinsot::cli {
 
+class Command;
+
 /// Words of the command line common to all that make one picture, as typed.
 struct StillOptions {
   std::optional<std::string> time;
@@ -19,7 +21,7 @@ struct StillOptions {
 };
 
 /// Declares --time, --width and --dpi.
-void addStillOptions(CLI::App& command, StillOptions& options);
+void addStillOptions(const Command& command, StillOptions& options);
 
 /// Where the picture of a scene of that name goes. @throws core::Error(kUsage)
 using StillTarget = std::function<request::OutputTarget(const std::string& sceneName)>;
