@@ -16,16 +16,38 @@ if(CMAKE_CXX_FLAGS MATCHES "-D_GLIBCXX_DEBUG")
   add_compile_options(${POINSOT_CFLAGS})
 endif()
 
-# poinsot_layer(NAME SOURCES a.cpp b.cpp LINKS poinsot::core ... [PRIVATE lib...] [HEADER_ONLY lib...]
-#   [OPENED lib...] [OPTIONS option...])
+# poinsot_joined(TARGET SOURCES...): compiles the sources some at a time, as most of a compiler's time goes into what they
+# have in common: headers, and templates that each of them needs. Names without linkage are therefore unique in a layer.
+option(POINSOT_JOINED "Compile several sources of a layer as one; OFF for tools that want a command for each" ON)
+set(POINSOT_JOINED_SOURCES 5 CACHE STRING "How many at most")
+function(poinsot_joined target)
+  if(NOT POINSOT_JOINED)
+    return()
+  endif()
+  set(number 0)
+  foreach(source ${ARGN})
+    math(EXPR group "${number} / ${POINSOT_JOINED_SOURCES}")
+    math(EXPR number "${number} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # GCC takes the source that the others are read into for a header.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+endfunction()
+
+# poinsot_layer(NAME SOURCES a.cpp b.cpp [APART c.cpp] LINKS poinsot::core ... [PRIVATE lib...]
+#   [HEADER_ONLY lib...] [OPENED lib...] [OPTIONS option...])
 #
-# One folder of src/ is one static library. LINKS are layers (and header-only libraries its headers need);
+# One folder of src/ is one static library. APART are sources that are compiled by themselves. LINKS are layers (and header-only libraries its headers need);
 # PRIVATE are third parties seen by its .cpp files only: the door stays in one layer. HEADER_ONLY are those of them that
 # leave nothing to link. OPENED are read for their headers and opened at run time, so that nothing is linked either.
 # OPTIONS are the compiler's.
 function(poinsot_layer name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE;HEADER_ONLY;OPENED;OPTIONS" ${ARGN})
-  add_library(poinsot_${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;PRIVATE;HEADER_ONLY;OPENED;OPTIONS" ${ARGN})
+  add_library(poinsot_${name} STATIC ${ARG_SOURCES} ${ARG_APART})
+  poinsot_joined(poinsot_${name} ${ARG_SOURCES})
   add_library(poinsot::${name} ALIAS poinsot_${name})
   target_include_directories(poinsot_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${POINSOT_INSTALL_HEADERS}>)

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMargin = 2, kWidestName = 22;
 
-std::string textOf(const scene::Explanation& explanation) {
+std::string explanationText(const scene::Explanation& explanation) {
   std::string text = explanation.title + '\n';
   const std::string margin(kMargin, ' ');
   if (!explanation.help.empty()) text += margin + wrapped(explanation.help, kColumns, kMargin, kMargin) + '\n';
@@ -43,7 +43,7 @@ int explain(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words)
     for (const scene::Explanation& explanation : explanationsOf(word))
-      text += (text.empty() ? "" : "\n") + textOf(explanation);
+      text += (text.empty() ? "" : "\n") + explanationText(explanation);
   writeOut(text);
   return kDone;
 }

@@ -23,7 +23,7 @@ std::string complete(const std::string& command, const std::string& rest) {
 }
 
 /// What offers a word of that kind, with the flag that says whether files are offered besides.
-std::string offer(const OptionText& option) {
+std::string fishOffer(const OptionText& option) {
   if (!option.words.empty()) return "-x -a " + fishWord(fmt::format("{}", fmt::join(option.words, " ")));
   switch (option.kind) {
     case WordKind::kFile:
@@ -46,14 +46,14 @@ std::string optionLine(const CommandText& command, const OptionText& option) {
   std::string rest;
   for (const std::string& name : option.names)
     rest += name.starts_with("--") ? "-l " + name.substr(2) + " " : "-s " + name.substr(1) + " ";
-  if (!option.value.empty()) rest += offer(option) + " ";
+  if (!option.value.empty()) rest += fishOffer(option) + " ";
   return complete(command.name, rest + "-d " + fishWord(option.help));
 }
 
 /// Operands are not told apart by their places: files that can be any of them.
 std::string operandLine(const CommandText& command, const OptionText& operand) {
   const bool any = operand.kind == WordKind::kFile;
-  return complete(command.name, any ? "-F" : offer(operand));
+  return complete(command.name, any ? "-F" : fishOffer(operand));
 }
 
 std::string commandLines(const CommandText& command) {

@@ -19,7 +19,7 @@ std::string specText(const std::string& text) {
 }
 
 /// What offers a word of that kind, within a spec.
-std::string offer(const OptionText& option) {
+std::string zshOffer(const OptionText& option) {
   if (!option.words.empty()) return fmt::format("({})", fmt::join(option.words, " "));
   switch (option.kind) {
     case WordKind::kFile:
@@ -49,7 +49,7 @@ std::vector<std::string> optionSpecs(const OptionText& option) {
     std::string spec = others + name;
     if (!option.value.empty()) spec += valueSign(name);
     spec += fmt::format("[{}]", specText(option.help));
-    if (!option.value.empty()) spec += fmt::format(":{}:{}", specText(option.value), offer(option));
+    if (!option.value.empty()) spec += fmt::format(":{}:{}", specText(option.value), zshOffer(option));
     specs.push_back(spec);
   }
   return specs;
@@ -60,7 +60,7 @@ std::string operandSpec(const OptionText& operand) {
                      operand.repeats    ? "*"
                      : operand.required ? ""
                                         : ":",
-                     specText(operand.value), offer(operand));
+                     specText(operand.value), zshOffer(operand));
 }
 
 std::string arguments(const CommandText& command) {
@@ -72,7 +72,7 @@ std::string arguments(const CommandText& command) {
   return call;
 }
 
-std::string keyFunction(const std::vector<KeyText>& keys) {
+std::string zshKeyFunction(const std::vector<KeyText>& keys) {
   std::string cases;
   for (const KeyText& key : keys)
     if (!key.words.empty())
@@ -90,7 +90,7 @@ std::string keyFunction(const std::vector<KeyText>& keys) {
       cases, paths);
 }
 
-std::string commandList(const ProgramText& text) {
+std::string zshCommandList(const ProgramText& text) {
   std::string list = "    " + core::shellWord("help:say more of a command") + "\n";
   for (const CommandText& command : text.commands)
     list += "    " + core::shellWord(command.name + ":" + specText(command.summary)) + "\n";
@@ -126,7 +126,7 @@ std::string zshCompletion(const ProgramText& text) {
       "{}      esac ;;\n"
       "  esac\n}}\n\n"
       "if [[ $zsh_eval_context[-1] == loadautofunc ]]; then _poinsot \"$@\"; else compdef _poinsot poinsot; fi\n",
-      text.version, keyFunction(text.keys), commandList(text), commandCases(text));
+      text.version, zshKeyFunction(text.keys), zshCommandList(text), commandCases(text));
 }
 
 }  // namespace poinsot::cli

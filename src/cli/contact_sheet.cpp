@@ -15,7 +15,7 @@ namespace poinsot::cli {
 namespace {
 
 constexpr image::PixelSize kCell{480, 270};
-constexpr int kMargin = 40, kName = 60;        // around each picture; of the band under it, pixels
+constexpr int kCellMargin = 40, kName = 60;    // around each picture; of the band under it, pixels
 constexpr float kType = 24, kBaseline = 0.48;  // of a name, pixels; from the band's top, of its height
 constexpr double kPaperTint = 0.06;            // of ink: white pictures show their edges on it
 constexpr std::size_t kMostColumns = 5;
@@ -68,10 +68,10 @@ struct Grid {
         rows((static_cast<int>(count) + columns - 1) / columns) {}
 
   image::PixelSize size() const {
-    return {columns * (kCell.width + kMargin) + kMargin, rows * (kCell.height + kName) + 2 * kMargin};
+    return {columns * (kCell.width + kCellMargin) + kCellMargin, rows * (kCell.height + kName) + 2 * kCellMargin};
   }
-  int left(int entry) const { return kMargin + entry % columns * (kCell.width + kMargin); }
-  int top(int entry) const { return kMargin + entry / columns * (kCell.height + kName); }
+  int left(int entry) const { return kCellMargin + entry % columns * (kCell.width + kCellMargin); }
+  int top(int entry) const { return kCellMargin + entry / columns * (kCell.height + kName); }
 };
 
 void copyInto(image::Image& sheet, const image::Image& picture, int left, int top) {

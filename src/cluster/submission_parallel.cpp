@@ -12,7 +12,7 @@ namespace {
 
 /// The task is a function with the words in it, so that parallel, which reads {} and the like in what it is told,
 /// sees none of them.
-constexpr const char* kScript = R"BASH(#!/bin/bash
+constexpr const char* kParallelScript = R"BASH(#!/bin/bash
 {what}#
 #   bash SCRIPT                             on this machine
 #   bash SCRIPT --sshloginfile NODES        on the machines that a file names
@@ -41,7 +41,7 @@ parallel --env task --env POINSOT --jobs {percent}% --retries {tries} --halt soo
 
 std::string parallelScript(const Submission& submission) {
   const Division& division = submission.division;
-  return fmt::format(kScript, fmt::arg("what", whatText(submission, " of GNU parallel, and then joined")),
+  return fmt::format(kParallelScript, fmt::arg("what", whatText(submission, " of GNU parallel, and then joined")),
                      fmt::arg("status", statusCommand(submission)), fmt::arg("retries", submission.retries),
                      fmt::arg("said", core::shellWord(tasksFolderOf(submission).string())),
                      fmt::arg("indented", placeText(submission, "  ")),

@@ -36,7 +36,7 @@ std::string jobName(const Submission& submission) {
 /// A task's number within the array goes with the number of the whole: one task has that as $SLURM_JOB_ID, and a
 /// requeue by it would be one of all tasks. Failures are counted in a file, since SLURM_RESTART_COUNT also has the
 /// requeues of Slurm itself, by preemption or for a lost node.
-constexpr const char* kScript = R"BASH(#!/bin/bash
+constexpr const char* kSlurmScript = R"BASH(#!/bin/bash
 {what}#
 #   bash SCRIPT         submits the tasks that have work left, and the job that joins; nothing if the film is there
 #   bash SCRIPT 2,7-9   submits these tasks, and the job that joins
@@ -120,7 +120,7 @@ echo "poinsot: joined by job $film"
 std::string slurmScript(const Submission& submission) {
   const Division& division = submission.division;
   return fmt::format(
-      kScript,
+      kSlurmScript,
       fmt::arg("what",
                whatText(submission, " of a Slurm job array; a job that waits for them joins what they made")),
       fmt::arg("status", statusCommand(submission)), fmt::arg("retries", submission.retries),

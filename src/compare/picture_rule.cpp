@@ -85,7 +85,7 @@ void addMask(IgnoreMask& mask, const image::AnyImage& painted, const std::string
   mask.add(painted);
 }
 
-std::string boxText(const image::PixelRect& box) {
+std::string boxWords(const image::PixelRect& box) {
   return fmt::format("[{}, {}, {}, {}]", box.left, box.top, box.right - box.left, box.bottom - box.top);
 }
 
@@ -146,7 +146,7 @@ std::optional<IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::PixelSize
   IgnoreMask mask(size);
   for (const image::PixelRect& box : rule.ignore) {
     if (box.left >= size.width || box.top >= size.height)
-      throw core::usageError(fmt::format("ignore {}: outside of the picture, whose size is {}x{}", boxText(box),
+      throw core::usageError(fmt::format("ignore {}: outside of the picture, whose size is {}x{}", boxWords(box),
                                          size.width, size.height));
     mask.add(box);
   }

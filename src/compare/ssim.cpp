@@ -28,11 +28,11 @@ double luma(const Sample* p) {
   return (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / image::BasicImage<Sample>::kMost;
 }
 
-enum Plane { kA, kB, kAA, kBB, kAB, kPlanes };
+enum Moment { kA, kB, kAA, kBB, kAB, kMoments };
 
 template <typename Sample>
 RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b) {
-  return {a.size, kPlanes, kRadius, [&a, &b](int y, const std::vector<double*>& rows) {
+  return {a.size, kMoments, kRadius, [&a, &b](int y, const std::vector<double*>& rows) {
             double* const* const planes = rows.data();  // an index that is checked takes longer than the sum
             const Sample *p = a.at(0, y), *q = b.at(0, y);
             for (int x = 0; x < a.size.width; ++x, p += a.channels, q += b.channels) {
@@ -62,14 +62,14 @@ std::optional<SsimFigures> ssimOf(const image::BasicImage<Sample>& a, const imag
   const Kernel profile = windowProfile();
   RowWindow window = lumaWindow(a, b);
   std::vector<double> column(static_cast<std::size_t>(width));
-  std::array<std::vector<double>, kPlanes> means;
+  std::array<std::vector<double>, kMoments> means;
   means.fill(column);
   SsimFigures figures;
   double sum = 0;
   std::int64_t windows = 0;
   for (int y = kRadius; y < height - kRadius; ++y) {
     window.moveTo(y);
-    for (int k = 0; k < kPlanes; ++k) {
+    for (int k = 0; k < kMoments; ++k) {
       profile.alongColumns(window, k, column.data());
       profile.alongRow(column.data(), width, means[static_cast<std::size_t>(k)].data());
     }

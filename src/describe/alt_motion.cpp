@@ -23,8 +23,6 @@ constexpr double kLeastTilt_rad = 1e-9;  // below, axis and L are one line in an
 constexpr int kLongestClosure = 100;     // swings of the herpolhode: more is no closed curve to the eye
 constexpr double kClosure_rad = 1e-9;    // as in `info`
 
-Eigen::Vector3d omega_P(const scene::Scene& scene) { return scene.body.axes.toP(scene.motion.omega_B); }
-
 std::string spinWords(const scene::Scene& scene) { return turningWords(scene.motion.omega_B.norm()); }
 
 // ---- Free motion
@@ -48,12 +46,12 @@ std::string constancyOfL(const scene::Scene& scene) {
 std::string steadySentence(const scene::Scene& scene) {
   const std::string text =
       fmt::format("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
-  const auto found = physics::spinStability(scene.body.axes.moments(), omega_P(scene));
+  const auto found = physics::spinStability(scene.body.axes.moments(), scene::startOmega_P(scene));
   if (found.kind != physics::Stability::kUnstable) return text;
   return text + fmt::format(
                     " But this spin, about the middle axis {}, is unstable: the smallest disturbance grows "
                     "by a factor of e every {}, until the body flips.",
-                    axisName(scene::spinAxis(omega_P(scene))), timeWords(1 / found.rate));
+                    axisName(scene::spinAxis(scene::startOmega_P(scene))), timeWords(1 / found.rate));
 }
 
 Sentences symmetricSentences(const scene::Scene& scene, const physics::PrecessionCones& cones) {
@@ -125,20 +123,20 @@ std::string herpolhodeSentence(const physics::Herpolhode& curve) {
 
 Sentences asymmetricSentences(const scene::Scene& scene) {
   const auto& moments = scene.body.axes.moments();
-  const physics::Polhode polhode(moments, omega_P(scene));
+  const physics::Polhode polhode(moments, scene::startOmega_P(scene));
   if (polhode.regime() == PolhodeRegime::kSteady) return {steadySentence(scene)};
   if (polhode.regime() == PolhodeRegime::kSeparatrix) return {separatrixSentence(scene)};
-  const physics::FlipTimes flips = physics::flipTimes(moments, omega_P(scene));
+  const physics::FlipTimes flips = physics::flipTimes(moments, scene::startOmega_P(scene));
   Sentences sentences{polhodeSentence(scene, polhode, flips)};
   if (flips.turnsOver) sentences.push_back(flipSentence(scene, flips));
-  sentences.push_back(herpolhodeSentence(physics::Herpolhode(moments, omega_P(scene))));
+  sentences.push_back(herpolhodeSentence(physics::Herpolhode(moments, scene::startOmega_P(scene))));
   return sentences;
 }
 
 Sentences freeSentences(const scene::Scene& scene) {
   if (scene.motion.omega_B.isZero(0)) return {"Nothing acts on it, and it does not turn."};
   Sentences sentences{constancyOfL(scene)};
-  const auto cones = physics::precessionCones(scene.body.axes.moments(), omega_P(scene));
+  const auto cones = physics::precessionCones(scene.body.axes.moments(), scene::startOmega_P(scene));
   const Sentences more = cones ? symmetricSentences(scene, *cones) : asymmetricSentences(scene);
   sentences.insert(sentences.end(), more.begin(), more.end());
   return sentences;
@@ -162,7 +160,7 @@ Sentences gravitySentences(const scene::Scene& scene, bool alone) {
   Sentences sentences{"Gravity pulls at its centre of mass and turns L; the vertical part of L stays."};
   const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
   if (!top || !alone) return sentences;
-  sentences.push_back(fmt::format("Its axis {}.", nutationWords(top->nutation(omega_P(scene), up_P))));
+  sentences.push_back(fmt::format("Its axis {}.", nutationWords(top->nutation(scene::startOmega_P(scene), up_P))));
   return sentences;
 }
 
@@ -177,7 +175,7 @@ std::string dissipationSentence(const scene::Scene& scene, bool alone) {
   const auto& moments = scene.body.axes.moments();
   std::string text = "It loses energy inside, but not angular momentum";
   if (!alone) return text + ".";
-  const double L = moments.angularMomentum(omega_P(scene)).norm();
+  const double L = moments.angularMomentum(scene::startOmega_P(scene)).norm();
   return text +
          fmt::format(": L, of {} kg m²/s, never changes, and the motion tends to a steady spin about {}, at {}.",
                      numberWords(L), axisOfLargest(moments), turningWords(L / moments.values().maxCoeff()));

@@ -9,7 +9,7 @@ namespace poinsot::describe {
 
 namespace {
 
-constexpr double kRounding = 1e-12;  // of the scale: a few thousand roundings of a double
+constexpr double kZeroBelow = 1e-12;  // of the scale: a few thousand roundings of a double
 
 std::string raised(int exponent) {
   constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -24,7 +24,7 @@ std::string threeDigits(double value) { return fmt::format("{:.3g}", value); }
 }  // namespace
 
 std::string numberWords(double value, double scale) {
-  if (value == 0 || std::abs(value) <= kRounding * std::abs(scale)) return "0";
+  if (value == 0 || std::abs(value) <= kZeroBelow * std::abs(scale)) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
   if (exponent < -4 || exponent > 5)
     return fmt::format("{} × 10{}", threeDigits(value / std::pow(10.0, exponent)), raised(exponent));

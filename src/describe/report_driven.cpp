@@ -90,7 +90,7 @@ Section heavyTopSection(const scene::Scene& scene) {
 Section lossSection(const scene::Scene& scene) {
   Section section{"Losses", {}};
   const physics::Forcing& forcing = scene.motion.forcing;
-  const Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  const Eigen::Vector3d omega_P = scene::startOmega_P(scene);
   if (!forcing.dragRate_P.isZero(0))
     section.add("drag_times", "time in which drag leaves 1/e of L_i", forcing.dragRate_P.cwiseInverse().eval(),
                 "s", "1/d_i, axes e1, e2, e3");

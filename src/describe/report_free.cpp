@@ -9,16 +9,15 @@
 #include "physics/polhode.h"
 #include "physics/precession_cones.h"
 #include "physics/stability.h"
+#include "scene/motion/make_motion.h"
 
 namespace poinsot::describe {
 namespace {
 
 using physics::PrecessionCones;
 
-constexpr int kLongestClosure = 1000;       // radial periods
+constexpr int kLongestPeriod = 1000;        // radial periods
 constexpr double kClosureTolerance = 1e-9;  // rad: a hundredth of a pixel on a circle of a million
-
-Eigen::Vector3d omega_P(const scene::Scene& scene) { return scene.body.axes.toP(scene.motion.omega_B); }
 
 bool turnsFreely(const scene::Scene& scene) {
   return scene.motion.forcing.none() && !scene.motion.omega_B.isZero(0);
@@ -45,7 +44,7 @@ std::string steadyWords(physics::Stability kind) {
 std::string inWords(physics::PolhodeRegime regime, const scene::Scene& scene) {
   switch (regime) {
     case physics::PolhodeRegime::kSteady:
-      return steadyWords(physics::spinStability(scene.body.axes.moments(), omega_P(scene)).kind);
+      return steadyWords(physics::spinStability(scene.body.axes.moments(), scene::startOmega_P(scene)).kind);
     case physics::PolhodeRegime::kAboutLargest:
       return "round the axis of largest moment";
     case physics::PolhodeRegime::kAboutSmallest:
@@ -57,13 +56,13 @@ std::string inWords(physics::PolhodeRegime regime, const scene::Scene& scene) {
 }
 
 std::optional<PrecessionCones> conesOf(const scene::Scene& scene) {
-  return physics::precessionCones(scene.body.axes.moments(), omega_P(scene));
+  return physics::precessionCones(scene.body.axes.moments(), scene::startOmega_P(scene));
 }
 
 void addEllipsoids(Section& section, const scene::Scene& scene) {
   const auto& moments = scene.body.axes.moments();
-  const physics::PoinsotConstruction poinsot(moments, omega_P(scene));
-  const physics::BinetConstruction binet(moments, omega_P(scene));
+  const physics::PoinsotConstruction poinsot(moments, scene::startOmega_P(scene));
+  const physics::BinetConstruction binet(moments, scene::startOmega_P(scene));
   section.add("plane_height", "height of the invariable plane 2T/|L|", poinsot.planeHeight(), "rad/s", "eq 40");
   section.add("ellipsoid_semi_axes", "semi-axes sqrt(2T/I_i) of the ellipsoid", poinsot.semiAxes_P(), "rad/s",
               "eq 38");
@@ -82,14 +81,14 @@ void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
 }
 
 void addPolhode(Section& section, const scene::Scene& scene) {
-  const physics::Polhode polhode(scene.body.axes.moments(), omega_P(scene));
+  const physics::Polhode polhode(scene.body.axes.moments(), scene::startOmega_P(scene));
   section.add("regime", "polhode", regimeWord(polhode.regime()), "", "sign of L^2 - 2 T I_mid").inWords =
       inWords(polhode.regime(), scene);
   if (polhode.regime() == physics::PolhodeRegime::kSteady) return;
   section.add("polhode_period", "period of the polhode 4K/lambda", polhode.period(), "s", "eq 24 to 26");
   if (polhode.period() > physics::kSolarDay_s && std::isfinite(polhode.period()))
     section.add("polhode_period_days", "  in days", polhode.period() / physics::kSolarDay_s, "d", "86 400 s each");
-  const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), omega_P(scene));
+  const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), scene::startOmega_P(scene));
   section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
   section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
   const bool symmetric = conesOf(scene).has_value();
@@ -106,7 +105,7 @@ void addCircle(Section& section, const PrecessionCones& cones) {
 }
 
 void addHerpolhode(Section& section, const scene::Scene& scene) {
-  const physics::Herpolhode curve(scene.body.axes.moments(), omega_P(scene));
+  const physics::Herpolhode curve(scene.body.axes.moments(), scene::startOmega_P(scene));
   if (curve.regime() == physics::PolhodeRegime::kSteady) return;
   section.add("herpolhode_smallest_radius", "least radius of the herpolhode", curve.smallestRadius(), "rad/s", "");
   section.add("herpolhode_largest_radius", "largest radius of the herpolhode", curve.largestRadius(), "rad/s", "");
@@ -114,7 +113,7 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("radial_period", "from a largest radius to the next", curve.radialPeriod(), "s",
               "half the polhode's");
   section.add("angle_per_radial_period", "angle about L in that time", curve.anglePerRadialPeriod(), "rad", "");
-  const auto closure = curve.closure(kLongestClosure, kClosureTolerance);
+  const auto closure = curve.closure(kLongestPeriod, kClosureTolerance);
   section.add("herpolhode_closes", "the herpolhode closes", closure.has_value(), "", "to 1e-9 rad");
   if (!closure) return;
   section.add("closure_radial_periods", "  after radial periods", closure->radialPeriods, "", "");

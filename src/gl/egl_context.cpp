@@ -14,10 +14,10 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
-constexpr const char* kLibrary = "libEGL.so.1";
+constexpr const char* kEglLibrary = "libEGL.so.1";
 
 struct EglFunctions {
-  core::SharedLibrary library{kLibrary, "libegl1 libgl1-mesa-dri", ErrorKind::kGraphics};
+  core::SharedLibrary library{kEglLibrary, "libegl1 libgl1-mesa-dri", ErrorKind::kGraphics};
   decltype(eglGetProcAddress)* getProcAddress;
   decltype(eglInitialize)* initialize;
   decltype(eglTerminate)* terminate;
@@ -138,7 +138,7 @@ class EglContext final : public NestedContext {
 }  // namespace
 
 std::function<void()> releasedEglContext() {
-  const EGLContext context = core::SharedLibrary::isOpen(kLibrary) ? egl().getCurrentContext() : EGL_NO_CONTEXT;
+  const EGLContext context = core::SharedLibrary::isOpen(kEglLibrary) ? egl().getCurrentContext() : EGL_NO_CONTEXT;
   if (context == EGL_NO_CONTEXT) return nullptr;
   auto restore = [api = egl().queryApi(), display = egl().getCurrentDisplay(),
                   draw = egl().getCurrentSurface(EGL_DRAW), read = egl().getCurrentSurface(EGL_READ), context] {

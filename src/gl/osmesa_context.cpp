@@ -12,10 +12,10 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
-constexpr const char* kLibrary = "libOSMesa.so.8";
+constexpr const char* kOsMesaLibrary = "libOSMesa.so.8";
 
 struct OsMesaFunctions {
-  core::SharedLibrary library{kLibrary, "libosmesa6 (Mesa 25.1 and later have none; EGL draws as well)",
+  core::SharedLibrary library{kOsMesaLibrary, "libosmesa6 (Mesa 25.1 and later have none; EGL draws as well)",
                               ErrorKind::kGraphics};
   decltype(OSMesaCreateContextAttribs)* createContextAttribs;
   decltype(OSMesaMakeCurrent)* makeCurrent;
@@ -82,11 +82,12 @@ class OsMesaContext final : public NestedContext {
 void openOsMesaLibrary() { osMesa(); }
 
 const void* osMesasWord() {
-  return core::SharedLibrary::isOpen(kLibrary) ? osMesa().getCurrentContext() : nullptr;
+  return core::SharedLibrary::isOpen(kOsMesaLibrary) ? osMesa().getCurrentContext() : nullptr;
 }
 
 std::function<void()> callersOsMesaContext() {
-  const OSMesaContext context = core::SharedLibrary::isOpen(kLibrary) ? osMesa().getCurrentContext() : nullptr;
+  const OSMesaContext context =
+      core::SharedLibrary::isOpen(kOsMesaLibrary) ? osMesa().getCurrentContext() : nullptr;
   GLint width = 0, height = 0, format = 0, type = 0;
   void* buffer = nullptr;
   if (!context || !osMesa().getColorBuffer(context, &width, &height, &format, &buffer)) return nullptr;

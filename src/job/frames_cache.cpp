@@ -11,7 +11,7 @@ namespace poinsot::job {
 namespace {
 
 // Who turns the camera asks for another scene each time, who plays for the same: a few, for a few who ask.
-constexpr std::size_t kMost = 4;
+constexpr std::size_t kMostEntries = 4;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ FramesCache::Entry& FramesCache::of(const std::string& key, const std::function<
   const request::RequestedScene requested = load();
   const scene::Time& time = requested.scene.time;
   expectWithinMemory(renderRequest(requested, {request::OutputKind::kPicture, {}}, {}, {.form = form}));
-  while (entries_.size() >= kMost) entries_.pop_back();
+  while (entries_.size() >= kMostEntries) entries_.pop_back();
   if (!context_) context_ = gl::openContext(backend_);
   entries_.push_front({key, core::frameCount(time.duration_s, time.fps),
                        std::make_unique<SceneFrames>(requested, form, *context_)});

@@ -8,24 +8,24 @@
 namespace poinsot::job {
 namespace {
 
-using Json = nlohmann::json;
+using Message = nlohmann::json;
 
-std::string textOf(const Json& json) { return core::bytesFromUtf8(json.get<std::string>()); }
+std::string textOf(const Message& json) { return core::bytesFromUtf8(json.get<std::string>()); }
 
-Json toJson(const request::FrameRange& frames) { return Json{frames.first, frames.last}; }
+Message toJson(const request::FrameRange& frames) { return Message{frames.first, frames.last}; }
 
-request::FrameRange rangeOf(const Json& json) {
+request::FrameRange rangeOf(const Message& json) {
   return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()};
 }
 
 // In the order of the fields, so that the two functions below stay readable side by side.
-Json toJson(const Statistics& s) {
-  Json steps = Json::array();
+Message toJson(const Statistics& s) {
+  Message steps = Message::array();
   for (std::size_t i = 0; i < core::kSteps; ++i) steps.push_back(s.steps[static_cast<core::Step>(i)]);
-  return Json{s.frames, s.workers, s.first_s, steps, s.cpu_s, s.peakMemory_bytes};
+  return Message{s.frames, s.workers, s.first_s, steps, s.cpu_s, s.peakMemory_bytes};
 }
 
-Statistics statisticsOf(const Json& json) {
+Statistics statisticsOf(const Message& json) {
   const auto count = [&](std::size_t i) { return json.at(i).get<std::int64_t>(); };
   const auto number = [&](std::size_t i) { return json.at(i).get<double>(); };
   core::StepTimes steps;
@@ -34,16 +34,16 @@ Statistics statisticsOf(const Json& json) {
   return {count(0), count(1), number(2), steps, number(4), number(5)};
 }
 
-Json toJson(const std::vector<core::Span>& spans) {
-  Json json = Json::array();
+Message toJson(const std::vector<core::Span>& spans) {
+  Message json = Message::array();
   for (const core::Span& span : spans)
-    json.push_back({span.name, span.begin_ns, span.end_ns, span.frame ? Json(*span.frame) : Json()});
+    json.push_back({span.name, span.begin_ns, span.end_ns, span.frame ? Message(*span.frame) : Message()});
   return json;
 }
 
-std::vector<core::Span> spansOf(const Json& json) {
+std::vector<core::Span> spansOf(const Message& json) {
   std::vector<core::Span> spans;
-  for (const Json& span : json) {
+  for (const Message& span : json) {
     spans.push_back(
         {span.at(0).get<std::string>(), span.at(1).get<std::int64_t>(), span.at(2).get<std::int64_t>()});
     if (!span.at(3).is_null()) spans.back().frame = span.at(3).get<std::int64_t>();
@@ -54,12 +54,12 @@ std::vector<core::Span> spansOf(const Json& json) {
 /// Reads a line. Its two sides are one program, so only a line that was lost or cut makes it unreadable.
 template <class Reading>
 auto readingLine(std::string_view line, Reading reading) try {
-  return reading(Json::parse(line));
-} catch (const Json::exception&) {
+  return reading(Message::parse(line));
+} catch (const Message::exception&) {
   throw core::graphicsError("a message between the render and a worker process was lost or damaged; run it again");
 }
 
-WorkerReport reportOf(const Json& json) {
+WorkerReport reportOf(const Message& json) {
   if (json.contains("frame"))
     return FrameDone{json.at("frame").get<std::int64_t>(), json.at("reused").get<bool>(),
                      json.at("pixels").get<std::string>()};
@@ -81,33 +81,33 @@ Overloaded(Each...) -> Overloaded<Each...>;  // clang 14 wants it
 
 }  // namespace
 
-std::string toLine(const request::FrameRange& segment) { return Json{{"segment", toJson(segment)}}.dump(); }
+std::string toLine(const request::FrameRange& segment) { return Message{{"segment", toJson(segment)}}.dump(); }
 
 request::FrameRange segmentFromLine(std::string_view line) {
-  return readingLine(line, [](const Json& json) { return rangeOf(json.at("segment")); });
+  return readingLine(line, [](const Message& json) { return rangeOf(json.at("segment")); });
 }
 
 std::string toLine(const WorkerReport& report) {
-  const Json json =
+  const Message json =
       std::visit(Overloaded{[](const FrameDone& done) {
-                              return Json{{"frame", done.k}, {"reused", done.reused}, {"pixels", done.pixels}};
+                              return Message{{"frame", done.k}, {"reused", done.reused}, {"pixels", done.pixels}};
                             },
                             [](const SegmentDone& done) {
-                              return Json{{"segment", toJson(done.frames)}};
+                              return Message{{"segment", toJson(done.frames)}};
                             },
                             [](const SpansDone& done) {
-                              return Json{{"spans", toJson(done.spans)}};
+                              return Message{{"spans", toJson(done.spans)}};
                             },
                             [](const WorkerFinished& finished) {
-                              return Json{{"finished", toJson(finished.spent)},
-                                          {"renderer", core::utf8FromBytes(finished.renderer)},
-                                          {"driver", core::utf8FromBytes(finished.driver)}};
+                              return Message{{"finished", toJson(finished.spent)},
+                                             {"renderer", core::utf8FromBytes(finished.renderer)},
+                                             {"driver", core::utf8FromBytes(finished.driver)}};
                             },
                             [](const WorkerFailed& failed) {
-                              return Json{{"failed", core::utf8FromBytes(failed.message)},
-                                          {"kind", static_cast<int>(failed.kind)},
-                                          {"file", core::utf8FromBytes(failed.file.native())},
-                                          {"errno", failed.code}};
+                              return Message{{"failed", core::utf8FromBytes(failed.message)},
+                                             {"kind", static_cast<int>(failed.kind)},
+                                             {"file", core::utf8FromBytes(failed.file.native())},
+                                             {"errno", failed.code}};
                             }},
                  report);
   return json.dump();

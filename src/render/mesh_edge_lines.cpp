@@ -12,7 +12,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 // Room for the line's soft edge and for rounding, in pixels.
-constexpr double kMargin_px = 1;
+constexpr double kSoftEdge_px = 1;
 // A face seen almost edge-on would lift its line before everything: at most this many pixels' size for one across.
 constexpr double kSteepest = 40;
 // How far, in pixels' size, a piece of line may be from its edge in depth.
@@ -65,7 +65,7 @@ class LineMaker {
     for (const std::uint32_t face : {edge.left, edge.right})
       if (screen_.isFront(face))
         steepest = std::max(steepest, steepness(screen_.triangle(face), camera_.orthographic));
-    const double across_px = 0.5 * static_cast<double>(screen_.mesh->edge_px) + kMargin_px;
+    const double across_px = 0.5 * static_cast<double>(screen_.mesh->edge_px) + kSoftEdge_px;
     return across_px * (std::min(steepest, kSteepest * pixel) + 0.5 * pixel);
   }
 

@@ -17,15 +17,15 @@ constexpr double kLeastArea = 1e-7;
 double crossOf(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// A convex polygon: a triangle cut by four half-planes has seven corners at most.
-struct Polygon {
+struct PixelPolygon {
   std::array<dvec2, 8> corners;
   std::size_t size = 0;
   void add(dvec2 p) { corners[size++] = p; }
 };
 
 // What of the polygon has sign * coordinate `axis` >= sign * limit (Sutherland & Hodgman).
-Polygon cut(const Polygon& polygon, int axis, double sign, double limit) {
-  Polygon kept;
+PixelPolygon cut(const PixelPolygon& polygon, int axis, double sign, double limit) {
+  PixelPolygon kept;
   const auto inside = [&](dvec2 p) { return sign * (p[axis] - limit); };
   for (std::size_t i = 0; i < polygon.size; ++i) {
     const dvec2 p = polygon.corners[i], q = polygon.corners[(i + 1) % polygon.size];
@@ -40,8 +40,8 @@ Polygon cut(const Polygon& polygon, int axis, double sign, double limit) {
   return kept;
 }
 
-Polygon cutToPixel(const std::array<dvec2, 3>& t) {
-  Polygon polygon;
+PixelPolygon cutToPixel(const std::array<dvec2, 3>& t) {
+  PixelPolygon polygon;
   for (const dvec2& p : t) polygon.add(p);
   for (int axis = 0; axis < 2 && polygon.size > 0; ++axis) {
     polygon = cut(polygon, axis, 1, 0);
@@ -51,7 +51,7 @@ Polygon cutToPixel(const std::array<dvec2, 3>& t) {
 }
 
 // Area and its middle.
-void measure(const Polygon& polygon, PixelFragment& fragment) {
+void measure(const PixelPolygon& polygon, PixelFragment& fragment) {
   const dvec2 origin = polygon.corners[0];
   double twice = 0;
   dvec2 sum(0);
@@ -88,7 +88,7 @@ double PixelFragment::nearnessAt(dvec2 p) const { return std::clamp(lineAt(nearn
 std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle, glm::ivec2 pixel, bool parallel) {
   std::array<dvec2, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = dvec2(triangle[k]) - dvec2(pixel);
-  const Polygon polygon = cutToPixel(t);
+  const PixelPolygon polygon = cutToPixel(t);
   if (polygon.size < 3) return std::nullopt;
   PixelFragment f;
   measure(polygon, f);

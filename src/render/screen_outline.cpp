@@ -10,7 +10,7 @@ namespace poinsot::render {
 namespace {
 
 // Half a pixel of ramp on either side, and rounding.
-constexpr float kMargin_px = 1.5f;
+constexpr float kOutlineMargin_px = 1.5f;
 // Added to the squared semi-axes: keeps the form finite for a disc seen edge-on, without showing (0.03 px).
 constexpr double kThinnest2_px2 = 1e-3;
 
@@ -70,8 +70,8 @@ ScreenEllipse ellipseOutline(const draw::Camera& camera, glm::vec3 centre_C, con
   outline.centre_px = centre;
   outline.form = glm::dvec3(yy, -xy, xx) / determinant;
   const glm::vec2 half(glm::dvec2(std::sqrt(xx), std::sqrt(yy)));
-  outline.bounds.include(outline.centre_px - half, kMargin_px);
-  outline.bounds.include(outline.centre_px + half, kMargin_px);
+  outline.bounds.include(outline.centre_px - half, kOutlineMargin_px);
+  outline.bounds.include(outline.centre_px + half, kOutlineMargin_px);
   return outline;
 }
 

@@ -13,7 +13,7 @@ namespace poinsot::render {
 namespace {
 
 // Half a pixel of ramp on either side of an edge, and rounding.
-constexpr float kMargin_px = 1.5f;
+constexpr float kSheetMargin_px = 1.5f;
 
 bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
   return bounds.left < tile.right && bounds.right > tile.left && bounds.top < tile.bottom &&
@@ -38,7 +38,7 @@ Relation relation(const ScreenEllipse& outline, const PixelBounds& part) {
   const float steepest = std::sqrt(0.5f * (f.x + f.z) + std::hypot(0.5f * (f.x - f.z), f.y));
   const glm::vec2 q = middleOf(part) - outline.centre_px;
   const float rho = std::sqrt(f.x * q.x * q.x + 2 * f.y * q.x * q.y + f.z * q.y * q.y);
-  const float reach = (radiusOf(part) + kMargin_px) * steepest;
+  const float reach = (radiusOf(part) + kSheetMargin_px) * steepest;
   return relation(1 - rho - reach, 1 - rho + reach);
 }
 
@@ -50,7 +50,8 @@ Relation relation(const PlaneSheet& plane, const PixelBounds& part) {
     const float middle = glm::dot(glm::vec2(e), middleOf(part)) + e.z;
     const float reach =
         0.5f * (std::abs(e.x) * (part.right - part.left) + std::abs(e.y) * (part.bottom - part.top));
-    const Relation one = relation(middle - reach - plane.border_px - kMargin_px, middle + reach + kMargin_px);
+    const Relation one =
+        relation(middle - reach - plane.border_px - kSheetMargin_px, middle + reach + kSheetMargin_px);
     if (one == Relation::kApart) return one;
     if (one == Relation::kCrossed) whole = one;
   }
@@ -98,7 +99,7 @@ PixelBounds shadowBounds(const draw::Camera& camera, const draw::GridPlane& p, c
   for (const glm::vec3& corner_V : {-u - v, u - v, u + v, v - u}) {
     const glm::vec3 corner_C = toCamera(camera, p.shadowCentre_V + corner_V);
     if (-corner_C.z <= camera.near) return plane;
-    bounds.include(projectCamera(camera, corner_C), kMargin_px);
+    bounds.include(projectCamera(camera, corner_C), kSheetMargin_px);
   }
   return bounds;
 }
@@ -125,7 +126,7 @@ PlaneSheet planeSheet(const draw::Camera& camera, const draw::GridPlane& p) {
     corners[i] = projectCamera(camera, corners_C[i]);
   }
   sheet.edges = quadEdges(corners);
-  for (const glm::vec2& c : corners) sheet.bounds.include(c, kMargin_px);
+  for (const glm::vec2& c : corners) sheet.bounds.include(c, kSheetMargin_px);
   sheet.border_px = 1.5f * p.lineWidth_px;
   sheet.shadow = shadowBounds(camera, p, sheet.bounds);
   setQuotients(camera, centre_C, {glm::normalize(u), glm::normalize(v)}, p.spacing_V, sheet);
@@ -169,7 +170,7 @@ PolygonSheet polygonSheet(const draw::Camera& camera, const draw::GlassPolygon& 
   sheet.normal_C = glm::normalize(twiceArea);
   for (std::size_t i = 0; i < n; ++i) {
     sheet.edges.push_back(lineThrough(sheet.corners[i], sheet.corners[(i + 1) % n], middle));
-    sheet.bounds.include(sheet.corners[i], kMargin_px);
+    sheet.bounds.include(sheet.corners[i], kSheetMargin_px);
   }
   return sheet;
 }

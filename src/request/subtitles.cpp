@@ -37,7 +37,7 @@ std::string span(const Subtitle& subtitle, char sign) {
 constexpr std::string_view kDigestOfSrt = "NOTE sha256 of the .srt: ";
 
 /// Returns the content; empty if the file is missing, cannot be read or is larger than any subtitles.
-std::string textOf(const std::filesystem::path& file) try {
+std::string contentOf(const std::filesystem::path& file) try {
   constexpr std::size_t kMostBytes = std::size_t{16} << 20;
   return core::readRegularFile(file, kMostBytes, core::ErrorKind::kIo);
 } catch (const core::Error&) {
@@ -47,7 +47,7 @@ std::string textOf(const std::filesystem::path& file) try {
 /// Whether the digest of a .srt stands in a .vtt of this program.
 bool isOwnSrt(const std::filesystem::path& srt, const std::filesystem::path& vtt) {
   const auto rest = figure::markedRest(vtt, figure::kVttMark);
-  return rest && rest->starts_with(std::string(kDigestOfSrt) + core::toHex(core::sha256(textOf(srt))));
+  return rest && rest->starts_with(std::string(kDigestOfSrt) + core::toHex(core::sha256(contentOf(srt))));
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::vector<std::filesystem::path> filmsWithSubtitlesOf(const std::filesystem::p
 }
 
 bool replacesOthers(const std::vector<Subtitle>& subtitles, const std::filesystem::path& film) {
-  const std::string srt = textOf(subtitleFiles(film)[0]);
+  const std::string srt = contentOf(subtitleFiles(film)[0]);
   return !srt.empty() && srt != srtText(subtitles);
 }
 
@@ -107,7 +107,7 @@ void enterSubtitles(output::RunFiles& files, const std::vector<Subtitle>& subtit
   const path &srt = names[0], &vtt = names[1];
   // A text that stays the same is no loss: the user may have removed the .vtt by which it is known.
   const output::FileKind srtKind{
-      "captions", [&](const path& file) { return isOwnSrt(file, vtt) || textOf(file) == srtText(subtitles); }};
+      "captions", [&](const path& file) { return isOwnSrt(file, vtt) || contentOf(file) == srtText(subtitles); }};
   files.writes(srt, "captions", srtKind);
   files.writes(vtt, "captions", output::markedKind("captions", figure::kVttMark));
 }

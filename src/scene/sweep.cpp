@@ -199,8 +199,8 @@ bool isRange(std::string_view text) {
 
 /// Other ways to write a range: 1:3:5, 1 to 3, 1…3.
 bool meansRange(std::string_view text) {
-  constexpr std::string_view kWays[] = {":", " to ", "\u2026", "\u2013"};
-  return std::ranges::any_of(kWays,
+  constexpr std::string_view kOtherSeparators[] = {":", " to ", "\u2026", "\u2013"};
+  return std::ranges::any_of(kOtherSeparators,
                              [&](std::string_view way) { return text.find(way) != std::string_view::npos; });
 }
 

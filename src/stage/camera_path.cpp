@@ -8,7 +8,7 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr int kDirections = 180;  // an orbit in steps of 2 degrees: between two, the reach differs by 0.02 %
+constexpr int kOrbitDirections = 180;  // an orbit in steps of 2 degrees: between two, the reach differs by 0.02 %
 
 }  // namespace
 
@@ -47,7 +47,7 @@ bool CameraPath::still() const {
 std::vector<scene::Camera> CameraPath::directions() const {
   if (still()) return {camera_};
   std::vector<scene::Camera> cameras;
-  for (int i = 0; i <= kDirections; ++i) cameras.push_back(at(duration_s_ * i / kDirections));
+  for (int i = 0; i <= kOrbitDirections; ++i) cameras.push_back(at(duration_s_ * i / kOrbitDirections));
   return cameras;
 }
 

@@ -23,7 +23,7 @@ constexpr double kRecent_s = 0.9;  // film time of the bright end of a trail
 
 // The body standing with its spin axis up (down where L points down).
 Matrix3d standingBody(const scene::Scene& scene) {
-  const Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  const Vector3d omega_P = scene::startOmega_P(scene);
   const int axis = scene::spinAxis(omega_P);
   const Vector3d spin_B = scene.body.axes.toB((omega_P[axis] < 0 ? -1 : 1) * Vector3d::Unit(axis));
   return physics::turnOntoVertical(spin_B, scene::verticalOfL(scene)).toRotationMatrix();

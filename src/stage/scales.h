@@ -23,6 +23,9 @@ struct Scales {
       1;  ///< radius of the ball about the centre that holds the body, and the ellipsoid where it is shown
 };
 
+/// Of the picture's height, what captions may take.
+inline constexpr double kMostStrip = 0.4;
+
 Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body);
 
 /// The pixels that a metre of the body has at most in each of several panels, for it to be as large in all of

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "physics/binet.h"
+#include "scene/motion/make_motion.h"
 #include "stage/figures/globe.h"
 #include "stage/plot/plot_frame.h"
 #include "stage/type/picture_writing.h"
@@ -21,10 +22,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBands = 96;       // of colours: neighbours differ by less than an eye sees
-constexpr int kPoints = 240;     // of the separatrix
-constexpr double kDark = 0.6;    // of the scale: below, lines are white, else black
-constexpr float kQuiet = 0.45f;  // opacity of the lines of equal time
+constexpr int kBands = 96;              // of colours: neighbours differ by less than an eye sees
+constexpr int kSeparatrixPoints = 240;  // of the separatrix
+constexpr double kDarkShare = 0.6;      // of the scale: below, lines are white, else black
+constexpr float kQuiet = 0.45f;         // opacity of the lines of equal time
 
 // Where the eye stands, from the middle axis towards that of smallest moment and up that of largest: both lines of
 // the separatrix cross in sight, and no axis points at the eye.
@@ -32,18 +33,18 @@ constexpr double kAside_rad = 0.66, kAbove_rad = 0.42;
 
 constexpr double kAxis = 1.3;  // in radii of the sphere
 // In em of the type.
-constexpr double kType = 0.034;  // of what type is sized by
-constexpr double kGap = 3.2, kBarWidth = 1.0;
-constexpr double kTick = 0.3, kTickGap = 0.35, kDigit = 0.67;
+constexpr double kMapType = 0.034;  // of what type is sized by
+constexpr double kBarGap = 3.2, kBarWidth = 1.0;
+constexpr double kBarTick = 0.3, kBarTickGap = 0.35, kBarDigit = 0.67;
 constexpr double kBarHeight = 1.7;                // in radii
-constexpr double kTip = 1.1, kOverBar = 0.9;      // height of the bar's end; of the unit over it
+constexpr double kBarTip = 1.1, kOverBar = 0.9;   // height of the bar's end; of the unit over it
 constexpr double kMark = 1.1, kBesideMark = 0.8;  // where the scene's L is on the bar
-constexpr double kNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5,
+constexpr double kPoleNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5,
                  kHeadWidth = 0.22;  // of axes and L
-constexpr double kEdge = 0.6;        // free at the picture's edges, of what notes leave
+constexpr double kMapEdge = 0.6;     // free at the picture's edges, of what notes leave
 // In ordinary lines.
-constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kAxisLine = 1.4, kFoot = 1.6,
-                 kDot = 3.2, kRing = 1.3;
+constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kPoleAxisLine = 1.4, kFootLine = 1.6,
+                 kStartDot = 3.2, kRing = 1.3;
 constexpr double kLeastRim_px = 2;  // covers the steps that areas over one another leave at their common edge
 
 [[noreturn]] void refuse(const std::string& why) { throw core::physicsError("stability map: " + why); }
@@ -52,7 +53,7 @@ Vector3d startingL_P(const scene::Scene& scene) {
   if (!scene.motion.forcing.none()) refuse("the body is not free: leave out what acts on it");
   if (!physics::separatrix(scene.body.axes.moments()))
     refuse("two principal moments are equal: such a body has no middle axis, and never flips");
-  Vector3d m_P = scene.body.axes.moments().angularMomentum(scene.body.axes.toP(scene.motion.omega_B));
+  Vector3d m_P = scene.body.axes.moments().angularMomentum(scene::startOmega_P(scene));
   if (m_P.isZero(0)) refuse("the body is at rest: it has no L");
   return m_P;
 }
@@ -119,7 +120,7 @@ void addName(draw::Picture& picture, const std::string& tex, glm::dvec2 centre_p
   draw::Text text;
   text.tex = tex;
   text.size_px = static_cast<float>(em_px);
-  text.baseline_px = glm::vec2(centre_px + glm::dvec2(-0.5 * widthOf(tex, em_px), 0.5 * kDigit * em_px));
+  text.baseline_px = glm::vec2(centre_px + glm::dvec2(-0.5 * widthOf(tex, em_px), 0.5 * kBarDigit * em_px));
   text.color = color;
   text.halo = halo;
   text.halo_px = static_cast<float>(0.14 * em_px);
@@ -156,9 +157,9 @@ draw::Picture StabilityMap::compose(const Moment& moment, glm::ivec2 size_px, co
   picture.background = colors_.paper;
   const PictureWriting writing = pictureWriting(scene_, {}, size_px, sizing, colors_);
   const Sizing type = typeScaled(sizing, scene_.style.textSize);
-  const Pen pen{std::max(kType * type.type_px, type.least_px), sizing.line_px * scene_.style.lineWidth};
+  const Pen pen{std::max(kMapType * type.type_px, type.least_px), sizing.line_px * scene_.style.lineWidth};
   // What stands in a corner at the bottom is beside the sphere.
-  const double edge_px = kEdge * noteEdge_px(type);
+  const double edge_px = kMapEdge * noteEdge_px(type);
   const Layout layout =
       layoutIn({edge_px, std::max(edge_px, writing.reach.top), size_px.x - edge_px, size_px.y - edge_px}, pen);
   const auto& axes = scale_.separatrix();
@@ -183,7 +184,7 @@ StabilityMap::Layout StabilityMap::layoutIn(const PixelBox& room, const Pen& pen
     labels_px = std::max(labels_px, widthOf(numberTex(tick.digits, scene_.style.decimalSign), pen.em_px));
   const double e1_radii = kAxis * std::cos(kAside_rad), e3_radii = kAxis * std::cos(kAbove_rad);
   const double name_px = kBesideName * pen.em_px;
-  const double bar_px = (kGap + kBarWidth + kTick + kTickGap) * pen.em_px + labels_px;
+  const double bar_px = (kBarGap + kBarWidth + kBarTick + kBarTickGap) * pen.em_px + labels_px;
   const double radius_px = std::max(1.0, std::min((room.height() - name_px) / (e3_radii + 1),
                                                   (room.width() - name_px - bar_px) / (e1_radii + 1)));
   // Sphere and bar together in the middle.
@@ -191,7 +192,7 @@ StabilityMap::Layout StabilityMap::layoutIn(const PixelBox& room, const Pen& pen
   const double height_px = (e3_radii + 1) * radius_px + name_px;
   const glm::dvec2 centre(room.left + 0.5 * (room.width() - width_px) + e1_radii * radius_px + name_px,
                           room.top + 0.5 * (room.height() - height_px) + e3_radii * radius_px + name_px);
-  const double left = centre.x + radius_px + kGap * pen.em_px, half = 0.5 * kBarHeight * radius_px;
+  const double left = centre.x + radius_px + kBarGap * pen.em_px, half = 0.5 * kBarHeight * radius_px;
   return {centre, radius_px, {left, centre.y - half, left + kBarWidth * pen.em_px, centre.y + half}};
 }
 
@@ -212,11 +213,11 @@ void StabilityMap::addCurves(draw::Picture& picture, const Globe& globe, const P
     }
   };
   for (const StabilityScale::Tick& tick : scale_.ticks(unit_.perSi)) {
-    const draw::Color line(scale_.share(tick.time_s) < kDark ? 1 : 0);
+    const draw::Color line(scale_.share(tick.time_s) < kDarkShare ? 1 : 0);
     for (const TimeCap& cap : scale_.caps(tick.time_s)) add(cap.outline_P, kThin, line, kQuiet);
   }
   for (const bool mirrored : {false, true})
-    add(scale_.separatrix().momentumCircle(1, kPoints, mirrored), kSeparatrix, colors_.separatrix, 1);
+    add(scale_.separatrix().momentumCircle(1, kSeparatrixPoints, mirrored), kSeparatrix, colors_.separatrix, 1);
   picture.strokes.push_back(
       stroke(globe.rim(), std::max(kRim * pen.line_px, kLeastRim_px), colors_.quietInk, true));
 }
@@ -231,30 +232,30 @@ void StabilityMap::addAxes(draw::Picture& picture, const Globe& globe, const Pen
     const std::vector<glm::vec2> head{glm::vec2(neck + kHeadWidth * pen.em_px * across), tip,
                                       glm::vec2(neck - kHeadWidth * pen.em_px * across)};
     const auto add = [&](double rim, const draw::Color& color) {
-      picture.strokes.push_back(stroke({foot, tip}, (kAxisLine + rim) * pen.line_px, color));
-      picture.strokes.push_back(stroke(head, (kAxisLine + rim) * pen.line_px, color));
-      picture.strokes.push_back(spot(foot, (kFoot + 0.5 * rim) * pen.line_px, color));
+      picture.strokes.push_back(stroke({foot, tip}, (kPoleAxisLine + rim) * pen.line_px, color));
+      picture.strokes.push_back(stroke(head, (kPoleAxisLine + rim) * pen.line_px, color));
+      picture.strokes.push_back(spot(foot, (kFootLine + 0.5 * rim) * pen.line_px, color));
     };
     add(kRing, colors_.paper);
     add(0, colors_.axis);
     std::string name = scene_.labels[kKeys[static_cast<std::size_t>(axis)]];
     if (signs_[axis] < 0 && !name.empty()) name.insert(0, "$-$");
-    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, kNames * pen.em_px, colors_.axis,
+    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, kPoleNames * pen.em_px, colors_.axis,
             colors_.paper);
   }
 }
 
 void StabilityMap::addScenesL(draw::Picture& picture, const Globe& globe, const Pen& pen) const {
   const glm::vec2 at = globe.at_px(sceneDirection_P_);
-  picture.strokes.push_back(spot(at, (kDot + kRing) * pen.line_px, colors_.paper));
-  picture.strokes.push_back(spot(at, kDot * pen.line_px, colors_.L));
+  picture.strokes.push_back(spot(at, (kStartDot + kRing) * pen.line_px, colors_.paper));
+  picture.strokes.push_back(spot(at, kStartDot * pen.line_px, colors_.L));
   addName(picture, scene_.labels[scene::LabelName::kL], glm::dvec2(at) + glm::dvec2(1.1, -0.8) * pen.em_px,
-          kNames * pen.em_px, colors_.L, colors_.paper);
+          kPoleNames * pen.em_px, colors_.L, colors_.paper);
 }
 
 // Its end stands for all longer times, up to infinity.
 void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen& pen) const {
-  const double top = bar.top + kTip * pen.em_px;  // of the times that are told apart
+  const double top = bar.top + kBarTip * pen.em_px;  // of the times that are told apart
   const auto at = [&](double share) { return bar.bottom + share * (top - bar.bottom); };
   const glm::vec2 tip(0.5 * (bar.left + bar.right), bar.top);
   const std::vector<glm::vec2> outline{
@@ -268,16 +269,16 @@ void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen
   const double share = scale_.share(sceneTime_s());
   const double y = share < 1 ? at(share) : std::isfinite(share) ? 0.5 * (top + bar.top) : bar.top;
   const double left = bar.left - kMark * pen.em_px;
-  picture.strokes.push_back(stroke({{left, y}, {bar.left, y}}, kAxisLine * pen.line_px, colors_.L));
-  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y}, kNames * pen.em_px,
-          colors_.L, colors_.paper);
+  picture.strokes.push_back(stroke({{left, y}, {bar.left, y}}, kPoleAxisLine * pen.line_px, colors_.L));
+  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y},
+          kPoleNames * pen.em_px, colors_.L, colors_.paper);
 }
 
 void StabilityMap::addTimes(draw::Picture& picture, const PixelBox& bar, const std::function<double(double)>& at,
                             const Pen& pen) const {
-  const double em = pen.em_px, right = bar.right + kTick * em;
+  const double em = pen.em_px, right = bar.right + kBarTick * em;
   const auto label = [&](const std::string& tex, double y, const draw::Color& color) {
-    addLine(picture, tex, right + kTickGap * em, y + 0.5 * kDigit * em, Align::kLeft, em, color);
+    addLine(picture, tex, right + kBarTickGap * em, y + 0.5 * kBarDigit * em, Align::kLeft, em, color);
   };
   for (const StabilityScale::Tick& tick : scale_.ticks(unit_.perSi)) {
     const double y = at(scale_.share(tick.time_s));

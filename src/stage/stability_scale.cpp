@@ -17,10 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kWide = 8;       // longest over shortest: beyond, most of an even scale would be one colour
 constexpr double kDarkest = 0.1;  // of magma, whose first entries no eye tells from black
-constexpr int kMostTicks = 7;
+constexpr int kMostScaleTicks = 7;
 
 }  // namespace
 
@@ -67,7 +67,8 @@ std::optional<double> StabilityScale::energyOf(int axis, double time_s) const {
     return std::cos(angle_rad) * Vector3d::Unit(axis) + std::sin(angle_rad) * Vector3d::Unit(other);
   };
   double nearer = 0;
-  double farther = smallest ? separatrix_.momentumAngle_rad : 0.5 * kPi - separatrix_.momentumAngle_rad;
+  double farther =
+      smallest ? separatrix_.momentumAngle_rad : 0.5 * std::numbers::pi - separatrix_.momentumAngle_rad;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (nearer + farther);
     (this->time_s(direction(middle)) < time_s ? nearer : farther) = middle;
@@ -76,12 +77,12 @@ std::optional<double> StabilityScale::energyOf(int axis, double time_s) const {
 }
 
 std::vector<TimeCap> StabilityScale::caps(double time_s) const {
-  constexpr int kPoints = 240;
+  constexpr int kScalePoints = 240;
   std::vector<TimeCap> caps;
   for (const int axis : {separatrix_.smallest, separatrix_.largest}) {
     const auto T = energyOf(axis, time_s);
     if (!T) continue;
-    for (const physics::MomentumPolhode& curve : physics::momentumPolhodes(moments_, *T, L_, kPoints)) {
+    for (const physics::MomentumPolhode& curve : physics::momentumPolhodes(moments_, *T, L_, kScalePoints)) {
       TimeCap& cap = caps.emplace_back();
       for (const Vector3d& m_P : curve.m_P) cap.outline_P.push_back(m_P.normalized());
       // The energy is greatest about the axis of smallest moment.
@@ -98,7 +99,7 @@ std::vector<StabilityScale::Tick> StabilityScale::ticks(double perSecond) const 
   const double low = least_s_ * perSecond, high = most_s_ * perSecond;
   std::vector<Tick> all;
   if (!logarithmic_) {
-    const Ticks ticks = innerTicks(low, high, kMostTicks);
+    const Ticks ticks = innerTicks(low, high, kMostScaleTicks);
     for (auto i = ticks.first; i <= ticks.last; ++i)
       all.push_back({ticks.at(i) / perSecond, tickDigits(ticks, i)});
     return all;

@@ -20,7 +20,6 @@ using scene::Spot;
 constexpr double kTypeShrinks = 0.2;
 // Of the picture's height: a title that reaches farther down, as on a small print, would run into what is shown.
 constexpr double kTallTitle = 0.16;
-constexpr double kMostStrip = 0.4;     // of the picture's height, for captions
 constexpr double kCornerMargin = 0.1;  // type in a corner stands over the picture, not in it
 constexpr double kAir = 0.02;          // between type and what is shown
 

@@ -23,7 +23,6 @@ constexpr double kOver = 1.25, kUnder = 0.35;      // of a label's line over its
 constexpr double kBeside = 0.8;                    // free at either side of the rows' labels, em
 constexpr double kAcross = 0.95, kMostBand = 0.3;  // of a cell, for its label
 constexpr double kMostMargin = 0.3;                // of the picture's width, for those of the rows
-constexpr double kMostStrip = 0.4;                 // of the picture's height, for captions
 constexpr double kLeastType_px = 9;                // nobody reads less
 
 double area(glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); }
@@ -77,14 +76,14 @@ FilmRanges rangesOf(const scene::Scene& cell, const std::shared_ptr<const physic
 /// For numbers of the same digits; for any where the smallest would have too few of them left.
 QuantityRange commonDigits(const std::vector<QuantityRange>& ofCells) {
   constexpr double kMostUnlike = 10 * (1 + 1e-9);  // ten times, whatever the rounding
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  QuantityRange all{kInfinity, -kInfinity, 0};
-  double least = kInfinity;
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  QuantityRange all{kUnbounded, -kUnbounded, 0};
+  double least = kUnbounded;
   for (const QuantityRange& one : ofCells) {
     all = joined(all, one);
     least = std::min(least, sizeOf(one));
   }
-  return sizeOf(all) <= kMostUnlike * least ? all : QuantityRange{kInfinity, -kInfinity, 0};
+  return sizeOf(all) <= kMostUnlike * least ? all : QuantityRange{kUnbounded, -kUnbounded, 0};
 }
 
 /// So that curves and numbers of the cells can be compared.

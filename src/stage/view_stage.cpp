@@ -30,9 +30,9 @@ using Eigen::Vector3d;
 // Where the ends of a flight are, and the origin, from the body that the camera goes along with: drawn when they
 // come into the picture.
 std::vector<Vector3d> passing_V(const PictureMotion& motion, double flightScale) {
-  constexpr std::size_t kStep = 50;
+  constexpr std::size_t kStride = 50;
   std::vector<Vector3d> ends{Vector3d::Zero()}, points;
-  for (std::size_t i = 0; i < motion.outline().size(); i += kStep)
+  for (std::size_t i = 0; i < motion.outline().size(); i += kStride)
     ends.push_back(flightScale * motion.atPlayed(motion.outline()[i].played_s).centre_V);
   for (const Vector3d& end : ends)
     for (const Vector3d& body : ends) points.emplace_back(end - body);

@@ -55,7 +55,7 @@ core::AtomicFile copyOf(const compare::Outcome& outcome, const fs::path& place) 
   return file;
 }
 
-std::string textOf(const compare::PictureOrigin& origin) {
+std::string originText(const compare::PictureOrigin& origin) {
   const nlohmann::ordered_json json{{"renderer", origin.renderer},
                                     {"driver", origin.driver},
                                     {"software", origin.software},
@@ -86,7 +86,7 @@ Approval GoldenApproval::add(const GoldenName& name, const compare::Outcome& out
   output::RunFiles files(force_);
   enterApproval(files, approval.place);
   batch_.add(copyOf(outcome, approval.place));
-  batch_.writeBeside(descriptionOf(approval.place), textOf(origin));
+  batch_.writeBeside(descriptionOf(approval.place), originText(origin));
   if (beside_) return approval;
   const bool isOwn =
       std::ranges::any_of(there, [&](const GoldenReference& r) { return r.origin.renderer == origin.renderer; });

@@ -41,7 +41,7 @@ struct SuiteFile {
   const char* use;
 };
 
-std::string textOf(const SuiteFile& file) {
+std::string useText(const SuiteFile& file) {
   const GoldenTest& test = file.of->test;
   return fmt::format("{} of test '{}' (line {}{})", file.use, test.name, test.at.line, matchedText(test, ": "));
 }
@@ -51,11 +51,11 @@ std::string sharedText(const SuiteFile& first, const SuiteFile& second) {
   const std::string file = core::printable(second.file.native());
   if (first.of == second.of)
     return fmt::format("test.image: {} would be {} and {}; give the image the extension of its format", file,
-                       first.use, textOf(second));
+                       first.use, useText(second));
   if (first.of->test.name == second.of->test.name)
-    return fmt::format("test.times: {} would be {} at two times; give each time once", file, textOf(second));
-  return fmt::format("test.name: {} would be {} and {}; choose other names or times", file, textOf(first),
-                     textOf(second));
+    return fmt::format("test.times: {} would be {} at two times; give each time once", file, useText(second));
+  return fmt::format("test.name: {} would be {} and {}; choose other names or times", file, useText(first),
+                     useText(second));
 }
 
 /// The files of a suite, of which each has one use.
@@ -85,7 +85,7 @@ class FileUses {
         throw scene::SceneErrors(
             {{input.of->test.at,
               fmt::format("{} is {} and would be {}, so approving would replace it; put it into another folder",
-                          core::printable(input.file.native()), textOf(input), textOf(found->second)),
+                          core::printable(input.file.native()), useText(input), useText(found->second)),
               "", 0, 0}});
   }
 
@@ -125,7 +125,7 @@ class FileUses {
     if (kept == files.end()) return;
     throw core::usageError(fmt::format("-o {}: {} would be {} and is {}; choose another folder",
                                        core::printable(output_.native()), core::printable(written.file.native()),
-                                       textOf(written), textOf(kept->second)));
+                                       useText(written), useText(kept->second)));
   }
 
   const fs::path &references_, &output_;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostCharacters = 2000;
 constexpr int kDeepest = 40;
 
-bool isLetter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'); }
+bool isNameLetter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'); }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ bool TexReader::takeIf(char32_t wanted) {
 std::string TexReader::takeName() {
   if (atEnd()) fail(position_, "a backslash at the end; it starts a command such as \\omega");
   std::string name;
-  while (isLetter(peek())) name += static_cast<char>(take());
+  while (isNameLetter(peek())) name += static_cast<char>(take());
   if (!name.empty()) {
     skipBlanks();  // as in TeX, blanks after a word belong to it
     return name;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kHeader = "t,Nx,Ny,Nz";
 // A second of torque at audio rate and more; each line is a piece of the integration.
-constexpr std::size_t kMostLines = 100'000;
+constexpr std::size_t kMostRows = 100'000;
 
 std::optional<double> number(std::string_view text) {
   const auto value = core::parseNumber(core::trimmed(text));
@@ -76,8 +76,8 @@ class TableReader {
       if (const double most = i == 0 ? kMostInstant_s : kMostTorque; std::abs(row[i]) > most)
         throw core::sceneError(
             fmt::format("line {}: numbers must be at most {:g} in size, got {}", line_, most, row[i]));
-    if (history_.t_s.size() == kMostLines)
-      throw core::sceneError(fmt::format("line {}: more than {} lines", line_, kMostLines));
+    if (history_.t_s.size() == kMostRows)
+      throw core::sceneError(fmt::format("line {}: more than {} lines", line_, kMostRows));
     history_.t_s.push_back(row[0]);
     history_.torque.emplace_back(row[1], row[2], row[3]);
   }

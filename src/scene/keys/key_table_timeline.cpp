@@ -9,9 +9,9 @@ using enum ValueType;
 using enum Dimension;
 
 const Range kFilmTime{.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration};
-constexpr Range kTurns{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred orbits either way
-constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
-constexpr Range kZoom{.least = 0.05, .most = 20};
+constexpr Range kOrbits{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred orbits either way
+constexpr Range kKeyElevation{.least = -90, .most = 90, .unit = "deg"};
+constexpr Range kKeyZoom{.least = 0.05, .most = 20};
 constexpr Range kPace{.least = 0, .most = 100};
 
 template <class F>
@@ -92,24 +92,24 @@ std::vector<Key> cameraMoveKeys() {
   return {
       {.path = "timeline[].camera.azimuth",
        .dimension = kAngle,
-       .range = kTurns,
+       .range = kOrbits,
        .example = "\"120 deg\"",
        .help = "Where the camera goes to; it turns the way the number says: from 20 deg to 380 deg is once round.",
        .put = intoEntry([](TimelineDraft& e) { return &e.azimuth; })},
       {.path = "timeline[].camera.turn",
        .dimension = kAngle,
-       .range = kTurns,
+       .range = kOrbits,
        .example = "\"-90 deg\"",
        .help = "In place of azimuth: by how much the camera turns, from wherever it is.",
        .put = intoEntry([](TimelineDraft& e) { return &e.turn; })},
       {.path = "timeline[].camera.elevation",
        .dimension = kAngle,
-       .range = kElevation,
+       .range = kKeyElevation,
        .example = "\"60 deg\"",
        .help = "How far above the horizontal the camera goes.",
        .put = intoEntry([](TimelineDraft& e) { return &e.elevation; })},
       {.path = "timeline[].camera.zoom",
-       .range = kZoom,
+       .range = kKeyZoom,
        .example = "1.6",
        .help = "How close the camera goes: 1 holds the whole motion, seen from wherever it will be.",
        .put = intoEntry([](TimelineDraft& e) { return &e.zoom; })},

@@ -13,7 +13,7 @@ namespace {
 // More elements than any scene may have; what a number this long names does not exist.
 constexpr std::size_t kMostDigits = 9;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isIndexDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// The digits between the first '[' and the ']' after it; empty where there are none.
 std::string_view indexIn(std::string_view path) {
@@ -22,7 +22,7 @@ std::string_view indexIn(std::string_view path) {
   const std::string_view rest = path.substr(open + 1);
   const std::string_view digits = rest.substr(0, rest.find(']'));
   const bool number = digits.size() < rest.size() && digits.size() <= kMostDigits &&
-                      std::all_of(digits.begin(), digits.end(), isDigit);
+                      std::all_of(digits.begin(), digits.end(), isIndexDigit);
   return number ? digits : std::string_view();
 }
 

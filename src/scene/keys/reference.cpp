@@ -116,7 +116,7 @@ std::string heading(std::string_view table) {
   return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
 }
 
-std::string tables() {
+std::string tableSections() {
   std::string text;
   std::string_view current = "(none)";
   for (const Key& key : keys()) {
@@ -209,8 +209,8 @@ std::string limits() {
 }  // namespace
 
 std::string referenceMarkdown() {
-  return std::string(kOpening) + units() + tables() + shapes() + catalogueTable() + quantitiesTable() + presets() +
-         limits();
+  return std::string(kOpening) + units() + tableSections() + shapes() + catalogueTable() + quantitiesTable() +
+         presets() + limits();
 }
 
 }  // namespace poinsot::scene

@@ -14,7 +14,7 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kRevolution = 2 * std::numbers::pi;
 
 // Above about a turn a second the eye loses the rolling, below a twelfth nothing seems to move.
 constexpr double kCalmest = 0.5, kFastest = 6.5, kPleasant = 2.1;  // rad per film second
@@ -42,7 +42,7 @@ bool leans(const physics::Nutation& swing) {
 
 /// Returns the period of the axis about the vertical; empty if it is not seen to go round.
 std::optional<double> period_s(const physics::Nutation& swing) {
-  const double turns = std::abs(swing.precession_rad) / kTurn;
+  const double turns = std::abs(swing.precession_rad) / kRevolution;
   if (!leans(swing) || !std::isfinite(swing.period_s) || !(turns > 0)) return std::nullopt;
   const double period_s = swing.period_s / turns;
   return std::isfinite(period_s) ? std::optional(period_s) : std::nullopt;
@@ -50,7 +50,7 @@ std::optional<double> period_s(const physics::Nutation& swing) {
 
 /// Returns the most turns of the precession that one film may show: while the body turns kMostTurns times.
 double mostShown(const Scene& scene, double round_s) {
-  return kMostTurns * kTurn / (scene.motion.omega_B.norm() * round_s);
+  return kMostTurns * kRevolution / (scene.motion.omega_B.norm() * round_s);
 }
 
 /// The least pace at which the precession is seen to move, as far as nutation and spin allow; 0 where there is
@@ -61,7 +61,7 @@ double paceOfPrecession(const Scene& scene) {
   const physics::Nutation swing = top->nutation();
   const auto round_s = period_s(swing);
   if (!round_s) return 0;
-  double pace = kCalmest * *round_s / kTurn;
+  double pace = kCalmest * *round_s / kRevolution;
   if (swing.mostTilt_rad - swing.leastTilt_rad > kSeen_rad) pace = std::min(pace, swing.period_s / kShortestNod_s);
   const double shown = mostShown(scene, *round_s);
   return shown < kLeastPrecession ? 0 : std::min(pace, shown * *round_s / scene.time.duration_s);
@@ -75,7 +75,7 @@ std::string remedy(const Scene& scene, double round_s, double played_s) {
     return fmt::format(
         "the body turns {:.2g} times meanwhile, and one film shows at most {:g} of its turns; give a "
         "smaller spin",
-        scene.motion.omega_B.norm() * round_s / kTurn, kMostTurns);
+        scene.motion.omega_B.norm() * round_s / kRevolution, kMostTurns);
   return fmt::format("time.speed = {:.3g} shows {} in these {:g} s of film", shown * round_s / played_s,
                      shown < 1 ? fmt::format("{:.2g} of a turn", shown) : "a whole turn", scene.time.duration_s);
 }

@@ -43,6 +43,8 @@ physics::Quaternion startOrientation(const Scene& scene) {
   return physics::levelAttitude(scene.body.axes, scene.motion.omega_B, verticalOfL(scene));
 }
 
+Eigen::Vector3d startOmega_P(const Scene& scene) { return scene.body.axes.toP(scene.motion.omega_B); }
+
 double chosenSpeed(const Scene& scene) { return scene.time.speed ? *scene.time.speed : automaticPace(scene); }
 
 int spinAxis(const Eigen::Vector3d& omega_P) {
@@ -54,7 +56,7 @@ int spinAxis(const Eigen::Vector3d& omega_P) {
 // The motion of the same body with its small transverse omega drawn larger: an exact motion too. It must stay the
 // same kind of motion, or the picture would not be true in any sense.
 Eigen::Vector3d drawnOmega_P(const Scene& scene) {
-  Eigen::Vector3d omega_P = scene.body.axes.toP(scene.motion.omega_B);
+  Eigen::Vector3d omega_P = startOmega_P(scene);
   if (scene.show.exaggerateAngles == 1) return omega_P;
   const physics::PrincipalMoments& moments = scene.body.axes.moments();
   Eigen::Vector3d drawn_P = exaggerated(omega_P, spinAxis(omega_P), scene.show.exaggerateAngles);
@@ -66,7 +68,7 @@ Eigen::Vector3d drawnOmega_P(const Scene& scene) {
 
 Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P) {
   if (scene.show.exaggerateAngles == 1) return drawn_P;
-  const int axis = spinAxis(scene.body.axes.toP(scene.motion.omega_B));
+  const int axis = spinAxis(startOmega_P(scene));
   return exaggerated(drawn_P, axis, 1 / scene.show.exaggerateAngles);
 }
 

@@ -17,6 +17,9 @@ physics::Vertical verticalOfL(const Scene& scene);
 /// Attitude at motion time 0: the scene's, or the shortest turn of L onto verticalOfL(). Unit.
 physics::Quaternion startOrientation(const Scene& scene);
 
+/// omega at motion time 0, rad/s in principal axes.
+Eigen::Vector3d startOmega_P(const Scene& scene);
+
 /// Seconds of motion per second of film: the scene's, or one that the eye follows: of omega, and of a heavy top's
 /// precession.
 double chosenSpeed(const Scene& scene);

@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 constexpr double kHeightBeside = 1.08;  // of the dimension line, in the ellipsoid's longest semi-axis
 constexpr double kHeightEnds = 0.035;   // half length of the strokes across it
 constexpr double kContactRadius = 0.03;
-constexpr double kNameSize = 0.57, kNameGap = 1.2;  // of the plane's name: in ordinary labels; in its own size
+constexpr double kPlaneNameSize = 0.57,
+                 kNameGap = 1.2;  // of the plane's name: in ordinary labels; in its own size
 
 // Half of the directions to the faces, and to the corners, of a cube.
 const Vector3d kDirections[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
@@ -99,7 +100,8 @@ void PlaneFigure::addName(const Canvas& canvas, const PictureState& state) const
       static_cast<std::size_t>(std::max_element(corners.begin(), corners.end(), outer) - corners.begin());
   const glm::vec2 before = corners[(tip + 3) % 4], after = corners[(tip + 1) % 4];
   const glm::vec2 middle = 0.5f * ((before.x < after.x ? before : after) + corners[tip]);
-  canvas.labelAt(scene::LabelName::kPlane, middle, {-0.6, above ? -1 : 1}, canvas.colors.L, kNameSize, kNameGap);
+  canvas.labelAt(scene::LabelName::kPlane, middle, {-0.6, above ? -1 : 1}, canvas.colors.L, kPlaneNameSize,
+                 kNameGap);
 }
 
 std::vector<Vector3d> PlaneFigure::outermostPoints(const PictureState& state) const {

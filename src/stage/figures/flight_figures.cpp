@@ -12,15 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.016;       // of an arrow
-constexpr double kDot = 0.028;          // where the centre of mass is, and the origin
-constexpr double kWeight = 0.55;        // length of the arrow M g
-constexpr double kLongestTorque = 0.9;  // of R x M g
-constexpr double kPale = 0.4;           // of the path to come
-constexpr std::size_t kPathSteps = 96;  // a parabola over the whole film: 0.1 px from one of 4000 px
-constexpr double kNameOfL = 0.55;       // along an arrow
-constexpr double kNameOfR = 0.5;        // along the arrow R,
-constexpr double kNearBody = 0.8;       // and no farther from the body where the camera goes along
+constexpr double kFlightArrow = 0.016;        // of an arrow
+constexpr double kCentreDot = 0.028;          // where the centre of mass is, and the origin
+constexpr double kWeight = 0.55;              // length of the arrow M g
+constexpr double kLongestWeightTorque = 0.9;  // of R x M g
+constexpr double kPale = 0.4;                 // of the path to come
+constexpr std::size_t kPathSteps = 96;        // a parabola over the whole film: 0.1 px from one of 4000 px
+constexpr double kNameOfL = 0.55;             // along an arrow
+constexpr double kNameOfR = 0.5;              // along the arrow R,
+constexpr double kNearBody = 0.8;             // and no farther from the body where the camera goes along
 
 Vector3d unitOrZero(const Vector3d& v) { return v.isZero(0) ? v : Vector3d(v.normalized()); }
 
@@ -54,22 +54,22 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
   if (trail.end > trail.now)
     canvas.line(path_V(state, trail.now, trail.end), false, mixed(color, canvas.colors.paper, kPale), 1.4);
   if (trail.now > trail.from) canvas.line(path_V(state, trail.from, trail.now), false, color, 2.2);
-  canvas.dot(Vector3d::Zero(), kDot, canvas.colors.ink);
+  canvas.dot(Vector3d::Zero(), kCentreDot, canvas.colors.ink);
   if (position_) {
     const Vector3d origin = origin_V(state);
-    canvas.dot(origin, kDot, canvas.colors.ink);
+    canvas.dot(origin, kCentreDot, canvas.colors.ink);
     canvas.label(scene::LabelName::kOrigin, origin, Vector3d::Zero(), canvas.colors.ink);
-    canvas.arrowFrom(origin, Vector3d::Zero(), kRadius, canvas.colors.ink);
+    canvas.arrowFrom(origin, Vector3d::Zero(), kFlightArrow, canvas.colors.ink);
     const double most = follows_ ? kNearBody / std::max(origin.norm(), kNearBody) : 1;
     canvas.label(scene::LabelName::kR, std::min(kNameOfR, most) * origin, origin + Vector3d::UnitX(),
                  canvas.colors.ink);
   }
   if (velocity_ && !state.velocity_V.isZero(0)) {
-    canvas.arrow(velocityTip_V(state), kRadius, color);
+    canvas.arrow(velocityTip_V(state), kFlightArrow, color);
     canvas.label(scene::LabelName::kV, velocityTip_V(state), Vector3d::Zero(), color);
   }
   if (weight_ && !weight_W_.isZero(0)) {
-    canvas.arrow(weightTip_V(state), kRadius, canvas.colors.torque);
+    canvas.arrow(weightTip_V(state), kFlightArrow, canvas.colors.torque);
     canvas.label(scene::LabelName::kWeight, weightTip_V(state), Vector3d::Zero(), canvas.colors.torque);
   }
 }
@@ -95,7 +95,7 @@ TotalAngularMomentumFigure::TotalAngularMomentumFigure(const Setting& setting)
   double longest = 0;
   for (const PathPoint& p : setting.motion.outline())
     longest = std::max(longest, setting.motion.atPlayed(p.played_s).centre_V.cross(weight_W_).norm());
-  if (longest > 0) torqueScale_ = kLongestTorque / longest;
+  if (longest > 0) torqueScale_ = kLongestWeightTorque / longest;
 }
 
 Vector3d TotalAngularMomentumFigure::orbital_V(const PictureState& state) const {
@@ -111,7 +111,7 @@ void TotalAngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/
   const Vector3d origin = origin_V(state), corner = origin + orbital_V(state), tip = origin + total_V(state);
   const draw::Color parts = mixed(canvas.colors.L, canvas.colors.paper, 0.6);
   const auto arrow = [&](const Vector3d& from, const Vector3d& to, const draw::Color& color) {
-    if (!(to - from).isZero(0)) canvas.arrowFrom(from, to, kRadius, color);
+    if (!(to - from).isZero(0)) canvas.arrowFrom(from, to, kFlightArrow, color);
   };
   arrow(origin, corner, parts);
   arrow(corner, tip, parts);

@@ -7,7 +7,7 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kApart = 0.006;  // picture lengths
+constexpr double kGhostsApart = 0.006;  // picture lengths
 
 using Eigen::Vector3d;
 
@@ -52,7 +52,7 @@ Vector3d GhostsFigure::place_V(const Pose& pose, const PictureState& state) cons
 // little farther from the eye, or faces in one plane would be seen through one another.
 void GhostsFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   const Palette colors = pale(canvas.colors, strength_);
-  const Vector3d away_V = -kApart * fromPicture(canvas.list.camera.R_VC[2]);
+  const Vector3d away_V = -kGhostsApart * fromPicture(canvas.list.camera.R_VC[2]);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     if (moves_ && poses_[i].filmTime_s > filmTime_s) continue;
     Vector3d place = place_V(poses_[i], state);

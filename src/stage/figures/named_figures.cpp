@@ -13,9 +13,9 @@ using Eigen::Vector3d;
 using scene::Direction;
 
 constexpr double kArrowRadius = 0.016;
-constexpr double kArcShare = 0.72;  // of the shorter of the two arrows
-constexpr double kVertical = 1.15;  // length of the vertical, as of L where it is longest
-constexpr double kBeyond = 1.15;    // of a space axis, in the ball that holds body and ellipsoid
+constexpr double kArcShare = 0.72;        // of the shorter of the two arrows
+constexpr double kVertical = 1.15;        // length of the vertical, as of L where it is longest
+constexpr double kSpaceAxisReach = 1.15;  // of a space axis, in the ball that holds body and ellipsoid
 constexpr int kArcPoints = 48;
 
 draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
@@ -94,7 +94,7 @@ struct MakeArrow {
 Directions::Directions(const Setting& setting)
     : axis_P_(mainAxis_P(setting.motion)),
       axisLengths_(setting.axisLengths),
-      reach_(kBeyond * setting.scales.reach),
+      reach_(kSpaceAxisReach * setting.scales.reach),
       L_(0),
       omega_(0) {
   for (const PathPoint& p : setting.motion.outline()) {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kPolhodePoints = 400, kFramedPoints = 24;
+constexpr int kPolhodePoints = 400, kFramedPathPoints = 24;
 constexpr double kWholeRadius = 0.007, kTravelledRadius = 0.011;
 
 std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
@@ -91,7 +91,7 @@ void PolhodeFigure::addTube(const Canvas& canvas, const PictureState& state, con
 std::vector<Vector3d> PolhodeFigure::outermostPoints(const PictureState& state) const {
   if (onEllipsoid_ || state.atRest()) return {scale_ * state.omega_V};
   std::vector<Vector3d> points_V;
-  for (const auto& sample : physics::Polhode(motion_.moments(), state.omega_P).samples(kFramedPoints))
+  for (const auto& sample : physics::Polhode(motion_.moments(), state.omega_P).samples(kFramedPathPoints))
     points_V.push_back(scale_ * (state.R_VP * sample.omega_P));
   return points_V;
 }

@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBeyond = 1.06;    // what lies in the sheet ends inside it
-constexpr double kBehind = 0.12;    // of its length lies on the other side of the origin
-constexpr double kParallel = 1e-6;  // rad: less and the plane's direction would be rounding
+constexpr double kSheetReach = 1.06;  // what lies in the sheet ends inside it
+constexpr double kBehind = 0.12;      // of its length lies on the other side of the origin
+constexpr double kParallel = 1e-6;    // rad: less and the plane's direction would be rounding
 
 }  // namespace
 
@@ -29,7 +29,7 @@ PlaneOfLFigure::PlaneOfLFigure(const Setting& setting)
     along_ = std::max({along_, setting.scales.L * state.L_V.norm(), omega.dot(l), k.dot(l)});
     across_ = std::max({across_, omega.cross(l).norm(), k.cross(l).norm()});
   }
-  const double size = kBeyond * setting.scene.show.figures.planeOfL.scale;
+  const double size = kSheetReach * setting.scene.show.figures.planeOfL.scale;
   along_ *= size;
   across_ *= size;
 }

@@ -18,8 +18,8 @@ constexpr double kInEllipsoid = 0.88, kBeyondBody = 1.3, kClear = 0.12;
 constexpr double kLeast = 0.3;  // of half the body's longest extent: for an axis that leads away from it
 // Of an axis this much is framed: labels keep themselves inside, and few axes point outwards.
 constexpr double kFramed = 0.8;
-constexpr double kNameSize = 0.85;  // in ordinary labels
-constexpr std::array kNames{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
+constexpr double kAxisNameSize = 0.85;  // in ordinary labels
+constexpr std::array kAxisNames{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
 
 }  // namespace
 
@@ -45,13 +45,13 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d tip_V = lengths_[axis] * state.R_VP.col(axis);
     canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
-    const scene::LabelName name = kNames[static_cast<std::size_t>(axis)];
+    const scene::LabelName name = kAxisNames[static_cast<std::size_t>(axis)];
     if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
     // An axis that points at the eye has no direction in the picture: its label leans upwards.
     const auto lean = static_cast<float>(1.2 * canvas.type_px);
     const glm::vec2 away = canvas.at_px(tip_V) - centre + glm::vec2(0, -lean);
     const float seen = body_ ? seenPast(state, tip_V, canvas.list.camera) : 1;
-    canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kNameSize,
+    canvas.labelAt(name, canvas.at_px(tip_V), softUnit(away, 0.6f * lean), canvas.colors.axis, kAxisNameSize,
                    kLabelGap, seen);
   }
 }

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeight = 0.34, kFoot = 0.18;                // of the pedestal, of the body's radius
-constexpr double kTip = 0.022, kJoint = 0.032, kRod = 0.012;  // in picture lengths
-constexpr int kRimPoints = 12;                                // of the pedestal's foot, to be framed
+constexpr double kHeight = 0.34, kFoot = 0.18;                     // of the pedestal, of the body's radius
+constexpr double kTip = 0.022, kJoint = 0.032, kStandRod = 0.012;  // in picture lengths
+constexpr int kFootRimPoints = 12;                                 // of the pedestal's foot, to be framed
 constexpr double kMayDip = 0.01;  // under the tip, of the body's radius: an apex is a point only on paper
 
 /// Inertial height of the body's lowest point over the whole film.
@@ -63,7 +63,7 @@ std::vector<Vector3d> StandFigure::outermostPoints(const PictureState& state) co
   for (const Vector3d& p_B : outer_B_) points.emplace_back(state.R_VB * p_B);
   if (!hasPedestal_) return points;
   const Vector3d up_V = state.R_VW.col(2);
-  for (const Vector3d& p : circleAbout(-kHeight * bodyRadius_ * up_V, up_V, kFoot * bodyRadius_, kRimPoints))
+  for (const Vector3d& p : circleAbout(-kHeight * bodyRadius_ * up_V, up_V, kFoot * bodyRadius_, kFootRimPoints))
     points.push_back(p);
   return points;
 }
@@ -72,8 +72,8 @@ void StandFigure::addRod(draw::DrawList& list, const PictureState& state, const 
   if (toCentre_B_.isZero(0)) return;
   list.frustums.push_back({glm::vec3(0),
                            toPicture(Vector3d(state.R_VB * toCentre_B_)),
-                           static_cast<float>(kRod),
-                           static_cast<float>(kRod),
+                           static_cast<float>(kStandRod),
+                           static_cast<float>(kStandRod),
                            {colors.rod, 0.35f}});
 }
 

@@ -14,11 +14,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kBeyondBody = 1.1;  // radius of the sphere, of the ball that holds the body
-constexpr double kStep_rad = 0.015;  // of the point on its sphere, from one sample to the next
-constexpr int kMostPoints = 8000;
-constexpr double kPaleShare = 0.4;
-constexpr double kLift = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
+constexpr double kSphereReach = 1.1;  // radius of the sphere, of the ball that holds the body
+constexpr double kStep_rad = 0.015;   // of the point on its sphere, from one sample to the next
+constexpr int kMostTracePoints = 8000;
+constexpr double kPaleTrace = 0.4;
+constexpr double kOverPath = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
 
 // Where the body ends, along the principal axis on which it reaches farthest.
 Vector3d endOfBody_B(const Setting& setting) {
@@ -34,7 +34,7 @@ Vector3d tracedPoint_B(const Setting& setting) {
   const auto& trace = setting.scene.show.figures.trace;
   if (trace.point_B) return setting.scales.body * (*trace.point_B - setting.scene.body.fixedPoint_B());
   if (setting.motion.flight()) return trace.scale * endOfBody_B(setting);
-  return trace.scale * kBeyondBody * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
+  return trace.scale * kSphereReach * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
 }
 
 // Played time in which the point goes by a small angle, where it is fastest.
@@ -63,7 +63,7 @@ Vector3d TraceFigure::at_W(double played_s) const {
 
 std::vector<Vector3d> TraceFigure::path_W(double from_s, double to_s) const {
   std::vector<Vector3d> points;
-  for (const double t_s : evenTimes(from_s, to_s, step_s_, kMostPoints + 3)) points.push_back(at_W(t_s));
+  for (const double t_s : evenTimes(from_s, to_s, step_s_, kMostTracePoints + 3)) points.push_back(at_W(t_s));
   return points;
 }
 
@@ -79,11 +79,11 @@ void TraceFigure::addPath(const Canvas& canvas, const PictureState& state, doubl
 void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   if (opacity_ > 0)
     canvas.glassEllipsoid(radius() * state.R_VW, canvas.colors.body, opacity_, {.near = 0.5, .far = 1, .rim = 5});
-  const Trail trail = motion_.trail(filmTime_s, kMostPoints * step_s_);
+  const Trail trail = motion_.trail(filmTime_s, kMostTracePoints * step_s_);
   const draw::Color& color = canvas.colors.axis;
-  if (future_) addPath(canvas, state, trail.now, trail.end, mixed(color, canvas.colors.paper, kPaleShare), 1.2, 0);
-  addPath(canvas, state, trail.from, trail.recent, color, 1.8, kLift);
-  addPath(canvas, state, trail.recent, trail.now, color, 2.9, kLift);
+  if (future_) addPath(canvas, state, trail.now, trail.end, mixed(color, canvas.colors.paper, kPaleTrace), 1.2, 0);
+  addPath(canvas, state, trail.from, trail.recent, color, 1.8, kOverPath);
+  addPath(canvas, state, trail.recent, trail.now, color, 2.9, kOverPath);
   canvas.dot(point_V(state), 0.028, canvas.colors.axis);
 }
 

@@ -7,8 +7,8 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kRoom = 0.03;     // of the range, beyond its ends
-constexpr double kFromZero = 0.3;  // of the high end: a low end nearer to zero is taken down to it
+constexpr double kRangeRoom = 0.03;  // of the range, beyond its ends
+constexpr double kFromZero = 0.3;    // of the high end: a low end nearer to zero is taken down to it
 constexpr int kMostTicks = 7;
 constexpr double kTold = 0x1p-40;  // of a time: a length that doubles there and ticks resolve
 
@@ -24,7 +24,7 @@ Span constantSpan(double value, double size) {
 Span shownSpan(const QuantityRange& range) {
   const double length = range.high - range.low;
   if (!varies(range)) return constantSpan(0.5 * (range.low + range.high), sizeOf(range));
-  Span span{range.low - kRoom * length, range.high + kRoom * length};
+  Span span{range.low - kRangeRoom * length, range.high + kRangeRoom * length};
   if (range.low >= 0 && range.low < kFromZero * range.high) span.low = 0;
   if (range.high <= 0 && range.high > kFromZero * range.low) span.high = 0;
   return span;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kType = 0.027;                 // of what type is sized by
 constexpr double kCurve = 1.25, kCursor = 0.6;  // in ordinary lines
-constexpr double kDot = 0.2;                    // radius, in em
+constexpr double kCurveDot = 0.2;               // radius, in em
 constexpr float kFaint = 0.62f;                 // towards the paper: what is still to come
 // Of the axes' lengths: a twentieth of a pixel in a plot of 2000.
 constexpr double kTolerance = 2.5e-5, kWidestTolerance = 5e-4;
@@ -214,7 +214,7 @@ void PlotFigure::Plan::addCursor(draw::Picture& picture, const PixelBox& area, d
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const PlotPoint p = cursor(i, filmTime_s);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || p.y < 0 || p.y > 1) continue;
-    const double radius = 0.5 * kDot * pen.em_px;
+    const double radius = 0.5 * kCurveDot * pen.em_px;
     draw::Stroke dot;
     for (int k = 0; k < kCorners; ++k) {
       const double turn = 2 * std::numbers::pi * k / kCorners;

@@ -14,10 +14,10 @@ constexpr double kDigit = 0.67;                          // height of a digit
 constexpr double kTick = 0.28, kTickGap = 0.35;          // length of a mark; between axis and label
 constexpr double kLabelRise = 0.95, kLabelAscent = 0.8;  // of the y axis's label over the axis's end
 constexpr double kTitleSize = 1.1, kTitleRow = 1.6;
-constexpr double kTickRow = 1.15, kLabelRow = 2.45, kDescent = 0.3;  // baselines under the x axis
-constexpr double kApart = 0.8;                                       // between labels at the x axis
-constexpr double kRowApart = 1.7;                                    // between baselines at the y axis
-constexpr double kAxisLine = 0.6, kZeroLine = 0.45;                  // in ordinary lines
+constexpr double kTickRow = 1.15, kLabelRow = 2.45, kBelowLabels = 0.3;  // baselines under the x axis
+constexpr double kLabelsApart = 0.8;                                     // between labels at the x axis
+constexpr double kRowApart = 1.7;                                        // between baselines at the y axis
+constexpr double kAxisLine = 0.6, kZeroLine = 0.45;                      // in ordinary lines
 
 std::string tickTex(const Ticks& ticks, std::int64_t i, const PlotPen& pen) {
   return numberTex(tickDigits(ticks, i), pen.decimalSign);
@@ -121,7 +121,7 @@ PixelBox curveArea(const PixelBox& panel, const PlotFrame& frame, double rightRo
   area.left += kPlotEdge * em + widestLabel(frame.y.ticks, pen) + kTickGap * em;
   area.top += (kPlotEdge + kLabelAscent + kLabelRise + (frame.title.empty() ? 0 : kTitleRow)) * em;
   area.right -= std::max(rightRoom_px, 0.5 * widestLabel(frame.x.ticks, pen)) + kPlotEdge * em;
-  area.bottom -= (kLabelRow + kDescent + kPlotEdge) * em;
+  area.bottom -= (kLabelRow + kBelowLabels + kPlotEdge) * em;
   return frame.equalScales ? withEqualScales(area, frame) : area;
 }
 
@@ -131,7 +131,7 @@ PlotFrame fitted(const PlotFrame& frame, const PixelBox& area, const PlotPen& pe
   for (int most = frame.x.ticks.count(); most > 3; --most) {
     fit.x = withFewerTicks(frame.x, most);
     const double apart = fit.x.ticks.step() / (fit.x.high - fit.x.low) * area.width();
-    if (apart >= widestLabel(fit.x.ticks, pen) + kApart * pen.em_px) break;
+    if (apart >= widestLabel(fit.x.ticks, pen) + kLabelsApart * pen.em_px) break;
   }
   return fit;
 }

@@ -10,8 +10,8 @@ namespace {
 
 using scene::Spot;
 
-constexpr float kHalo = 0.085f;  // of the type's size: what it stands over stays clear of it
-constexpr double kApart = 0.35;  // between blocks, of the edge
+constexpr float kNoteHalo = 0.085f;    // of the type's size: what it stands over stays clear of it
+constexpr double kBlocksApart = 0.35;  // between blocks, of the edge
 constexpr double kMostTop = 0.4, kMostBottom = 0.35,
                  kMostSide = 0.35;  // of the picture, for type that stands still
 
@@ -58,7 +58,7 @@ std::vector<PixelBox> placedBlocks(const std::vector<NoteBlock>& blocks, glm::dv
   for (const Spot at : kOrder)
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       if (blocks[i].at != at) continue;
-      boxes[i] = clearOf(taken, wishedBox(blocks[i], size_px, edge_px), rowOf(at) == 2, kApart * edge_px);
+      boxes[i] = clearOf(taken, wishedBox(blocks[i], size_px, edge_px), rowOf(at) == 2, kBlocksApart * edge_px);
       taken.push_back(boxes[i]);
     }
   return boxes;
@@ -101,7 +101,7 @@ void addBlocks(draw::Picture& picture, const std::vector<NoteBlock>& blocks, con
                 static_cast<float>(row.opacity),
                 std::nullopt,
                 0};
-        if (row.halo) text.halo = picture.background, text.halo_px = kHalo * size_px;
+        if (row.halo) text.halo = picture.background, text.halo_px = kNoteHalo * size_px;
       }
       y += row.descent_px;
     }

@@ -15,11 +15,11 @@ using scene::Spot;
 
 // In shares of what type is sized by.
 constexpr double kHeading = 0.044, kUnderHeading = 0.028;
-constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.032, kFootnote = 0.025, kEdge = 0.055;
+constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.032, kFootnote = 0.025, kRowsEdge = 0.055;
 // In em.
-constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.3;
-constexpr double kEquals = 0.3;   // between "=" and a value
-constexpr double kReadout = 0.5;  // leading between read-outs, whose digits are all tall
+constexpr double kRowCapHeight = 0.7, kRowDescent = 0.2, kRowLeading = 0.3;
+constexpr double kRowEquals = 0.3;  // between "=" and a value
+constexpr double kReadout = 0.5;    // leading between read-outs, whose digits are all tall
 
 double sizeOf(double share, const Sizing& sizing) { return std::max(share * sizing.type_px, sizing.least_px); }
 
@@ -27,8 +27,8 @@ void growTo(NoteRow& row, const std::string& tex, double size_px, double leading
   const text::GlyphRun run = text::setTex(tex);
   const double tall = std::max(0.0, run.inkTop_em - 1) + std::max(0.0, -run.inkBottom_em - 0.4);  // built up
   leading += 0.5 * tall;
-  row.ascent_px = std::max(row.ascent_px, size_px * std::max(run.inkTop_em, kCapHeight));
-  row.descent_px = std::max(row.descent_px, size_px * (std::max(-run.inkBottom_em, kDescent) + leading));
+  row.ascent_px = std::max(row.ascent_px, size_px * std::max(run.inkTop_em, kRowCapHeight));
+  row.descent_px = std::max(row.descent_px, size_px * (std::max(-run.inkBottom_em, kRowDescent) + leading));
 }
 
 NoteRow lineRow(const std::string& tex, double size_px, double room_px, const draw::Color& color) {
@@ -36,7 +36,7 @@ NoteRow lineRow(const std::string& tex, double size_px, double room_px, const dr
   const double width_em = text::setTex(tex).width_em, size = std::min(size_px, room_px / std::max(width_em, 1e-9));
   row.pieces = {{tex, 0, size, color}};
   row.width_px = size * width_em;
-  growTo(row, tex, size, kLeading);
+  growTo(row, tex, size, kRowLeading);
   return row;
 }
 
@@ -74,14 +74,14 @@ struct Columns {
       unit = std::max(unit, text::setTex(readout.unit).width_em);
     }
   }
-  double width() const { return name + kEquals + value + unit; }
+  double width() const { return name + kRowEquals + value + unit; }
 };
 
 NoteRow readoutRow(const ReadoutText& readout, const Columns& columns, double size_px) {
   const auto right = [&](const std::string& tex, double at_em) {
     return size_px * (at_em - text::setTex(tex).width_em);
   };
-  const double values = columns.name + kEquals, end = values + text::setTex(readout.widest).width_em;
+  const double values = columns.name + kRowEquals, end = values + text::setTex(readout.widest).width_em;
   NoteRow row;
   row.pieces = {{readout.name, right(readout.name, columns.name), size_px, readout.color},
                 {readout.value, right(readout.value, end), size_px, readout.color},
@@ -112,7 +112,7 @@ void addNotes(NoteBlock& block, const scene::Scene& scene, const Sizing& sizing,
 
 }  // namespace
 
-double noteEdge_px(const Sizing& sizing) { return kEdge * sizing.type_px; }
+double noteEdge_px(const Sizing& sizing) { return kRowsEdge * sizing.type_px; }
 
 std::vector<NoteBlock> pictureBlocks(const scene::Scene& scene, const WrittenThings& things, const Sizing& sizing,
                                      double room_px, const Palette& colors) {
