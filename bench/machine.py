@@ -26,7 +26,7 @@ def facts(program):
         'CPU': f'{_cpu_model()}, {cores()} cores',
         'poinsot': _first(r'poinsot (.+)', program, '--version'),
         'x264': _first(r'x264 (.+)', program, '--version'),
-        'OpenGL': _first(r'works +(.+)', program, 'backends'),
+        'OpenGL': _first(r'ok +OpenGL \w+ +(.+)', program, 'doctor'),
     }
 
 

@@ -11,7 +11,7 @@ SMALL = ["--size", "320x180", "--reproducible"]
 PLAIN = ["--progress", "plain"]
 ONE_SCENE = ("football", "heavy_top", "tennis_racket_two_views")  # of free motion, driven motion, several views
 SUBCOMMANDS = ("new preview render still sweep gallery status assemble submit diff golden info trajectory grade check explain "
-               "schema doctor backends help").split()
+               "schema doctor help").split()
 
 
 @dataclass
@@ -179,7 +179,7 @@ def of_words(root):
     yield Case("explain", [["schema"], ["explain"], *(["explain", name] for name in
                                                      ("camera", "time.speed", "units", "golden", "golden.test.image", "motion", "show", "plot", "bdy"))])
     yield Case("new", [["new", "a"], ["new", "a"], ["new", "b", "--from", "football"], ["new", "c", "--from", "nothing"], ["check", "a.toml"]])
-    yield Case("machine", [["backends"], ["doctor"]], varying=NUMBERS)
+    yield Case("machine", [["doctor"]], varying=NUMBERS)
     football = "scenes/football.toml"
     wrong = ["--frames 9-3", "--frames x", "--fps 0", "--fps 30/0", "--size 0x9", "--size 9", "--shard 4/3", "--segment 0", "-j 0", "--limit side=x",
              "--limit sid=3", "--max-memory 3", "-o f.xyz", "-o f.png --frames 0-4", "--transparent -o f.mp4", "--bits 16 -o f.mp4", "-D body", "-D a=1",

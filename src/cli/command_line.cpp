@@ -48,7 +48,6 @@ constexpr std::array kCommands{
     Entry{"explain", addExplain},
     Entry{"schema", addSchema},
     Entry{"doctor", addDoctor},
-    Entry{"backends", addBackends},
     Entry{"self-describe", addSelfDescribe},
 };
 

@@ -26,7 +26,6 @@ void addPreview(const Command& program);
 void addExplain(const Command& program);
 void addSchema(const Command& program);
 void addDoctor(const Command& program);
-void addBackends(const Command& program);
 /// Hidden: the build makes man pages and completions with it.
 void addSelfDescribe(const Command& program);
 

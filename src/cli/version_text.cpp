@@ -14,7 +14,7 @@ std::string versionText() {
   for (const auto& library : output::libraryVersions())
     fmt::format_to(std::back_inserter(text), "{} {}\n", library.name, library.version);
   return text +
-         "OpenGL 3.3 through OSMesa or EGL, opened at run time (poinsot backends)\n"
+         "OpenGL 3.3 through OSMesa or EGL, opened at run time (poinsot doctor)\n"
          "Sources: Apache-2.0. With an FFmpeg that holds x264 the program as a whole falls under the GPL.\n";
 }
 

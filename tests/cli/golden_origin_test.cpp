@@ -48,7 +48,7 @@ TEST_F(GoldenOriginReport, RecordsTheVersionOfMesa) {
   approve();
   const std::string driver = described()["driver"];
   EXPECT_THAT(driver, StartsWith("Mesa "));
-  EXPECT_THAT(poinsot({"backends"}).out, HasSubstr(" " + driver + "\n"));
+  EXPECT_THAT(poinsot({"doctor"}).out, HasSubstr(" " + driver + "\n"));
   EXPECT_EQ(described()["software"], software_);
 }
 

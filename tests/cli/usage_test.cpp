@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 
 const std::vector<std::string> kCommands{
     "doctor", "preview", "new",     "render", "still",    "sweep",  "gallery",  "submit", "info",  "trajectory",
-    "grade",  "check",   "explain", "schema", "backends", "status", "assemble", "diff",   "golden"};
+    "grade",  "check",   "explain", "schema", "status", "assemble", "diff",   "golden"};
 
 TEST(Usage, HelpListsTheCommandsThatPeopleType) {
   const ScratchFolder folder;

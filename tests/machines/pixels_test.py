@@ -5,6 +5,7 @@
 """
 import json
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -18,9 +19,11 @@ PIXELS = pathlib.Path(__file__).with_name("pixels.py")
 # Stands for a system without OSMesa whose Mesa draws the stills, and nothing else, otherwise.
 OTHER_SYSTEM = f"""#!/bin/sh
 case $1 in
-  backends)
-    echo 'osmesa  absent  no libOSMesa.so.8 (Mesa 25.1 and later have none)'
-    echo 'egl     works   llvmpipe (LLVM 21.1.8, 256 bits), OpenGL 4.5 (Core Profile) Mesa 26.2.0'
+  doctor)
+    echo 'poinsot 0.1.0'
+    echo 'absent  OpenGL osmesa   no libOSMesa.so.8 (Mesa 25.1 and later have'
+    echo '                        none)'
+    echo 'ok      OpenGL egl      llvmpipe (LLVM 21.1.8, 256 bits), OpenGL 4.5 (Core Profile) Mesa 26.2.0'
     ;;
   gallery) exec {shlex.quote(PROGRAM)} "$@" -D style.theme=dark ;;
   *) exec {shlex.quote(PROGRAM)} "$@" ;;
@@ -33,8 +36,8 @@ def pixels(*options):
 
 
 def working():
-    lines = subprocess.run([PROGRAM, "backends"], capture_output=True, text=True).stdout.splitlines()
-    return [line.split()[0] for line in lines if line.split()[1] == "works"]
+    findings = subprocess.run([PROGRAM, "doctor"], capture_output=True, text=True).stdout
+    return re.findall(r"^ok +OpenGL (\w+)", findings, re.MULTILINE)
 
 
 class Pixels(unittest.TestCase):

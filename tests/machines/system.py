@@ -28,16 +28,18 @@ class System:
     def probe(self):
         """Its facts, and its back ends: name, whether it works, and the renderer or why not."""
         program = self.quoted()
-        text = self.run(f"set -e; . /etc/os-release; echo $PRETTY_NAME; {program} --version; {program} backends || true").decode()
+        text = self.run(f"set -e; . /etc/os-release; echo $PRETTY_NAME; {program} doctor || true").decode()
         system, version = text.splitlines()[:2]
-        backends = re.findall(r"^(osmesa|egl) +(works|absent) +(.*)$", text, re.MULTILINE)
-        working = "\n".join(detail for _, state, detail in backends if state == "works")
+        findings = re.sub(r"\n {8,}", " ", text)  # a finding may take several lines
+        backends = [(name, state == "ok", detail)
+                    for state, name, detail in re.findall(r"^(ok|absent|BAD) +OpenGL (\w+) +(.*)$", findings, re.MULTILINE)]
+        working = "\n".join(detail for _, works, detail in backends if works)
         if not working:
             raise Failure(f"{self.name or system}: no back end works:\n{text}")
         drivers = {fact: match.group(1) if (match := re.search(pattern, working)) else None
                    for fact, pattern in (("mesa", r"Mesa (\d[\w.+~-]*)"), ("llvm", r"LLVM ([\d.]+)"))}
         facts = {"system": self.name or system, "program": version, **drivers}
-        return facts, [(name, state == "works", detail) for name, state, detail in backends]
+        return facts, backends
 
     def draw(self, commands, files, folder):
         """Runs commands of the program beside files, and keeps the pictures that they make.
