@@ -34,6 +34,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GRE
   target_compile_options(poinsot_flags INTERFACE -Wno-maybe-uninitialized)
 endif()
 
+# A test runs once: less of optimisation saves more time in compiling it than it costs.
+add_library(poinsot_test_flags INTERFACE)
+target_link_libraries(poinsot_test_flags INTERFACE poinsot_flags)
+target_compile_options(poinsot_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # Scenes come from strangers: what a mistake of ours would let them do ends the program in its place.
 target_compile_options(poinsot_flags INTERFACE -fstack-protector-strong -fstack-clash-protection)
 check_cxx_compiler_flag(-fcf-protection POINSOT_HAS_CF_PROTECTION)  # x86

@@ -82,15 +82,12 @@ endfunction()
 function(poinsot_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   # g++ 12 takes the sums of strings that tests are full of for writing past their ends (GCC bug 105651).
   target_compile_options(${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
-  target_link_libraries(${name} PRIVATE ${ARG_LINKS} poinsot_flags GTest::gtest GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} poinsot_test_support poinsot_test_flags GTest::gtest
+    GTest::gmock GTest::gtest_main)
   poinsot_use_headers(${name} poinsot_test_headers)
-  target_compile_definitions(${name} PRIVATE
-    POINSOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" POINSOT_BINARY_DIR="${PROJECT_BINARY_DIR}"
-    POINSOT_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/poinsot")
   gtest_discover_tests(${name} NO_PRETTY_VALUES PROPERTIES LABELS "${ARG_LABELS}"
     ENVIRONMENT "POINSOT_CACHE=${PROJECT_BINARY_DIR}/cache" DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "scene/limits.h"
 #include "support/sanitized.h"
 #include "support/shell_run.h"

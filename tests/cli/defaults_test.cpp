@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/sanitized.h"
 
 namespace poinsot {

@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "image/png_file.h"
 #include "support/shell_run.h"
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/raw_png.h"
 
 namespace poinsot {

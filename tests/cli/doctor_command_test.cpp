@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/back_ends.h"
 
 namespace poinsot {

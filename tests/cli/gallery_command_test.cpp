@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "image/png_file.h"
 
 namespace poinsot {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/raw_png.h"
 
 namespace poinsot {

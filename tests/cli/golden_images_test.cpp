@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/golden_images_fixture.h"
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/raw_png.h"
 #include "support/shell_run.h"
 

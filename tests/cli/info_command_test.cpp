@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/development_examples.h"
 
 namespace poinsot {

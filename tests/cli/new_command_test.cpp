@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

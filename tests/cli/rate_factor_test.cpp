@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/shell_run.h"
 
 namespace poinsot {

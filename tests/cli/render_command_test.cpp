@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "image/png_file.h"
 #include "support/back_ends.h"
 #include "support/shell_run.h"

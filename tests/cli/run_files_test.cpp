@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "cli/output_commands.h"
-#include "cli/program_run.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/shell_run.h"
 
 namespace poinsot {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/development_examples.h"
 
 namespace poinsot {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <variant>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "image/png_file.h"
 #include "output/film_reader.h"
 

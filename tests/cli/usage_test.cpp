@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/shell_run.h"
 
 namespace poinsot {

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "cli/exit_code.h"
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "core/file_handle.h"
 #include "figure/figure.h"
 #include "output/film.h"

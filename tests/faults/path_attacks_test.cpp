@@ -16,7 +16,7 @@
 #include <sstream>
 #include <thread>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "support/sanitized.h"
 #include "support/shell_run.h"
 

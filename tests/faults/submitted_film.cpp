@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faults/submitted_film.h"
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 #include "faults/tiny_film.h"
 
 namespace poinsot::faults {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/program_run.h"
+#include "support/program_run.h"
 
 /// Renders that are over in about a second, to be broken in every way.
 namespace poinsot::faults {

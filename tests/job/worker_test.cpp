@@ -8,10 +8,10 @@
 
 #include <cerrno>
 
-#include "core/file_handle.h"
 #include "image/pixel_digest.h"
 #include "image/png_file.h"
 #include "job/worker_protocol.h"
+#include "support/pipe.h"
 #include "support/scratch_folder.h"
 
 namespace poinsot::job {
@@ -42,17 +42,6 @@ struct RecordingSink : output::FrameSink {
   }
   void finish() override { log_.emplace_back(0, -1); }
   Written& log_;
-};
-
-struct Pipe {
-  core::FileHandle read, write;
-  Pipe() {
-    int ends[2];
-    if (pipe(ends) == 0) {
-      read = core::FileHandle(ends[0]);
-      write = core::FileHandle(ends[1]);
-    }
-  }
 };
 
 TEST(Worker, MakesSegmentsInTurnAndReportsEach) {

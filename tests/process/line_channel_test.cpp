@@ -6,21 +6,10 @@
 
 #include <csignal>
 
-#include "core/file_handle.h"
+#include "support/pipe.h"
 
 namespace poinsot::process {
 namespace {
-
-struct Pipe {
-  core::FileHandle read, write;
-  Pipe() {
-    int ends[2];
-    if (pipe(ends) == 0) {
-      read = core::FileHandle(ends[0]);
-      write = core::FileHandle(ends[1]);
-    }
-  }
-};
 
 TEST(LineChannel, CutsLinesWhereverTheBytesBreak) {
   Pipe pipe;

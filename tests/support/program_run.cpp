@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/program_run.h"
+#include "support/program_run.h"
 
 #include <fcntl.h>
 #include <signal.h>
