@@ -15,7 +15,6 @@
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "output/film_reader.h"
-#include "request/user_files.h"
 #include "signals.h"
 
 namespace poinsot::python {
@@ -78,8 +77,7 @@ compare::NearRule limitsOf(const DiffAsk& ask) {
 }
 
 compare::DiffRequest requestOf(const DiffAsk& ask) {
-  compare::DiffRequest request{
-      {limitsOf(ask)}, ask.pixelsPerDegree, {}, {}, request::limitsOf(request::userLimitsFile())};
+  compare::DiffRequest request{{limitsOf(ask)}, ask.pixelsPerDegree, {}, {}, {}};
   for (const std::vector<double>& box : ask.ignore)
     request.rule.ignore.push_back(compare::ignoredBox("ignore", box));
   for (const std::string& word : ask.limits) request.limits.setByWord(word);

@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include "core/frame_clock.h"
-#include "request/user_files.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::python {
@@ -16,7 +15,7 @@ std::uint64_t nextNumber() {
 }
 
 scene::Allowance allowance(const LoadedScene::Words& limits, const LoadedScene::Words& assetRoots) {
-  scene::Allowance allowed{request::limitsOf(request::userLimitsFile()), {assetRoots.begin(), assetRoots.end()}};
+  scene::Allowance allowed{{}, {assetRoots.begin(), assetRoots.end()}};
   for (const std::string& word : limits) allowed.limits.setByWord(word);
   return allowed;
 }

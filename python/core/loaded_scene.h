@@ -18,7 +18,7 @@ class LoadedScene {
  public:
   using Words = std::vector<std::string>;
 
-  /// @param limits  as after --limit, above those of the user's limits.toml.
+  /// @param limits  as after --limit.
   /// @throws core::Error as request::readSceneRequest() and request::requestedScene().
   static LoadedScene ofFile(const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "process/interrupt.h"
-#include "request/user_files.h"
 
 namespace poinsot::cli {
 namespace {
@@ -63,7 +62,7 @@ void addAllowance(const Command& command, AllowanceOptions& options) {
 }
 
 scene::Allowance allowed(const AllowanceOptions& options) {
-  scene::Allowance allowance{request::limitsOf(request::userLimitsFile()), {}};
+  scene::Allowance allowance;
   scene::Limits& limits = allowance.limits;
   for (const std::string& word : options.limits) setBy("--limit", [&] { limits.setByWord(word); });
   if (!options.memory.empty())

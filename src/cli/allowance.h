@@ -27,8 +27,8 @@ void addAllowance(const Command& command, AllowanceOptions& options);
 /// Limits, folders and memory as words for another process, which has a time of its own.
 std::vector<std::string> allowanceWords(const AllowanceOptions& options);
 
-/// The usual limits, above them those of the user's limits.toml, above these the options.
-/// @throws core::Error(kUsage) naming the option; scene::SceneErrors, core::Error(kIo) of limits.toml.
+/// The usual limits, above them the options.
+/// @throws core::Error(kUsage) naming the option.
 scene::Allowance allowed(const AllowanceOptions& options);
 
 /// The same. Where a limit of time is among them, it runs from here on.

@@ -30,7 +30,6 @@
 #include "job/render_job.h"
 #include "output/film_reader.h"
 #include "output/run_files.h"
-#include "request/user_files.h"
 
 namespace poinsot::cli {
 namespace {
@@ -124,7 +123,6 @@ void enterFiles(const DiffOptions& options, const compare::DiffRequest& request,
   files.reads(options.reference, "REFERENCE");
   files.reads(options.test, "TEST");
   files.reads(options.mask, "--mask");
-  files.reads(request::userLimitsFile(), "your limits");
   if (names != nullptr) {
     for (const auto* ofReference : {&names->inBoth, &names->onlyInReference})
       for (const std::string& name : *ofReference) files.reads(fs::path(options.reference) / name, "REFERENCE");

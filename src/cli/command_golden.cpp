@@ -30,7 +30,6 @@
 #include "job/render_job.h"
 #include "output/run_files.h"
 #include "process/interrupt.h"
-#include "request/user_files.h"
 #include "suite/approval.h"
 #include "suite/checks.h"
 #include "suite/strays.h"
@@ -180,7 +179,6 @@ class Golden {
 
   void enterFiles(const std::vector<suite::GoldenCase>& cases) {
     files_.reads(options_.manifest, "MANIFEST");
-    files_.reads(request::userLimitsFile(), "your limits");
     for (const suite::GoldenCase& one : cases) {
       files_.reads(one.test.scene.empty() ? one.actual : one.test.scene, "the suite's file");
       files_.reads(one.test.rule.mask, "the suite's file");

@@ -3,7 +3,6 @@
 
 #include "cli/command.h"
 #include "request/scene_request.h"
-#include "request/user_files.h"
 
 namespace poinsot::cli {
 
@@ -28,7 +27,6 @@ scene::Scene loadScene(const SceneOptions& options) { return loadScene(options, 
 void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene) {
   files.reads(options.scene, "SCENE");
   for (const scene::InputFile& input : scene.inputs) files.reads(input.place, "the scene's file");
-  files.reads(request::userLimitsFile(), "your limits");
 }
 
 output::RunFiles enteredInputs(const SceneOptions& options, const scene::Scene& scene, bool force) {

@@ -28,7 +28,7 @@ scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allo
 /// The same with what the options allow.
 scene::Scene loadScene(const SceneOptions& options);
 
-/// Enters what a run reads: the scene, the files that it names, and the user's limits.toml.
+/// Enters what a run reads: the scene and the files that it names.
 /// @throws core::Error(kUsage) if an output is one of these files.
 void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene);
 

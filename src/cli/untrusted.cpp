@@ -27,7 +27,7 @@ process::Confinement confinementOf(const FileAccess& access, const scene::Limits
     sandbox.read.push_back(core::folderOf(scene));
   }
   for (const std::string& input : access.inputs) sandbox.read.emplace_back(input);
-  for (const auto& own : {request::userLimitsFile(), request::userDefaultsFile()}) sandbox.read.push_back(own);
+  sandbox.read.push_back(request::userDefaultsFile());
   for (const std::string& file : access.outputs)
     if (isFile(file)) sandbox.write.push_back(core::folderOf(file));
   for (const std::string& folder : access.made) {

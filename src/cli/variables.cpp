@@ -17,7 +17,7 @@ constexpr Variable kVariables[] = {
     {"POINSOT_SHADERS", "folder of shaders in place of those in the program, to work on them"},
     {"HOME", "where .cache/poinsot and .config/poinsot are"},
     {"XDG_CACHE_HOME", "folder for poinsot/, with compiled shaders, in place of ~/.cache"},
-    {"XDG_CONFIG_HOME", "folder of poinsot/defaults.toml and poinsot/limits.toml, in place of ~/.config"},
+    {"XDG_CONFIG_HOME", "folder of poinsot/defaults.toml, in place of ~/.config"},
     {"TMPDIR", "folder for temporary files, in place of /tmp"},
     {"CI", "unless empty, 0 or false: golden and diff approve nothing"},
     {"GITHUB_STEP_SUMMARY", "file that --markdown may add to, whatever its name is"},

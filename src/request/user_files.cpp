@@ -12,38 +12,9 @@
 #include "core/text.h"
 #include "request/scene_request.h"
 #include "scene/document/document.h"
+#include "scene/limits.h"
 
 namespace poinsot::request {
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Of an environment variable; empty unless it is an absolute path, as the XDG specification has it.
-fs::path folderNamed(const char* variable) {
-  const char* value = std::getenv(variable);
-  const fs::path folder = value ? value : "";
-  return folder.is_absolute() ? folder : fs::path();
-}
-
-}  // namespace
-
-fs::path userFile(std::string_view name) {
-  fs::path folder = folderNamed("XDG_CONFIG_HOME");
-  if (const fs::path home = folderNamed("HOME"); folder.empty() && !home.empty()) folder = home / ".config";
-  return folder.empty() ? folder : folder / "poinsot" / name;
-}
-
-void readUserFile(const fs::path& file, const std::function<void(const scene::Entry&, scene::Problems&)>& take) {
-  std::error_code ignored;  // what cannot even be looked for is not there
-  if (file.empty() || !fs::exists(file, ignored)) return;
-  const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
-  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
-  scene::Problems problems;
-  const scene::Node document = parseDocument(source);
-  for (const scene::Entry& entry : *document.as<scene::Node::Table>()) take(entry, problems);
-  problems.throwIfAny();
-}
 
 namespace {
 
@@ -51,6 +22,13 @@ namespace fs = std::filesystem;
 using scene::Entry;
 using scene::Node;
 using scene::Problems;
+
+/// Of an environment variable; empty unless it is an absolute path, as the XDG specification has it.
+fs::path folderNamed(const char* variable) {
+  const char* value = std::getenv(variable);
+  const fs::path folder = value ? value : "";
+  return folder.is_absolute() ? folder : fs::path();
+}
 
 std::optional<scene::Dimension> dimensionNamed(std::string_view word) {
   const auto all = scene::dimensions();
@@ -116,11 +94,22 @@ void take(const Entry& entry, UserDefaults& defaults, Problems& problems) {
 
 }  // namespace
 
-fs::path userDefaultsFile() { return userFile("defaults.toml"); }
+fs::path userDefaultsFile() {
+  fs::path folder = folderNamed("XDG_CONFIG_HOME");
+  if (const fs::path home = folderNamed("HOME"); folder.empty() && !home.empty()) folder = home / ".config";
+  return folder.empty() ? folder : folder / "poinsot" / "defaults.toml";
+}
 
 UserDefaults defaultsOf(const fs::path& file) {
   UserDefaults defaults;
-  readUserFile(file, [&](const Entry& entry, Problems& problems) { take(entry, defaults, problems); });
+  std::error_code ignored;  // what cannot even be looked for is not there
+  if (file.empty() || !fs::exists(file, ignored)) return defaults;
+  const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
+  const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
+  const Node document = parseDocument(source);
+  Problems problems;
+  for (const Entry& entry : *document.as<Node::Table>()) take(entry, defaults, problems);
+  problems.throwIfAny();
   return defaults;
 }
 
@@ -129,38 +118,6 @@ std::string dimensionWord(scene::Dimension dimension) {
   std::string word(name.substr(name.find(' ') + 1));
   std::ranges::replace(word, ' ', '_');
   return word;
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-using scene::Limits;
-using scene::Node;
-
-void take(const Node& value, scene::Limit limit, Limits& limits) {
-  if (const auto* number = value.as<std::int64_t>()) return limits.set(limit, *number);
-  if (const auto* text = value.as<std::string>()) return limits.set(limit, std::string_view(*text));
-  throw core::usageError(
-      fmt::format("expected a whole number, or a size such as \"4 GiB\", got {}", describe(value)));
-}
-
-}  // namespace
-
-fs::path userLimitsFile() { return userFile("limits.toml"); }
-
-Limits limitsOf(const fs::path& file) {
-  Limits limits;
-  readUserFile(file, [&](const scene::Entry& entry, scene::Problems& problems) {
-    scene::Place place = entry.keyPlace;
-    try {
-      const scene::Limit limit = scene::limitNamed(entry.key);
-      place = entry.value.place;
-      take(entry.value, limit, limits);
-    } catch (const core::Error& error) {
-      problems.add(place, fmt::format("{}: {}", core::printable(entry.key), error.message()));
-    }
-  });
-  return limits;
 }
 
 }  // namespace poinsot::request

@@ -40,7 +40,7 @@ inline constexpr std::size_t kLimitCount = 17;
 
 enum class LimitUnit { kCount, kBytes, kSeconds, kPixels };
 
-/// A row of the one table of limits, from which the command line, limits.toml and the reference are made.
+/// A row of the one table of limits, from which the command line and the reference are made.
 struct LimitRow {
   std::string_view name;
   LimitUnit unit = LimitUnit::kCount;

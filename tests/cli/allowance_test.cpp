@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "support/program_run.h"
 #include "scene/limits.h"
+#include "support/program_run.h"
 #include "support/sanitized.h"
 #include "support/shell_run.h"
 
@@ -230,44 +230,6 @@ TEST_F(Allowance, NumbersAreFiniteAndInRange) {
     }
   }
   expectAccepted("check s.toml -D motion.omega_body=[-0.0,1,0]");
-}
-
-TEST_F(Allowance, ComesFromTheUsersFileToo) {
-  const std::string large = "check s.toml -D output.size=[9000,16] ";
-  EXPECT_EQ(shell(large).exitCode, 2);
-  fs::create_directories(folder_ / "config/poinsot");
-  folder_.put("config/poinsot/limits.toml", "side = 9000\nmemory = \"4 GiB\"\n");
-  expectAccepted(large);
-  if (!kSanitized) expectAccepted(large + "--untrusted");     // bounds the address space
-  EXPECT_EQ(shell(large + "--limit side=8999").exitCode, 2);  // which is nearer
-
-  fs::create_directories(folder_ / "home/.config/poinsot");
-  folder_.put("home/.config/poinsot/limits.toml", "side = 9000\n");
-  const std::string home = "HOME=" + (folder_ / "home").string();
-  EXPECT_EQ(shell(large, {"XDG_CONFIG_HOME=", home}).exitCode, 0);
-  EXPECT_EQ(shell(large, {"XDG_CONFIG_HOME=config", home}).exitCode, 0);  // not absolute, so it does not count
-}
-
-TEST_F(Allowance, OfABrokenFileIsSaidWithItsPlace) {
-  fs::create_directories(folder_ / "config/poinsot");
-  const auto says = [&](const std::string& text) {
-    folder_.put("config/poinsot/limits.toml", text);
-    const ShellResult result = shell("check s.toml");
-    EXPECT_EQ(result.exitCode, 2) << text;
-    return result.out;
-  };
-  EXPECT_THAT(says("side = \n"), HasSubstr("config/poinsot/limits.toml:1:"));
-  EXPECT_THAT(says("memory = \"4 GiB\"\nside = 16385\n"),
-              HasSubstr("limits.toml:2:8: error: side: the limit side may be from 1 to 16384 pixels, got 16385"));
-  EXPECT_THAT(says("sidE = 1000\n"),
-              HasSubstr("limits.toml:1:1: error: sidE: there is no limit 'sidE'; did you mean"));
-  EXPECT_THAT(
-      says("side = true\n"),
-      HasSubstr("limits.toml:1:8: error: side: expected a whole number, or a size such as \"4 GiB\", got true"));
-  EXPECT_THAT(
-      says("memory = \"4 gallons\"\nside = [1]\n"),
-      testing::AllOf(HasSubstr("limits.toml:1:10: error: memory: the limit memory is a whole number, of bytes"),
-                     HasSubstr("limits.toml:2:8: error: side: expected")));
 }
 
 TEST_F(Allowance, OfOptionsIsSaidWithTheOption) {

@@ -36,12 +36,6 @@ bool isWhole(const std::string& toml) {
 /// Of golden images.
 bool isSuite(const std::string& toml) { return toml.find("[[test]]\n") != std::string::npos; }
 
-/// A user's limits.toml.
-bool isLimits(const std::string& toml) {
-  return std::ranges::any_of(scene::limitTable(),
-                             [&](const auto& row) { return toml.starts_with(std::string(row.name) + " = "); });
-}
-
 /// A part of a scene made whole; one that begins with a key goes on with [show], as on the pages.
 std::string madeWhole(const std::string& part) {
   const std::string body = "[body]\ncatalogue = \"book\"\n[motion]\nomega_body = [0, 6, 0.1]\n";
@@ -76,20 +70,9 @@ std::string problemOfDefaults(const std::string& toml) {
   }
 }
 
-std::string problemOfLimits(const std::string& toml) {
-  const ScratchFolder folder;
-  try {
-    request::limitsOf(folder.put("limits.toml", toml));
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
 /// Says what is wrong with the scene, or nothing. Files that it names are looked for in scenes/.
 std::string problem(const std::string& toml) {
   if (isSuite(toml)) return problemOfGoldens(toml);
-  if (isLimits(toml)) return problemOfLimits(toml);
   if (isDefaults(toml)) return problemOfDefaults(toml);
   try {
     request::loadRequested({kRoot / "scenes/page.toml", toml, {}, std::nullopt});
@@ -120,10 +103,7 @@ TEST(DocsScenes, EveryTomlBlockWorks) {
   int whole = 0;
   for (const fs::path& page : pages())
     for (const std::string& block : tomlBlocks(textOf(page))) {
-      EXPECT_EQ(
-          problem(isWhole(block) || isSuite(block) || isLimits(block) || isDefaults(block) ? block
-                                                                                           : madeWhole(block)),
-          "")
+      EXPECT_EQ(problem(isWhole(block) || isSuite(block) || isDefaults(block) ? block : madeWhole(block)), "")
           << page.filename() << ":\n"
           << block;
       whole += isWhole(block) ? 1 : 0;

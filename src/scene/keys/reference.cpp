@@ -165,14 +165,8 @@ std::string presets() {
 constexpr std::string_view kLimitsOpening = R"(## Limits
 
 A scene comes from anywhere, so what it may ask for is bounded; a limit is told with what was asked for, before any of it
-is made. You raise a limit, or lower one, a scene never does: for one run by `--limit NAME=VALUE` (`--limit side=16384
---limit output="200 GiB"`), for all of yours by `~/.config/poinsot/limits.toml` (or below `$XDG_CONFIG_HOME`), in which
-the same names are keys:
-
-```toml
-side = 16384
-memory = "8 GiB"
-```
+is made. You raise a limit, or lower one, a scene never does: by `--limit NAME=VALUE` (`--limit side=16384
+--limit output="200 GiB"`).
 
 | limit | usually | at most | of |
 | --- | --- | --- | --- |
