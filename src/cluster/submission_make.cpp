@@ -9,6 +9,8 @@
 #include "core/shell_word.h"
 #include "core/text.h"
 
+extern "C" const char poinsot_make_header[], poinsot_make_header_end[];
+
 namespace poinsot::cluster {
 namespace {
 
@@ -52,20 +54,11 @@ std::string recipe(const Submission& submission, const std::string& variables, c
   return text + "\n";
 }
 
-constexpr const char* kHeader = R"MAKE({what}#
-#   make -f SCRIPT -j {jobs}
-#   {status}
-#
-# Where a task or the joining fails, the same command goes on with the segment where it stopped. What is newer than the
-# scene and the files that it names is not made again.
-SHELL := /bin/bash
-equals := =
-)MAKE";
-
 std::string header(const Submission& submission) {
-  return fmt::format(kHeader, fmt::arg("what", whatText(submission, " of make, and then joined")),
-                     fmt::arg("jobs", std::max(2, 8 / submission.division.cpus)),
-                     fmt::arg("status", statusCommand(submission)));
+  return filled({poinsot_make_header, poinsot_make_header_end},
+                {{"what", whatText(submission, " of make, and then joined")},
+                 {"jobs", std::to_string(std::max(2, 8 / submission.division.cpus))},
+                 {"status", statusCommand(submission)}});
 }
 
 /// Names of the marks: an empty file for each shard that is done, named by its number.

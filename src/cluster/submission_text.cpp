@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/shell_word.h"
@@ -22,6 +23,19 @@ std::string durationText(double seconds) {
 
 }  // namespace
 
+std::string filled(std::string_view script, const std::map<std::string, std::string>& values) {
+  std::string text;
+  std::size_t from = 0;
+  for (std::size_t at = script.find('@'); at != std::string_view::npos; at = script.find('@', from)) {
+    const std::size_t end = std::min(script.find('@', at + 1), script.size());
+    const auto value = values.find(std::string(script.substr(at + 1, end - at - 1)));
+    const bool isName = end < script.size() && value != values.end();
+    text.append(script, from, at - from).append(isName ? value->second : "@");
+    from = isName ? end + 1 : at + 1;
+  }
+  return text.append(script.substr(from));
+}
+
 std::string statusCommand(const Submission& submission) {
   const auto output = (submission.folder / submission.output.path).lexically_normal();
   return core::shellWords({submission.program.string(), "status", output.string()});
@@ -32,7 +46,7 @@ std::string whatText(const Submission& submission, const std::string& how) {
   return fmt::format(
       "# {}\n"
       "# {} in {}, made by {}{}.\n"
-      "# Reckoned: {:.2g} s of CPU time a frame, {} a task. Printed by poinsot {}; see poinsot submit --help.\n",
+      "# Reckoned: {:.2g} s of CPU time a frame, {} a task. Printed by poinsot {}; see poinsot submit --help.",
       core::shellWord(submission.output.path.string()), counted(submission.frames, "frame"),
       counted(submission.segments, "segment"), counted(division.shards, "task"), how, division.frame_s,
       durationText(division.task_s), core::version());
@@ -44,9 +58,7 @@ std::vector<std::string> placeLines(const Submission& submission) {
 }
 
 std::string placeText(const Submission& submission, const std::string& indent) {
-  std::string text;
-  for (const std::string& line : placeLines(submission)) text += indent + line + "\n";
-  return text;
+  return indent + fmt::format("{}", fmt::join(placeLines(submission), "\n" + indent));
 }
 
 std::string shardCommand(const Submission& submission, const std::string& shard) {

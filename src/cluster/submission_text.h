@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cluster/submission.h"
 
 /// What the scripts of all engines have in common.
 namespace poinsot::cluster {
+
+/// A script in which each @name@ of a value is replaced by it, and nothing else.
+std::string filled(std::string_view script, const std::map<std::string, std::string>& values);
 
 /// The command that tells how far it is, to be run anywhere, with no poinsot on the PATH.
 std::string statusCommand(const Submission& submission);
@@ -18,7 +23,7 @@ std::string whatText(const Submission& submission, const std::string& how);
 /// Lines of bash that go to the folder and say which program runs: $POINSOT if that is set.
 std::vector<std::string> placeLines(const Submission& submission);
 
-/// The same as text.
+/// The same as text, without a line end after the last.
 std::string placeText(const Submission& submission, const std::string& indent = "");
 
 /// The command of a shard, without `shard`, which a shell expands.
