@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -67,29 +66,32 @@ const std::vector<Quaternion>& exchanges() {
   return turns;
 }
 
-/// Pairs of vectors, or of rotations, that one turn should take from theirs to ours.
+/// Pairs of vectors, or rotations, that one turn should take from theirs to ours. The unit quaternion of the turn
+/// makes a quadratic form largest, of least squares over vectors and of the mean of rotations of either sign alike
+/// (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
 class TurnFit {
  public:
-  void add(const Vector3d& ours, const Vector3d& theirs) { vectors_ += ours * theirs.transpose(); }
-  void add(const Quaternion& turn) { turns_ += turn.coeffs() * turn.coeffs().transpose(); }
-
-  /// Least squares over vectors (W. Kabsch, Acta Cryst. A32 (1976) 922).
-  Quaternion ofVectors() const {
-    const Eigen::JacobiSVD<Matrix3d> svd(vectors_, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
-    const Vector3d proper(1, 1, turn.determinant() < 0 ? -1 : 1);
-    return Quaternion(svd.matrixU() * proper.asDiagonal() * svd.matrixV().transpose());
+  void add(const Vector3d& ours, const Vector3d& theirs) {
+    const Matrix3d product = ours * theirs.transpose();
+    const Vector3d axial = theirs.cross(ours);
+    form_.topLeftCorner<3, 3>() += product + product.transpose() - ours.dot(theirs) * Matrix3d::Identity();
+    form_.topRightCorner<3, 1>() += axial;
+    form_.bottomLeftCorner<1, 3>() += axial.transpose();
+    form_(3, 3) += ours.dot(theirs);
   }
+  void add(const Quaternion& turn) { form_ += turn.coeffs() * turn.coeffs().transpose(); }
 
-  /// Mean of rotations of either sign (F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
-  Quaternion ofTurns() const {
-    const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(turns_);
+  /// Of several that are as good, as where all vectors are parallel, the one by the smallest angle.
+  Quaternion turn() const {
+    constexpr double kPreference = 1e-14;
+    Matrix4d form = form_;
+    form(3, 3) += kPreference * form_.norm();
+    const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(form);
     return Quaternion(Eigen::Vector4d(solver.eigenvectors().col(3)));
   }
 
  private:
-  Matrix3d vectors_ = Matrix3d::Zero();
-  Matrix4d turns_ = Matrix4d::Zero();
+  Matrix4d form_ = Matrix4d::Zero();  ///< of the components x, y, z, w
 };
 
 /// A vector of the rotation that turns with its axes: its axis times the sine of its angle.
@@ -118,7 +120,7 @@ Quaternion fittedBody(const LogSample& sample) {
                    if (theirs.omega_B) fit.add(ours.omega_B / scale, *theirs.omega_B / scale);
                    fit.add(axialOf(ours0 * ours.q_WB), axialOf(theirs0 * *theirs.q_WB));
                  })
-      .ofVectors();
+      .turn();
 }
 
 /// Fits one turn of both frames to all vectors and attitudes.
@@ -130,19 +132,19 @@ Quaternion fittedCommon(const LogSample& sample) {
                    if (theirs.omega_W) fit.add(ours.omega_W / scale, *theirs.omega_W / scale);
                    fit.add(axialOf(ours.q_WB), axialOf(*theirs.q_WB));
                  })
-      .ofVectors();
+      .turn();
 }
 
 Quaternion fittedBodyAlone(const LogSample& sample) {
   return fitOver(sample, [](TurnFit& fit, const physics::RigidBodyState& ours,
                             const LoggedState& theirs) { fit.add(ours.q_WB.conjugate() * *theirs.q_WB); })
-      .ofTurns();
+      .turn();
 }
 
 Quaternion fittedSpaceAlone(const LogSample& sample) {
   return fitOver(sample, [](TurnFit& fit, const physics::RigidBodyState& ours,
                             const LoggedState& theirs) { fit.add(ours.q_WB * theirs.q_WB->conjugate()); })
-      .ofTurns();
+      .turn();
 }
 
 Quaternion fittedOmega(const LogSample& sample) {
@@ -153,7 +155,7 @@ Quaternion fittedOmega(const LogSample& sample) {
                    else
                      fit.add(ours.omega_W, *theirs.omega_W);
                  })
-      .ofVectors();
+      .turn();
 }
 
 LogSample turned(LogSample sample, const Turn& turn, Columns columns) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "physics/level_attitude.h"
 #include "physics/start.h"
 #include "scene/limits.h"
 #include "scene/shapes.h"
@@ -177,7 +178,7 @@ class StartAssembly {
   /// Returns w, x, y, z of the attitude in which L of a free body is upright and spin_axis leans from it by tilt.
   Eigen::Vector4d leaning() const {
     const Vector3d up_B = body_->axes.angularMomentum(omegaTilted(1));
-    const Quaternion q_WB = Quaternion::FromTwoVectors(up_B, Vector3d::UnitZ());
+    const Quaternion q_WB = physics::turnOntoVertical(up_B, physics::Vertical::kUp);
     return {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()};
   }
 
