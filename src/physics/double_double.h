@@ -101,6 +101,18 @@ inline DoubleDouble sqrt(const DoubleDouble& a) {
   return quickTwoSum(root, rest.hi / (2 * root));
 }
 
+/// The exponent e of x = m 2^e with 1/2 <= |m| < 1; 0 for x = 0.
+inline int exponentOf(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// a times 2^exponent.
+inline DoubleDouble scaled(const DoubleDouble& a, int exponent) {
+  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
+}
+
 inline constexpr DoubleDouble kPi{3.141592653589793, 1.2246467991473532e-16};
 inline constexpr DoubleDouble kTwoPi{2 * kPi.hi, 2 * kPi.lo};
 inline constexpr DoubleDouble kHalfPi{kPi.hi / 2, kPi.lo / 2};

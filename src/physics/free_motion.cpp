@@ -65,10 +65,9 @@ Rotor<DoubleDouble> unitRotor(const Quaternion& q) {
   if (!q.coeffs().allFinite() || largest == 0)
     throw core::physicsError(fmt::format("orientation must be a nonzero, finite quaternion, got ({}, {}, {}, {})",
                                          q.w(), q.x(), q.y(), q.z()));
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const auto scaled = [&](double v) { return DoubleDouble(std::ldexp(v, -exponent)); };
-  return normalized(Rotor<DoubleDouble>{scaled(q.w()), scaled(q.x()), scaled(q.y()), scaled(q.z())});
+  const int exponent = exponentOf(largest);
+  const auto nearOne = [&](double v) { return DoubleDouble(std::ldexp(v, -exponent)); };
+  return normalized(Rotor<DoubleDouble>{nearOne(q.w()), nearOne(q.x()), nearOne(q.y()), nearOne(q.z())});
 }
 
 }  // namespace

@@ -15,14 +15,6 @@ namespace {
 using DD = DoubleDouble;
 using Vector = std::array<DD, 3>;
 
-DD scaled(const DD& a, int exponent) { return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)}; }
-
-int exponentOf(double x) {
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return exponent;
-}
-
 /// The horizontal part of a vector as its length and direction; no square underflows.
 struct Horizontal {
   explicit Horizontal(const DD& u, const DD& v) {

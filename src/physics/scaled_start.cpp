@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "physics/double_double.h"
 #include "physics/require_finite.h"
 
 namespace poinsot::physics {
@@ -11,12 +12,6 @@ namespace {
 // A component this much smaller than the largest is taken as 0: its square would leave the range of the products
 // below. It moves the attitude by less than 1e-105 rad, or, on the middle axis, would need 240 e-foldings to show.
 constexpr double kSmallestComponent = 0x1p-350;
-
-int exponentOf(double x) {
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return exponent;
-}
 
 bool isOdd(const std::array<int, 3>& p) {
   return p == std::array{1, 0, 2} || p == std::array{0, 2, 1} || p == std::array{2, 1, 0};

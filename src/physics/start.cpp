@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "physics/double_double.h"
 #include "physics/expansion.h"
 #include "physics/free_motion.h"
 #include "physics/inertia_tensor.h"
@@ -20,12 +21,6 @@ namespace poinsot::physics {
 namespace {
 
 using DD = DoubleDouble;
-
-int exponentOf(double x) {
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return exponent;
-}
 
 /// A given |L| and T, and the moments in ascending order, all divided by powers of two that leave |L| and I3 in
 /// [1/2, 1): squares stay in range whatever the units.

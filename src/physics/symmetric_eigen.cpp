@@ -47,21 +47,11 @@ struct Iteration {
   }
 };
 
-/// A power of two that brings the largest entry near 1, so that no square overflows.
-int exponentOf(const Eigen::Matrix3d& matrix) {
-  int exponent = 0;
-  std::frexp(matrix.cwiseAbs().maxCoeff(), &exponent);
-  return exponent;
-}
-
-DoubleDouble scaled(const DoubleDouble& a, int exponent) {
-  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
-}
-
 }  // namespace
 
 SymmetricEigen symmetricEigen(const Eigen::Matrix3d& matrix) {
-  const int exponent = exponentOf(matrix);
+  // Brings the largest entry near 1, so that no square overflows.
+  const int exponent = exponentOf(matrix.cwiseAbs().maxCoeff());
   Iteration iteration;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {

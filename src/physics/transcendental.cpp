@@ -111,10 +111,6 @@ ScaledValue scaledExponential(double x) {
   return {DoubleDouble(1) + (r + (DoubleDouble(0.5 * square.hi) + tail)), exponent};
 }
 
-DoubleDouble scaled(const DoubleDouble& x, int exponent) {
-  return {std::ldexp(x.hi, exponent), std::ldexp(x.lo, exponent)};
-}
-
 // Beyond it e^-2|u| is below half an ulp of 1: tanh is 1, sech is 2 e^-|u|.
 constexpr double kTanhIsOne = 20;
 // Below it sinh is a series: 1 - e^-2|u| would cancel.
