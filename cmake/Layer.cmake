@@ -17,9 +17,17 @@ if(CMAKE_CXX_FLAGS MATCHES "-D_GLIBCXX_DEBUG")
 endif()
 
 # poinsot_joined(TARGET SOURCES...): compiles the sources some at a time, as most of a compiler's time goes into what they
-# have in common: headers, and templates that each of them needs. Names without linkage are therefore unique in a layer.
-option(POINSOT_JOINED "Compile several sources of a layer as one; OFF for tools that want a command for each" ON)
+# have in common: headers, and templates that each of them needs. So a name in an unnamed namespace occurs once in a target.
+option(POINSOT_JOINED "Compile several sources as one; OFF for tools that want a command for each" ON)
 set(POINSOT_JOINED_SOURCES 5 CACHE STRING "How many at most")
+# What differs from the last commit is compiled by itself, because it will soon be edited again.
+set(edited "")
+if(PROJECT_IS_TOP_LEVEL)
+  execute_process(COMMAND git diff --name-only HEAD -- *.cpp WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE edited ERROR_QUIET)
+endif()
+string(REPLACE "\n" ";" POINSOT_EDITED "${edited}")
+
 function(poinsot_joined target)
   if(NOT POINSOT_JOINED OR NOT ARGN)
     return()
@@ -28,7 +36,11 @@ function(poinsot_joined target)
   foreach(source ${ARGN})
     math(EXPR group "${number} / ${POINSOT_JOINED_SOURCES}")
     math(EXPR number "${number} + 1")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+    cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    if(NOT path IN_LIST POINSOT_EDITED)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # GCC takes the source that the others are read into for a header.
