@@ -16,7 +16,7 @@ namespace poinsot::scene {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
+constexpr double kOneDegree = kPi / 180;
 
 // The defaults of the brief: a file with a body and a start only.
 TEST(SceneFile, NeedsABodyAndAStartOnly) {
@@ -34,9 +34,9 @@ TEST(SceneFile, NeedsABodyAndAStartOnly) {
   EXPECT_EQ(scene.time.duration_s, 10);
   EXPECT_EQ(scene.time.fps, (core::Rational{30, 1}));
   EXPECT_FALSE(scene.time.speed);
-  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, 22 * kDegree);
-  EXPECT_DOUBLE_EQ(scene.camera.elevation_rad, 18 * kDegree);
-  EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 24 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, 22 * kOneDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.elevation_rad, 18 * kOneDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 24 * kOneDegree);
   EXPECT_EQ(scene.camera.zoom, 1);
   EXPECT_EQ(scene.camera.frame, CameraFrame::kSpace);
   EXPECT_EQ(scene.show.title + scene.show.subtitle, "");
@@ -77,9 +77,9 @@ TEST_F(FullScene, HasItsTimeAndCamera) {
   EXPECT_EQ(scene.time.duration_s, 12.5);
   EXPECT_EQ(scene.time.fps, (core::Rational{30000, 1001}));
   EXPECT_EQ(scene.time.speed, -0.5);
-  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, -120 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.azimuth_rad, -120 * kOneDegree);
   EXPECT_EQ(scene.camera.elevation_rad, 0.5);
-  EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 40 * kDegree);
+  EXPECT_DOUBLE_EQ(scene.camera.fov_rad, 40 * kOneDegree);
   EXPECT_EQ(scene.camera.zoom, 1.25);
   EXPECT_EQ(scene.camera.frame, CameraFrame::kBody);
 }

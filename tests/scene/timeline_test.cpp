@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kOneDegree = std::numbers::pi / 180;
 const std::string kTop = "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.5, 0, 1]\n";  // 4 lines
 
 Scene sceneWith(const std::string& extra, const std::vector<std::string>& overrides = {}) {
@@ -43,8 +43,8 @@ TEST(Timeline, IsReadWhole) {
   EXPECT_THAT(namesOf(entry.hidden), ElementsAre("body"));
   EXPECT_EQ(entry.speed, 0.2);
   EXPECT_EQ(entry.hold_s, 1.5);
-  EXPECT_DOUBLE_EQ(*entry.azimuth_rad, 400 * kDegree);
-  EXPECT_DOUBLE_EQ(*entry.elevation_rad, 60 * kDegree);
+  EXPECT_DOUBLE_EQ(*entry.azimuth_rad, 400 * kOneDegree);
+  EXPECT_DOUBLE_EQ(*entry.elevation_rad, 60 * kOneDegree);
   EXPECT_EQ(entry.zoom, 1.5);
   EXPECT_EQ(entry.turn_rad, 0);
 }
@@ -147,7 +147,7 @@ TEST(Timeline, KnowsEveryDrawnThingByItsName) {
 }
 
 TEST(Camera, MayOrbit) {
-  EXPECT_DOUBLE_EQ(sceneWith("[camera]\norbit = \"-20 deg\"\n").camera.orbit_rad, -20 * kDegree);
+  EXPECT_DOUBLE_EQ(sceneWith("[camera]\norbit = \"-20 deg\"\n").camera.orbit_rad, -20 * kOneDegree);
 }
 
 }  // namespace
