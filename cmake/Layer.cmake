@@ -16,10 +16,9 @@ if(CMAKE_CXX_FLAGS MATCHES "-D_GLIBCXX_DEBUG")
   add_compile_options(${POINSOT_CFLAGS})
 endif()
 
-# poinsot_joined(TARGET SOURCES...): compiles the sources some at a time, as most of a compiler's time goes into what they
+# poinsot_joined(TARGET N SOURCES...): compiles the sources N at a time, as most of a compiler's time goes into what they
 # have in common: headers, and templates that each of them needs. So a name in an unnamed namespace occurs once in a target.
 option(POINSOT_JOINED "Compile several sources as one; OFF for tools that want a command for each" ON)
-set(POINSOT_JOINED_SOURCES 5 CACHE STRING "How many at most")
 # What differs from the last commit is compiled by itself, because it will soon be edited again.
 set(edited "")
 if(PROJECT_IS_TOP_LEVEL)
@@ -28,13 +27,13 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 string(REPLACE "\n" ";" POINSOT_EDITED "${edited}")
 
-function(poinsot_joined target)
+function(poinsot_joined target most)
   if(NOT POINSOT_JOINED OR NOT ARGN)
     return()
   endif()
   set(number 0)
   foreach(source ${ARGN})
-    math(EXPR group "${number} / ${POINSOT_JOINED_SOURCES}")
+    math(EXPR group "${number} / ${most}")
     math(EXPR number "${number} + 1")
     cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
     cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
@@ -59,7 +58,7 @@ endfunction()
 function(poinsot_layer name)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;PRIVATE;HEADER_ONLY;OPENED;OPTIONS" ${ARGN})
   add_library(poinsot_${name} STATIC ${ARG_SOURCES} ${ARG_APART})
-  poinsot_joined(poinsot_${name} ${ARG_SOURCES})
+  poinsot_joined(poinsot_${name} 8 ${ARG_SOURCES})
   add_library(poinsot::${name} ALIAS poinsot_${name})
   target_include_directories(poinsot_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${POINSOT_INSTALL_HEADERS}>)
@@ -94,7 +93,7 @@ endfunction()
 function(poinsot_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
-  poinsot_joined(${name} ${ARG_SOURCES})
+  poinsot_joined(${name} 5 ${ARG_SOURCES})
   # g++ 12 takes the sums of strings that tests are full of for writing past their ends (GCC bug 105651), and at -O1 a
   # comparison before the end of a block for one after it.
   target_compile_options(${name} PRIVATE

@@ -25,7 +25,7 @@ using core::Error;
 using core::ErrorKind;
 using std::filesystem::path;
 
-[[noreturn]] void refuse(const path& segment, std::string_view reason) {
+[[noreturn]] void refuseFilm(const path& segment, std::string_view reason) {
   throw core::ioError(fmt::format("{}: {}", core::printable(segment.native()), reason));
 }
 
@@ -39,15 +39,15 @@ class Segment {
         frameTicks_(av_inv_q(ffmpeg().av_mul_q({static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)},
                                                reader_.timeBase()))) {
     // In an MP4 the mark stands at the file's very end, so this also finds the last bytes missing.
-    if (reader_.mark() != ownMark()) refuse(file_, "is no segment written by this version of poinsot");
-    if (!advance()) refuse(file_, "has no frames");
-    if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuse(file_, "does not start with a key frame");
-    if (frameTicks_.num <= 0 || frameTicks_.den <= 0) refuse(file_, "has no clock that fits the film");
+    if (reader_.mark() != ownMark()) refuseFilm(file_, "is no segment written by this version of poinsot");
+    if (!advance()) refuseFilm(file_, "has no frames");
+    if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuseFilm(file_, "does not start with a key frame");
+    if (frameTicks_.num <= 0 || frameTicks_.den <= 0) refuseFilm(file_, "has no clock that fits the film");
     firstPts_ = packet_->pts;
     // Matroska's clock ticks in milliseconds.
     const double off = std::abs(static_cast<double>(packet_->duration) - av_q2d(frameTicks_));
     if (off > (isMadeWhole(track.container) || track.container == FilmContainer::kWebm ? 1 : 0))
-      refuse(file_, "has another frame rate than the film");
+      refuseFilm(file_, "has another frame rate than the film");
   }
 
   AVPacket& packet() { return *packet_; }
@@ -60,12 +60,12 @@ class Segment {
     // Also that which means "no time", the least of all numbers. Differences of others cannot overflow.
     constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
     if (std::min(packet_->pts, firstPts_) < -kFarthest || std::max(packet_->pts, firstPts_) > kFarthest)
-      refuse(file_, "has a frame without a time");
+      refuseFilm(file_, "has a frame without a time");
     const std::int64_t ticks = packet_->pts - firstPts_;
     const std::int64_t frame = ffmpeg().av_rescale_q(ticks, {1, 1}, frameTicks_);
     if (ticks < 0 || ffmpeg().av_rescale_q(frame, frameTicks_, {1, 1}) != ticks)
-      refuse(file_, "has frames between the frames");
-    if (frame > kLastFrame) refuse(file_, fmt::format("has a frame {}", frame));
+      refuseFilm(file_, "has frames between the frames");
+    if (frame > kLastFrame) refuseFilm(file_, fmt::format("has a frame {}", frame));
     return frame;
   }
 
@@ -92,8 +92,8 @@ bool sameHeader(const AVCodecParameters& a, const AVCodecParameters& b) {
 
 void checkLike(const Segment& first, const Segment& segment) {
   if (!sameHeader(first.parameters(), segment.parameters()))
-    refuse(segment.file(),
-           fmt::format("was encoded with other settings than {}", core::printable(first.file().native())));
+    refuseFilm(segment.file(),
+               fmt::format("was encoded with other settings than {}", core::printable(first.file().native())));
 }
 
 /// Writes all packets; `start` is the film's frame at which the segment begins. Returns the number of frames.
@@ -105,12 +105,13 @@ std::int64_t append(Segment& segment, std::int64_t start, Film& film) {
     frames.push_back(segment.frame());
     // A place further back than the encoder ever reorders is damage; the writer counts on it.
     if (static_cast<std::int64_t>(frames.size()) - 1 - delay > frames.back())
-      refuse(segment.file(), "has its frames in no order that can be shown");
+      refuseFilm(segment.file(), "has its frames in no order that can be shown");
     film.write(segment.packet(), start + frames.back());
   } while (segment.advance());
   std::sort(frames.begin(), frames.end());
   for (std::size_t i = 0; i < frames.size(); ++i)
-    if (frames[i] != static_cast<std::int64_t>(i)) refuse(segment.file(), fmt::format("lacks its frame {}", i));
+    if (frames[i] != static_cast<std::int64_t>(i))
+      refuseFilm(segment.file(), fmt::format("lacks its frame {}", i));
   return static_cast<std::int64_t>(frames.size());
 }
 

@@ -36,7 +36,7 @@ struct ScalerDeleter {
 using ScalerPtr = std::unique_ptr<SwsContext, ScalerDeleter>;
 
 /// Kinds of file that hold nothing but themselves: a play list would have others opened.
-constexpr const char* kContainers = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,gif,apng";
+constexpr const char* kDemuxers = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,gif,apng";
 
 void checkSize(image::PixelSize size, const std::string& name) {
   const auto most = static_cast<int>(image::kLargestPngSide);
@@ -64,7 +64,7 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   expectRegularFile(film);
   captureAvLog();
   AvOptions options;
-  options.set("format_whitelist", kContainers);
+  options.set("format_whitelist", kDemuxers);
   options.set("protocol_whitelist", "file");
   AVFormatContext* context = nullptr;
   // A .png would be taken for one of a row of pictures, which the white list refuses.

@@ -13,7 +13,7 @@
 namespace poinsot::output {
 namespace {
 
-[[noreturn]] void refuse(std::string_view text, std::string_view reason) {
+[[noreturn]] void refusePattern(std::string_view text, std::string_view reason) {
   throw core::usageError(
       fmt::format("{}: {}; write one {{frame}} or {{frame:05}} in the file name, as in name_{{frame:05}}.png",
                   core::printable(text), reason));
@@ -32,13 +32,15 @@ bool FramePattern::isPattern(std::string_view text) { return text.find_first_of(
 
 FramePattern::FramePattern(const std::string& text) {
   const auto open = text.find('{'), close = text.find('}');
-  if (open == std::string::npos || close == std::string::npos || close < open) refuse(text, "no frame number");
+  if (open == std::string::npos || close == std::string::npos || close < open)
+    refusePattern(text, "no frame number");
   before_ = text.substr(0, open);
   after_ = text.substr(close + 1);
   digits_ = digitsOf(std::string_view(text).substr(open + 1, close - open - 1));
-  if (digits_ == 0) refuse(text, "not a frame number: " + core::printable(text.substr(open, close - open + 1)));
-  if (isPattern(before_) || isPattern(after_)) refuse(text, "more than one pair of braces");
-  if (after_.find('/') != std::string::npos) refuse(text, "the frame number is in the folder's name");
+  if (digits_ == 0)
+    refusePattern(text, "not a frame number: " + core::printable(text.substr(open, close - open + 1)));
+  if (isPattern(before_) || isPattern(after_)) refusePattern(text, "more than one pair of braces");
+  if (after_.find('/') != std::string::npos) refusePattern(text, "the frame number is in the folder's name");
 }
 
 std::filesystem::path FramePattern::path(std::int64_t k) const {

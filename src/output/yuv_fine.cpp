@@ -10,9 +10,9 @@ namespace poinsot::output {
 namespace {
 
 // The largest sum of a 10-bit sample, 940 · 2^20, fits 31 bits.
-constexpr int kShift = 20;
-constexpr double kScale = 1 << kShift;
-constexpr std::int32_t kHalf = 1 << (kShift - 1);
+constexpr int kFineShift = 20;
+constexpr double kScale = 1 << kFineShift;
+constexpr std::int32_t kFineHalf = 1 << (kFineShift - 1);
 
 /// Weights and offsets of samples of so many bits.
 struct Basis {
@@ -27,7 +27,7 @@ struct Basis {
 };
 
 std::int32_t weighed(const Weights& w, const std::uint8_t* rgb, std::int32_t zero) {
-  return (w.r * rgb[0] + w.g * rgb[1] + w.b * rgb[2] + (zero << kShift) + kHalf) >> kShift;
+  return (w.r * rgb[0] + w.g * rgb[1] + w.b * rgb[2] + (zero << kFineShift) + kFineHalf) >> kFineShift;
 }
 
 template <class Sample>

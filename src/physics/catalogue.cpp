@@ -2,6 +2,7 @@
 #include "physics/catalogue.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace poinsot::physics {
 namespace {
@@ -9,7 +10,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kInch = 0.0254, kOunce = 0.028349523125;  // exact by definition
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kAluminium = 2700, kSteel = 7850;  // kg/m³, to two digits, as any engineer's table has them
 
 SolidPart whole(const Solid& solid, double mass_kg, const Vector3d& offset_B = Vector3d::Zero()) {
@@ -67,7 +67,8 @@ CatalogueBody phone() {
 }
 
 CatalogueBody football() {
-  const double mass_kg = 14.5 * kOunce, half = 11.125 * kInch / 2, radius = 21.125 * kInch / (2 * kPi);
+  const double mass_kg = 14.5 * kOunce, half = 11.125 * kInch / 2,
+               radius = 21.125 * kInch / (2 * std::numbers::pi);
   const Vector3d semiAxes(radius, radius, half);
   const Eigen::Matrix3d hull_B = massProperties(EllipsoidShell{semiAxes}, mass_kg).inertia_B();
   return {"football",

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostCheckpoints = std::size_t{1} << 18;  // 30 MB
 
-void requireFinite(const DrivenState& state, double t) {
+void requireFiniteState(const DrivenState& state, double t) {
   const auto& q = state.q_WP;
   const double sum = q.w.hi + q.x.hi + q.y.hi + q.z.hi + norm({state.L_W[0].hi, state.L_W[1].hi, state.L_W[2].hi});
   if (std::isfinite(sum)) return;
@@ -71,7 +71,7 @@ DrivenState DrivenTrajectory::integrated(const Run& run, DrivenState state) {
   }
   if (run.whole % stride_ == 0) checkpoints_.push_back(state);
   sideStep(state, run, run.whole, run.stretch.end_s);
-  requireFinite(state, run.stretch.end_s);
+  requireFiniteState(state, run.stretch.end_s);
   return state;
 }
 

@@ -46,7 +46,7 @@ Quaternion turnOnto(const Vector& d, Vertical vertical) {
   return {q.w, q.x, q.y, q.z};
 }
 
-Rotor<DD> unitRotor(const Quaternion& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }
+Rotor<DD> exactUnit(const Quaternion& q) { return normalized(Rotor<DD>{q.w(), q.x(), q.y(), q.z()}); }
 
 }  // namespace
 
@@ -65,7 +65,7 @@ Quaternion levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega
   for (int i = 0; i < 3; ++i)
     L[static_cast<std::size_t>(i)] =
         twoProduct(std::ldexp(axes.moments()[i], -momentExponent), std::ldexp(omega_P[i], -rateExponent));
-  return turnOnto(axes.aligned() ? L : rotated(unitRotor(axes.q_BP()), L), vertical);
+  return turnOnto(axes.aligned() ? L : rotated(exactUnit(axes.q_BP()), L), vertical);
 }
 
 }  // namespace poinsot::physics

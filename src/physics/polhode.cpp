@@ -13,7 +13,7 @@
 namespace poinsot::physics {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// The amplitude a with sn = sin a, cn = cos a.
 struct Amplitude {
@@ -66,13 +66,13 @@ std::vector<PolhodeSample> closedCurve(const FreeMotionConstants& k, int count) 
 }
 
 std::vector<PolhodeSample> halfCurve(const FreeMotionConstants& k, int count) {
-  std::vector<PolhodeSample> samples{{-kInfinity, omegaAt(k, {-1, 0})}};
+  std::vector<PolhodeSample> samples{{-kNoEnd, omegaAt(k, {-1, 0})}};
   for (int j = 1; j + 1 < count; ++j) {
     const SineCosine angle = sineCosine(kPi * (static_cast<double>(j) / (count - 1)) - kHalfPi);
     const Amplitude a{angle.sine, angle.cosine};
     samples.push_back({seconds(k, firstKind(k, a) - toDouble(k.u0)), omegaAt(k, a)});
   }
-  samples.push_back({kInfinity, omegaAt(k, {1, 0})});
+  samples.push_back({kNoEnd, omegaAt(k, {1, 0})});
   return samples;
 }
 
@@ -86,7 +86,7 @@ PolhodeRegime Polhode::regime() const { return constants_->regime; }
 double Polhode::period() const {
   const FreeMotionConstants& k = *constants_;
   if (k.regime == PolhodeRegime::kSteady) return 0;
-  if (k.regime == PolhodeRegime::kSeparatrix) return kInfinity;
+  if (k.regime == PolhodeRegime::kSeparatrix) return kNoEnd;
   return std::ldexp(toDouble(k.K * 4.0 / k.lambda), -k.start.rateExponent);
 }
 

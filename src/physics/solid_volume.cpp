@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <numbers>
 
 #include "physics/mass_properties.h"
 #include "physics/solid_check.h"
 
 namespace poinsot::physics {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double cube(double a) { return a * a * a; }
 
@@ -37,30 +36,31 @@ struct Volume {
     return gap * (b * c + a1 * c + a1 * b1);
   }
   double operator()(const Ellipsoid& s) const {
-    return 4 * kPi / 3 * (s.semiAxes_m[0] * s.semiAxes_m[1] * s.semiAxes_m[2]);
+    return 4 * std::numbers::pi / 3 * (s.semiAxes_m[0] * s.semiAxes_m[1] * s.semiAxes_m[2]);
   }
   double operator()(const Sphere& s) const {
     const double r = s.radius_m, i = s.innerRadius_m;
-    return 4 * kPi / 3 * ((r - i) * (r * r + r * i + i * i));
+    return 4 * std::numbers::pi / 3 * ((r - i) * (r * r + r * i + i * i));
   }
-  double operator()(const Hemisphere& s) const { return 2 * kPi / 3 * cube(s.radius_m); }
+  double operator()(const Hemisphere& s) const { return 2 * std::numbers::pi / 3 * cube(s.radius_m); }
   double operator()(const Cylinder& s) const {
-    return kPi * ((s.radius_m - s.innerRadius_m) * (s.radius_m + s.innerRadius_m)) * s.height_m;
+    return std::numbers::pi * ((s.radius_m - s.innerRadius_m) * (s.radius_m + s.innerRadius_m)) * s.height_m;
   }
-  double operator()(const Cone& s) const { return kPi / 3 * (s.radius_m * s.radius_m) * s.height_m; }
+  double operator()(const Cone& s) const { return std::numbers::pi / 3 * (s.radius_m * s.radius_m) * s.height_m; }
   double operator()(const Torus& s) const {
-    return 2 * kPi * kPi * s.radius_m * (s.tubeRadius_m * s.tubeRadius_m);
+    return 2 * std::numbers::pi * std::numbers::pi * s.radius_m * (s.tubeRadius_m * s.tubeRadius_m);
   }
   double operator()(const Capsule& s) const {
-    return kPi * (s.radius_m * s.radius_m) * (s.height_m + 4 * s.radius_m / 3);
+    return std::numbers::pi * (s.radius_m * s.radius_m) * (s.height_m + 4 * s.radius_m / 3);
   }
   double operator()(const Polyhedron& s) const { return volumePerCube(s.kind) * cube(s.edge_m); }
   double operator()(const THandle& s) const {
-    return kPi *
+    return std::numbers::pi *
            (s.barRadius_m * s.barRadius_m * s.barLength_m + s.shaftRadius_m * s.shaftRadius_m * s.shaftLength_m);
   }
   double operator()(const WingNut& s) const {
-    return kPi * (s.hubRadius_m * s.hubRadius_m) * s.hubHeight_m + 2 * (s.wing_m[0] * s.wing_m[1] * s.wing_m[2]);
+    return std::numbers::pi * (s.hubRadius_m * s.hubRadius_m) * s.hubHeight_m +
+           2 * (s.wing_m[0] * s.wing_m[1] * s.wing_m[2]);
   }
   template <typename Thin>
   double operator()(const Thin&) const {

@@ -17,6 +17,7 @@ target_link_libraries(physics_trajectory_hash PRIVATE poinsot::physics poinsot_f
 get_target_property(physics_options poinsot_physics COMPILE_OPTIONS)
 function(hash_variant name)
   add_executable(physics_trajectory_hash_${name} ${hash_sources})
+  poinsot_joined(physics_trajectory_hash_${name} 8 ${hash_sources})
   target_compile_options(physics_trajectory_hash_${name} PRIVATE ${physics_options} -w ${ARGN})
   target_include_directories(physics_trajectory_hash_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(physics_trajectory_hash_${name} PRIVATE poinsot::core Eigen3::Eigen poinsot_flags)
