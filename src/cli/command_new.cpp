@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -48,7 +47,7 @@ fs::path galleryFile(const std::string& name) {
   throw core::usageError(
       fmt::format("--from: the gallery has no scene '{}'; {}", core::printable(name),
                   near ? fmt::format("did you mean '{}'?", core::printable(*near))
-                       : core::printableLines(fmt::format("it has {}", fmt::join(names, ", ")))));
+                       : core::printableLines(fmt::format("it has {}", core::joined(names, ", ")))));
 }
 
 std::string galleryText(const fs::path& file) {

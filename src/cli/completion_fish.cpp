@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/completion.h"
+#include "core/text.h"
 
 namespace poinsot::cli {
 namespace {
@@ -24,7 +24,7 @@ std::string complete(const std::string& command, const std::string& rest) {
 
 /// What offers a word of that kind, with the flag that says whether files are offered besides.
 std::string fishOffer(const OptionText& option) {
-  if (!option.words.empty()) return "-x -a " + fishWord(fmt::format("{}", fmt::join(option.words, " ")));
+  if (!option.words.empty()) return "-x -a " + fishWord(core::joined(option.words, " "));
   switch (option.kind) {
     case WordKind::kFile:
       return "-r -F";

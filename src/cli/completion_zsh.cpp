@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/completion.h"
 #include "core/shell_word.h"
+#include "core/text.h"
 
 namespace poinsot::cli {
 namespace {
@@ -20,7 +20,7 @@ std::string specText(const std::string& text) {
 
 /// What offers a word of that kind, within a spec.
 std::string zshOffer(const OptionText& option) {
-  if (!option.words.empty()) return fmt::format("({})", fmt::join(option.words, " "));
+  if (!option.words.empty()) return fmt::format("({})", core::joined(option.words, " "));
   switch (option.kind) {
     case WordKind::kFile:
       return "_files";
@@ -44,7 +44,7 @@ std::string valueSign(const std::string& name) { return name.starts_with("--") ?
 /// A spec for each name; the names exclude one another.
 std::vector<std::string> optionSpecs(const OptionText& option) {
   std::vector<std::string> specs;
-  const std::string others = option.repeats ? "*" : fmt::format("({})", fmt::join(option.names, " "));
+  const std::string others = option.repeats ? "*" : fmt::format("({})", core::joined(option.names, " "));
   for (const std::string& name : option.names) {
     std::string spec = others + name;
     if (!option.value.empty()) spec += valueSign(name);

@@ -2,13 +2,13 @@
 #include "cli/man_page.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 
 #include "cli/exit_code.h"
 #include "cli/variables.h"
+#include "core/text.h"
 
 namespace poinsot::cli {
 namespace {
@@ -77,7 +77,7 @@ std::string entry(const std::string& what, const std::string& text) {
 std::string allowed(const OptionText& option) {
   const auto told = [&](const std::string& word) { return option.help.find(word) != std::string::npos; };
   if (!option.range.empty()) return fmt::format(" ({})", option.range);
-  return std::ranges::all_of(option.words, told) ? "" : fmt::format(" ({})", fmt::join(option.words, ", "));
+  return std::ranges::all_of(option.words, told) ? "" : fmt::format(" ({})", core::joined(option.words, ", "));
 }
 
 std::string optionEntry(const OptionText& option) {

@@ -2,7 +2,6 @@
 #include "cli/new_scene.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -80,7 +79,7 @@ void alignComments(std::string& text) {
       const std::string code = line.substr(0, line.find_last_not_of(' ', comment) + 1);
       line = fmt::format("{:<{}}{}", code, std::max(code.size() + 2, kColumn), line.substr(comment + 2));
     }
-  text = fmt::format("{}\n", fmt::join(lines, "\n"));
+  text = fmt::format("{}\n", core::joined(lines, "\n"));
 }
 
 /// The table of a line "[show.body]", perhaps with a comment; none for another line.
@@ -135,7 +134,7 @@ std::string withKey(std::string_view text, const request::DefaultKey& key) {
     const std::size_t dot = key.path.find('.');
     lines.insert(lines.end(), {"", fmt::format("[{}]", key.path.substr(0, dot)),
                                fmt::format("{} = {}", key.path.substr(dot + 1), key.value)});
-    return fmt::format("{}\n", fmt::join(lines, "\n"));
+    return fmt::format("{}\n", core::joined(lines, "\n"));
   }
   const std::string name = key.path.substr(headerOf(lines[header])->size() + 1);
   const std::string line = fmt::format("{} = {}", name, key.value);
@@ -145,7 +144,7 @@ std::string withKey(std::string_view text, const request::DefaultKey& key) {
     lines[i] = line;
   else
     lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(header) + 1, line);
-  return fmt::format("{}\n", fmt::join(lines, "\n"));
+  return fmt::format("{}\n", core::joined(lines, "\n"));
 }
 
 std::string blankScene(const std::string& name, const request::UserDefaults& defaults) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/shell_word.h"
+#include "core/text.h"
 #include "core/version.h"
 
 namespace poinsot::cluster {
@@ -58,7 +59,7 @@ std::vector<std::string> placeLines(const Submission& submission) {
 }
 
 std::string placeText(const Submission& submission, const std::string& indent) {
-  return indent + fmt::format("{}", fmt::join(placeLines(submission), "\n" + indent));
+  return indent + core::joined(placeLines(submission), "\n" + indent);
 }
 
 std::string shardCommand(const Submission& submission, const std::string& shard) {

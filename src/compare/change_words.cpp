@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "compare/changes.h"
+#include "core/text.h"
 
 namespace poinsot::compare {
 namespace {
@@ -33,7 +33,7 @@ std::string shiftText(const Shift& shift) {
   if (shift.x != 0)
     parts.push_back(fmt::format("{} px to the {}", std::abs(shift.x), shift.x > 0 ? "right" : "left"));
   if (shift.y != 0) parts.push_back(fmt::format("{} px {}", std::abs(shift.y), shift.y > 0 ? "down" : "up"));
-  return fmt::format("by {}", fmt::join(parts, " and "));
+  return fmt::format("by {}", core::joined(parts, " and "));
 }
 
 std::string movedText(const Changes& changes) {
@@ -52,7 +52,7 @@ std::string levelText(const std::array<double, 4>& level) {
     if (level[c] != 0)
       parts.push_back(
           fmt::format("{} {} by {:.3g}", kChannels[c], level[c] > 0 ? "higher" : "lower", std::abs(level[c])));
-  return fmt::format("{} everywhere", fmt::join(parts, ", "));
+  return fmt::format("{} everywhere", core::joined(parts, ", "));
 }
 
 std::string toneText(const ToneChange& tone) {

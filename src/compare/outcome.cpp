@@ -2,7 +2,6 @@
 #include "compare/outcome.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -39,8 +38,7 @@ bool isStoredOtherwise(const Outcome& outcome) {
 
 /// "grey beside RGB, same pixels"
 std::string storageText(const PictureDiff& diff) {
-  return diff.notes.empty() ? "the same pixels are stored in another way"
-                            : fmt::format("{}", fmt::join(diff.notes, "; "));
+  return diff.notes.empty() ? "the same pixels are stored in another way" : core::joined(diff.notes, "; ");
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ std::string approveCommand(const std::vector<Outcome>& outcomes, const OutcomeRe
   if (names.empty()) return "";
   if (report.approve.empty() || !report.approveBy.empty()) return report.approveBy;
   if (names.size() > kMostNames) names = {core::shellWord("*")};
-  return fmt::format("{} {}", report.approve, fmt::join(names, " "));
+  return fmt::format("{} {}", report.approve, core::joined(names, " "));
 }
 
 }  // namespace poinsot::compare

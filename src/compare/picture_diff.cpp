@@ -2,13 +2,13 @@
 #include "compare/picture_diff.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <variant>
 
 #include "compare/common_form.h"
 #include "compare/magma.h"
 #include "compare/memory.h"
+#include "core/text.h"
 #include "request/memory.h"
 
 namespace poinsot::compare {
@@ -89,9 +89,9 @@ void compareForms(ComparedPictures& compared, const DiffRequest& request) {
 std::string reasonOf(const PictureDiff& diff) {
   std::vector<std::string> parts;
   if (!diff.mismatch.empty()) parts.push_back(diff.mismatch);
-  const std::string beyond = fmt::format("{}", fmt::join(diff.excesses, ", "));
+  const std::string beyond = core::joined(diff.excesses, ", ");
   if (!beyond.empty()) parts.push_back(diff.film ? fmt::format("{}: {}", frameText(diff), beyond) : beyond);
-  return fmt::format("{}", fmt::join(parts, "; "));
+  return core::joined(parts, "; ");
 }
 
 ComparedPictures comparePictures(DiffPicture reference, DiffPicture test, const DiffRequest& request) {

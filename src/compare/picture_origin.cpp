@@ -2,7 +2,6 @@
 #include "compare/picture_origin.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <vector>
 
@@ -19,7 +18,7 @@ std::string originChange(const PictureOrigin& approved, const PictureOrigin& dra
     now.push_back(core::printable(other));
   }
   if (before.empty()) return "";
-  return fmt::format("approved by {}, drawn by {}", fmt::join(before, " with "), fmt::join(now, " with "));
+  return fmt::format("approved by {}, drawn by {}", core::joined(before, " with "), core::joined(now, " with "));
 }
 
 }  // namespace poinsot::compare

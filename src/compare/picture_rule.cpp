@@ -2,7 +2,6 @@
 #include "compare/picture_rule.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -106,7 +105,7 @@ std::span<const RuleLimit> ruleLimits() {
 std::string ruleNames() {
   std::vector<std::string_view> names;
   for (const NamedRule& known : namedRules()) names.push_back(known.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return core::joined(names, ", ");
 }
 
 NearRule namedLimits(std::string_view name, std::string_view word) {

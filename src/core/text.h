@@ -28,6 +28,19 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
 /// Returns the text without the blanks at its ends: spaces, tabs, and the carriage return of a line from Windows.
 std::string_view trimmed(std::string_view text);
 
+/// Returns the words with the separator between them. @param words  a range of what is or makes a std::string_view
+template <class Words>
+std::string joined(const Words& words, std::string_view separator) {
+  std::string text;
+  bool first = true;
+  for (const std::string_view word : words) {
+    if (!first) text += separator;
+    text += word;
+    first = false;
+  }
+  return text;
+}
+
 /// Returns the text with its ASCII capitals as small letters.
 std::string lowered(std::string_view text);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
 
+#include "core/text.h"
 #include "describe/alt_sections.h"
 #include "draw/color.h"
 #include "scene/state_quantity.h"
@@ -226,7 +226,7 @@ std::string readoutSentence(const scene::Scene& scene) {
 std::string noteSentence(const scene::Note& note) {
   std::vector<std::string> lines;
   for (const std::string& line : note.lines) lines.push_back(text::setTex(line).plainText);
-  return fmt::format("Written in it: “{}”.", fmt::join(lines, " "));
+  return fmt::format("Written in it: “{}”.", core::joined(lines, " "));
 }
 
 std::string exaggerationSentence(double factor) {

@@ -2,12 +2,12 @@
 #include "output/film_format.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
+#include "core/text.h"
 #include "output/ffmpeg_encoder.h"
 #include "output/palette.h"
 
@@ -55,7 +55,7 @@ constexpr std::array kContainers{FilmContainer::kMp4, FilmContainer::kMov, FilmC
 std::string namesOf(std::span<const FilmCodec> codecs) {
   std::vector<std::string_view> names;
   for (const FilmCodec codec : codecs) names.push_back(nameOf(codec));
-  return fmt::format("{}", fmt::join(names, ", "));
+  return core::joined(names, ", ");
 }
 
 /// Names of the codecs for which that holds.
@@ -154,7 +154,7 @@ bool isMadeWhole(FilmContainer container) {
 std::string filmFormatsText() {
   std::vector<std::string> texts;
   for (const FilmContainer container : kContainers) texts.push_back(fmt::format("NAME.{}", nameOf(container)));
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return core::joined(texts, ", ");
 }
 
 void checkFormat(const FilmFormat& format, image::PixelSize size, const core::Rational& fps) {

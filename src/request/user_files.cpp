@@ -2,7 +2,6 @@
 #include "request/user_files.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
@@ -45,7 +44,7 @@ void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
     const auto near = core::closest(entry.key.substr(0, 64), words);
     return problems.add(entry.keyPlace, fmt::format("units.{}: {}", core::printable(entry.key),
                                                     near ? fmt::format("did you mean {}?", *near)
-                                                         : fmt::format("there is {}", fmt::join(words, ", "))));
+                                                         : fmt::format("there is {}", core::joined(words, ", "))));
   }
   if (!unit || !scene::parseQuantity("1 " + *unit, *dimension).ok())
     return problems.add(entry.value.place, fmt::format("units.{}: expected a unit such as {}, got {}", entry.key,

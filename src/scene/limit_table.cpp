@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <charconv>
 #include <optional>
@@ -131,9 +130,9 @@ Limit limitNamed(std::string_view name) {
   }
   constexpr std::size_t kLongest = 64;  // the edit distance of kilobytes is not worth its time
   const auto near = name.size() <= kLongest ? core::closest(name, names) : std::nullopt;
-  throw core::usageError(
-      fmt::format("there is no limit '{}'{}", core::printable(name),
-                  near ? fmt::format("; did you mean {}?", *near) : fmt::format(": {}", fmt::join(names, ", "))));
+  throw core::usageError(fmt::format(
+      "there is no limit '{}'{}", core::printable(name),
+      near ? fmt::format("; did you mean {}?", *near) : fmt::format(": {}", core::joined(names, ", "))));
 }
 
 }  // namespace poinsot::scene

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 
+#include "core/text.h"
 #include "scene/unit_names.h"
 
 namespace poinsot::scene {
@@ -32,8 +32,8 @@ UnitText textOf(const UnitRow& row) {
   std::vector<std::string> prefixed;
   for (const Prefix& prefix : prefixesOf(row))
     prefixed.push_back(fmt::format("{}{}", wordsIn(prefix.symbols).front(), symbols.front()));
-  return {std::string(symbols.front()), valueText(row.unit), fmt::format("{}", fmt::join(prefixed, ", ")),
-          fmt::format("{}", fmt::join(also, ", "))};
+  return {std::string(symbols.front()), valueText(row.unit), core::joined(prefixed, ", "),
+          core::joined(also, ", ")};
 }
 
 }  // namespace

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "core/text.h"
 #include "scene/unit_names.h"
 
 namespace poinsot::scene {
 namespace {
 
 std::string either(const std::vector<std::string>& patterns) {
-  return fmt::format("({})", fmt::join(patterns, "|"));
+  return fmt::format("({})", core::joined(patterns, "|"));
 }
 
 std::vector<std::string> eachOf(std::string_view words) {

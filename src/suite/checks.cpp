@@ -2,7 +2,6 @@
 #include "suite/checks.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <map>
 #include <set>
@@ -149,7 +148,7 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
     throw core::usageError(fmt::format(
         "variant '{}': no reference was approved for it; {}; approve the first by {}",
         core::printable(one.variant()),
-        known.empty() ? "there are none with a variant" : fmt::format("there are {}", fmt::join(known, ", ")),
+        known.empty() ? "there are none with a variant" : fmt::format("there are {}", core::joined(known, ", ")),
         approveBy));
   }
 }

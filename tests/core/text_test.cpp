@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace poinsot::core {
 namespace {
 
@@ -78,6 +80,12 @@ TEST(FirstCodePoint, DecodesUtf8AndRefusesTheRest) {
 TEST(Printable, CutsAt200Characters) {
   EXPECT_EQ(printable(std::string(200, 'x')), std::string(200, 'x'));
   EXPECT_EQ(printable(std::string(201, 'x')), std::string(200, 'x') + "…");
+}
+
+TEST(Joined, HasSeparatorsBetweenWordsOnly) {
+  EXPECT_EQ(joined(std::vector<std::string>{"a", "", "b"}, ", "), "a, , b");
+  EXPECT_EQ(joined(std::array{std::string_view("a")}, ", "), "a");
+  EXPECT_EQ(joined(std::vector<std::string>{}, ", "), "");
 }
 
 }  // namespace

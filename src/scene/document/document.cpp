@@ -2,7 +2,6 @@
 #include "scene/document/document.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <toml++/toml.h>
 
@@ -95,12 +94,12 @@ std::string tomlText(const Node& node) {
   if (const auto* array = node.as<Node::Array>()) {
     std::vector<std::string> parts;
     for (const Node& element : *array) parts.push_back(tomlText(element));
-    return fmt::format("[{}]", fmt::join(parts, ", "));
+    return fmt::format("[{}]", core::joined(parts, ", "));
   }
   if (const auto* table = node.as<Node::Table>()) {
     std::vector<std::string> parts;
     for (const Entry& entry : *table) parts.push_back(tomlString(entry.key) + " = " + tomlText(entry.value));
-    return fmt::format("{{{}}}", fmt::join(parts, ", "));
+    return fmt::format("{{{}}}", core::joined(parts, ", "));
   }
   return describe(node);  // true, 3, 0.5
 }

@@ -2,8 +2,8 @@
 #include "scene/keys/key_text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "core/text.h"
 #include "scene/keys/tensor_text.h"
 #include "scene/limits.h"
 
@@ -25,7 +25,7 @@ std::string several(const Key& key, std::string_view count) {
 
 }  // namespace
 
-std::string wordsText(const Key& key) { return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \"")); }
+std::string wordsText(const Key& key) { return fmt::format("one of \"{}\"", core::joined(key.words, "\", \"")); }
 
 std::string tableText(std::string_view table) {
   if (table.ends_with("[]")) return fmt::format("[[{}]]", table.substr(0, table.size() - 2));
@@ -60,13 +60,13 @@ std::string rangeText(const Key& key) {
       return numbersText(key) + ", even";
     case ValueType::kWords:
       return fmt::format("{}, each once", key.wordList.empty()
-                                              ? fmt::format("\"{}\"", fmt::join(key.words, "\", \""))
+                                              ? fmt::format("\"{}\"", core::joined(key.words, "\", \""))
                                               : listed(key));
     default:
       break;
   }
   if (key.words.empty()) return numbersText(key);
-  return fmt::format("{}, or \"{}\"", numbersText(key), fmt::join(key.words, "\", \""));
+  return fmt::format("{}, or \"{}\"", numbersText(key), core::joined(key.words, "\", \""));
 }
 
 std::string typeText(const Key& key) {
@@ -103,14 +103,14 @@ std::string typeText(const Key& key) {
       return fmt::format("an array of {}, at most {}", several(key, "one or more"), kMostNumbers);
     case ValueType::kWords:
       if (!key.wordList.empty()) return fmt::format("an array of {}", key.wordList);
-      return fmt::format("an array of words of \"{}\"", fmt::join(key.words, "\", \""));
+      return fmt::format("an array of words of \"{}\"", core::joined(key.words, "\", \""));
     case ValueType::kPair:
       return "an array of " + several(key, "two");
     case ValueType::kLines:
       return "text, or an array of lines";
   }
   const std::string number(quantityName(key.dimension));
-  return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, fmt::join(key.words, "\", \""));
+  return key.words.empty() ? number : fmt::format("{} or \"{}\"", number, core::joined(key.words, "\", \""));
 }
 
 }  // namespace poinsot::scene

@@ -2,7 +2,6 @@
 #include "scene/keys/tensor_text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "physics/possible_inertia.h"
 #include "physics/principal_axes.h"
 
@@ -130,7 +130,7 @@ std::string nearestMomentsAdvice(std::span<const double> moments) {
   const auto texts = acceptedDecimals(
       std::array{(*nearest)[0], (*nearest)[1], (*nearest)[2]},
       [](const auto& read) { return isPossible(Vector3d(read[0], read[1], read[2]).asDiagonal()); });
-  return fmt::format("; the nearest possible moments in kg·m² are [{}]", fmt::join(texts, ", "));
+  return fmt::format("; the nearest possible moments in kg·m² are [{}]", core::joined(texts, ", "));
 }
 
 std::string nearestTensorAdvice(const Matrix3d& inertia) {

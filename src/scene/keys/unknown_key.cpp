@@ -2,7 +2,6 @@
 #include "scene/keys/unknown_key.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <utility>
@@ -123,7 +122,7 @@ std::string insteadOf(std::string_view table, std::string_view path) {
     if (const auto near = core::closest(nameOf(table), tables))
       return fmt::format("did you mean {}?", tableText(pathBelow(parent, *near)));
   if (const auto key = elsewhere(path)) return fmt::format("did you mean {}?", *key);
-  return fmt::format("{} has the tables {}", whole(parent), fmt::join(tables, ", "));
+  return fmt::format("{} has the tables {}", whole(parent), core::joined(tables, ", "));
 }
 
 std::string unknownTable(std::string_view path, std::string_view table) {
@@ -156,7 +155,7 @@ std::string unknownKey(std::string_view path) {
   if (isTableArray(table)) return withoutIndex(path, table);
   const std::string message = fmt::format("{}: unknown key", core::printable(path));
   if (const auto key = meant(path)) return message + fmt::format("; did you mean {}?", *key);
-  return message + fmt::format("; {} has {}", whole(table), fmt::join(namesBelow(table), ", "));
+  return message + fmt::format("; {} has {}", whole(table), core::joined(namesBelow(table), ", "));
 }
 
 std::string withoutIndex(std::string_view path, std::string_view array) {
