@@ -9,6 +9,11 @@ set(hash_sources composition.cpp decaying_motion.cpp driven_motion.cpp driven_tr
   symmetric_eigen.cpp transcendental.cpp)
 list(TRANSFORM hash_sources PREPEND ${PROJECT_SOURCE_DIR}/src/physics/)
 list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
+# As one source, which each variant compiles.
+list(TRANSFORM hash_sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE hash_includes)
+list(JOIN hash_includes "" hash_includes)
+set(hash_source ${CMAKE_CURRENT_BINARY_DIR}/trajectory_hash_all.cpp)
+file(CONFIGURE OUTPUT ${hash_source} CONTENT "${hash_includes}" @ONLY)
 
 add_executable(physics_trajectory_hash trajectory_hash.cpp)
 target_link_libraries(physics_trajectory_hash PRIVATE poinsot::physics poinsot_flags)
@@ -16,8 +21,7 @@ target_link_libraries(physics_trajectory_hash PRIVATE poinsot::physics poinsot_f
 # Without warnings: the build of the libraries gives them, and Clang 19 has one of its own -march=native on some processors.
 get_target_property(physics_options poinsot_physics COMPILE_OPTIONS)
 function(hash_variant name)
-  add_executable(physics_trajectory_hash_${name} ${hash_sources})
-  poinsot_joined(physics_trajectory_hash_${name} 8 ${hash_sources})
+  add_executable(physics_trajectory_hash_${name} ${hash_source})
   target_compile_options(physics_trajectory_hash_${name} PRIVATE ${physics_options} -w ${ARGN})
   target_include_directories(physics_trajectory_hash_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(physics_trajectory_hash_${name} PRIVATE poinsot::core Eigen3::Eigen poinsot_flags)
@@ -49,8 +53,8 @@ if(other_compiler)
   get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_custom_command(OUTPUT ${other}
     COMMAND ${other_compiler} -std=c++20 -O3 -march=native -w -ffp-contract=off ${physics_options} -I ${PROJECT_SOURCE_DIR}/src
-            -isystem ${eigen_folder} ${hash_sources} $<TARGET_FILE:poinsot_core> $<TARGET_FILE:fmt::fmt> -o ${other}
-    DEPENDS ${hash_sources} ${hash_headers} poinsot_core
+            -isystem ${eigen_folder} ${hash_source} $<TARGET_FILE:poinsot_core> $<TARGET_FILE:fmt::fmt> -o ${other}
+    DEPENDS ${hash_source} ${hash_sources} ${hash_headers} poinsot_core
     COMMENT "Building the trajectory hash with ${other_compiler}")
   add_custom_target(physics_trajectory_hash_other ALL DEPENDS ${other})
   add_test(NAME Physics.TrajectoryIsTheSameFromAnotherCompiler
