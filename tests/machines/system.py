@@ -28,7 +28,7 @@ class System:
     def probe(self):
         """Its facts, and its back ends: name, whether it works, and the renderer or why not."""
         program = self.quoted()
-        text = self.run(f"set -e; . /etc/os-release; echo $PRETTY_NAME; {program} doctor || true").decode()
+        text = self.run(f"set -e; . /etc/os-release; echo $PRETTY_NAME; {program} --version; {program} doctor || true").decode()
         system, version = text.splitlines()[:2]
         findings = re.sub(r"\n {8,}", " ", text)  # a finding may take several lines
         backends = [(name, state == "ok", detail)
