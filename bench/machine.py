@@ -49,5 +49,5 @@ def _first(pattern, *command):
         printed = subprocess.run(command, capture_output=True, text=True).stdout
     except OSError:
         return 'unknown'
-    match = re.search(pattern, printed)
+    match = re.search(pattern, re.sub(r'\n {8,}', ' ', printed))  # doctor breaks long lines
     return match[1].strip() if match else 'unknown'

@@ -34,7 +34,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GRE
   target_compile_options(poinsot_flags INTERFACE -Wno-maybe-uninitialized)
 endif()
 
-# A test runs once: less of optimisation saves more time in compiling it than it costs.
+# A test runs once: -O1 saves more time in compiling it than it costs in the run.
 add_library(poinsot_test_flags INTERFACE)
 target_link_libraries(poinsot_test_flags INTERFACE poinsot_flags)
 target_compile_options(poinsot_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)

@@ -17,32 +17,39 @@ if(CMAKE_CXX_FLAGS MATCHES "-D_GLIBCXX_DEBUG")
 endif()
 
 # poinsot_joined(TARGET N SOURCES...): compiles the sources N at a time, as most of a compiler's time goes into what they
-# have in common: headers, and templates that each of them needs. So a name in an unnamed namespace occurs once in a target.
-option(POINSOT_JOINED "Compile several sources as one; OFF for tools that want a command for each" ON)
-# What differs from the last commit is compiled by itself, because it will soon be edited again.
-set(edited "")
+# have in common: headers, and templates that each of them needs. No two sources may therefore define the same name in an
+# unnamed namespace. A source of two targets is in the group that the later call gives it.
+option(POINSOT_JOINED "Compile several sources as one; OFF for tools that want a command for each"
+  ${PROJECT_IS_TOP_LEVEL})
+# A source that differs from the last commit is compiled by itself, because it will soon be edited again.
+set(POINSOT_EDITED "")
 if(PROJECT_IS_TOP_LEVEL)
-  execute_process(COMMAND git diff --name-only HEAD -- *.cpp WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-    OUTPUT_VARIABLE edited ERROR_QUIET)
+  foreach(list "diff --name-only --relative HEAD" "ls-files --others --exclude-standard")
+    separate_arguments(list)
+    execute_process(COMMAND git ${list} -- *.cpp WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+      OUTPUT_VARIABLE edited ERROR_QUIET)
+    string(REPLACE "\n" ";" edited "${edited}")
+    list(APPEND POINSOT_EDITED ${edited})
+  endforeach()
 endif()
-string(REPLACE "\n" ";" POINSOT_EDITED "${edited}")
 
 function(poinsot_joined target most)
   if(NOT POINSOT_JOINED OR NOT ARGN)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)  # whatever the project around wants
     return()
   endif()
   set(number 0)
   foreach(source ${ARGN})
     math(EXPR group "${number} / ${most}")
     math(EXPR number "${number} + 1")
-    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+    cmake_path(ABSOLUTE_PATH source NORMALIZE OUTPUT_VARIABLE path)
     cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
     if(NOT path IN_LIST POINSOT_EDITED)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # GCC takes the source that the others are read into for a header.
+  # GCC warns of unnamed namespaces outside the main source, and joined sources are outside it.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
@@ -51,10 +58,10 @@ endfunction()
 # poinsot_layer(NAME SOURCES a.cpp b.cpp [APART c.cpp] LINKS poinsot::core ... [PRIVATE lib...]
 #   [HEADER_ONLY lib...] [OPENED lib...] [OPTIONS option...])
 #
-# One folder of src/ is one static library. APART are sources that are compiled by themselves. LINKS are layers (and header-only libraries its headers need);
-# PRIVATE are third parties seen by its .cpp files only: the door stays in one layer. HEADER_ONLY are those of them that
-# leave nothing to link. OPENED are read for their headers and opened at run time, so that nothing is linked either.
-# OPTIONS are the compiler's.
+# One folder of src/ is one static library. APART are sources that are compiled by themselves. LINKS are layers (and
+# header-only libraries its headers need); PRIVATE are third parties seen by its .cpp files only: the door stays in one
+# layer. HEADER_ONLY are those of them that leave nothing to link. OPENED are read for their headers and opened at run
+# time, so that nothing is linked either. OPTIONS are the compiler's.
 function(poinsot_layer name)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;PRIVATE;HEADER_ONLY;OPENED;OPTIONS" ${ARGN})
   add_library(poinsot_${name} STATIC ${ARG_SOURCES} ${ARG_APART})
@@ -95,7 +102,7 @@ function(poinsot_test name)
   add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
   poinsot_joined(${name} 5 ${ARG_SOURCES})
   # g++ 12 takes the sums of strings that tests are full of for writing past their ends (GCC bug 105651), and at -O1 a
-  # comparison before the end of a block for one after it.
+  # comparison before a delete for one after it.
   target_compile_options(${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-use-after-free>)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} poinsot_test_support poinsot_test_flags GTest::gtest

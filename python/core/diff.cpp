@@ -2,7 +2,6 @@
 #include "diff.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -67,8 +66,8 @@ compare::NearRule limitsOf(const DiffAsk& ask) {
     if (known == compare::ruleLimits().end()) {
       std::vector<std::string_view> keys{"like"};
       for (const compare::RuleLimit& limit : compare::ruleLimits()) keys.emplace_back(limit.key);
-      throw core::usageError(
-          fmt::format("rule: no limit is called '{}'; there are {}", core::printable(key), fmt::join(keys, ", ")));
+      throw core::usageError(fmt::format("rule: no limit is called '{}'; there are {}", core::printable(key),
+                                         core::joined(keys, ", ")));
     }
     known->set(limits, "rule: " + key, word);
   }

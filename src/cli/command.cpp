@@ -27,7 +27,7 @@ Option Option::among(const std::vector<std::string>& words) const {
   return Option(*declared_->check(CLI::IsMember(words)));
 }
 
-Option Option::among(const std::vector<int>& numbers) const {
+Option Option::amongNumbers(const std::vector<int>& numbers) const {
   return Option(*declared_->check(CLI::IsMember(numbers)));
 }
 

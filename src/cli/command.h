@@ -16,7 +16,7 @@ class Option;
 /// not see it.
 namespace poinsot::cli {
 
-/// What a command does when it is the one on the command line.
+/// The work of the command that is on the command line.
 struct Action {
   std::function<int()> run = {};                ///< returns the exit code
   const AllowanceOptions* allowance = nullptr;  ///< of a command that has --untrusted
@@ -28,7 +28,7 @@ class Option {
  public:
   explicit Option(CLI::Option& declared) : declared_(&declared) {}
 
-  /// What the help calls its value, such as FILE.
+  /// The name of its value in the help, such as FILE.
   Option type(const std::string& name) const;
   Option help(const std::string& text) const;
   /// The help lists it under this title.
@@ -40,7 +40,7 @@ class Option {
   Option notEmpty(const std::vector<std::string>& words = {}) const;
   /// Refuses other values than these.
   Option among(const std::vector<std::string>& words) const;
-  Option among(const std::vector<int>& numbers) const;
+  Option amongNumbers(const std::vector<int>& numbers) const;
   /// Refuses numbers below `least` and above `most`. Number is int, std::int64_t or double.
   template <class Number>
   Option range(Number least, Number most) const;
@@ -52,7 +52,7 @@ class Option {
   CLI::Option* declared_;
 };
 
-/// A command of the program, or the program itself, while its options are declared.
+/// A command of the program, or the program itself, to declare its options. Valid as long as the CommandLine.
 class Command {
  public:
   Command(CLI::App& parser, Action& chosen) : parser_(&parser), chosen_(&chosen) {}
@@ -60,7 +60,8 @@ class Command {
   /// A command of this one.
   Command command(const std::string& name, const std::string& summary) const;
   /// An option, where `names` are such as "-o,--output", or else an operand. Value is std::string, int,
-  /// std::int64_t, double, std::vector<std::string>, or std::optional of the first, second or fourth.
+  /// std::int64_t, double, std::vector<std::string>, or std::optional of std::string, int or double; another type
+  /// needs a line in command.cpp.
   template <class Value>
   Option option(const std::string& names, Value& value, const std::string& help) const;
   /// "!--no-sheet" sets `value` to false.
@@ -72,7 +73,7 @@ class Command {
   void footer(const std::string& text) const;
   /// Keeps it out of the list of commands.
   void hide() const;
-  /// What it does. Parsing only notes that.
+  /// Sets its work. Parsing does none of it.
   void does(Action action) const;
 
   const CLI::App& parser() const { return *parser_; }

@@ -64,7 +64,6 @@ int sweep(SweepOptions options) {
 }
 
 FileAccess accessOf(const SweepOptions& options) {
-  checkWords(options);
   FileAccess access =
       accessOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
   access.outputs.push_back(options.parts.manifest);

@@ -104,7 +104,7 @@ image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize
 void addBitsOption(const Command& command, int& bits) {
   command.option("--bits", bits, "of a sample in a PNG: 8, or 16 for gradients to work on (default: 8)")
       .type("N")
-      .among({8, 16});
+      .amongNumbers({8, 16});
 }
 
 void checkBits(int bits, const request::OutputTarget& target) {

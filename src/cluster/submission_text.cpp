@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/expect.h"
 #include "core/shell_word.h"
 #include "core/text.h"
 #include "core/version.h"
@@ -25,6 +26,7 @@ std::string durationText(double seconds) {
 }  // namespace
 
 std::string filled(std::string_view script, const std::map<std::string, std::string>& values) {
+  for (const auto& [name, value] : values) POINSOT_EXPECT(script.find("@" + name + "@") != std::string_view::npos);
   std::string text;
   std::size_t from = 0;
   for (std::size_t at = script.find('@'); at != std::string_view::npos; at = script.find('@', from)) {

@@ -11,7 +11,7 @@
 /// What the scripts of all engines have in common.
 namespace poinsot::cluster {
 
-/// A script in which each @name@ of a value is replaced by it, and nothing else.
+/// The script, with each value in the place of its @name@. Any other @ stays. @pre each value has its place.
 std::string filled(std::string_view script, const std::map<std::string, std::string>& values);
 
 /// The command that tells how far it is, to be run anywhere, with no poinsot on the PATH.

@@ -32,11 +32,11 @@ struct Outcome {
   std::string message;                    ///< why it is no pass, or near; then originChange()
   PictureDiff diff;                       ///< against `reference`; figures where both could be compared
   std::filesystem::path reference;        ///< the nearest of those approved; empty if none
-  PictureOrigin approved;          ///< of the reference
+  PictureOrigin approved;                 ///< of the reference
   std::filesystem::path actual;           ///< the new picture; empty if there is none
   std::string pixels;                     ///< pixelDigest() of the new picture of a suite; empty if there is none
   std::filesystem::path map, difference;  ///< files that were written of it; empty if none
-  PictureOrigin origin;            ///< of the new picture
+  PictureOrigin origin;                   ///< of the new picture
   PictureRule rule;                       ///< that it was held to
   double seconds = 0;                     ///< of comparing
 

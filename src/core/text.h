@@ -28,7 +28,7 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
 /// Returns the text without the blanks at its ends: spaces, tabs, and the carriage return of a line from Windows.
 std::string_view trimmed(std::string_view text);
 
-/// Returns the words with the separator between them. @param words  a range of what is or makes a std::string_view
+/// Returns the words with the separator between them. @param words  a range of strings or string views
 template <class Words>
 std::string joined(const Words& words, std::string_view separator) {
   std::string text;

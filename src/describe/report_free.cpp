@@ -16,7 +16,7 @@ namespace {
 
 using physics::PrecessionCones;
 
-constexpr int kLongestPeriod = 1000;        // radial periods
+constexpr int kMostRadialPeriods = 1000;    // radial periods
 constexpr double kClosureTolerance = 1e-9;  // rad: a hundredth of a pixel on a circle of a million
 
 bool turnsFreely(const scene::Scene& scene) {
@@ -113,7 +113,7 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("radial_period", "from a largest radius to the next", curve.radialPeriod(), "s",
               "half the polhode's");
   section.add("angle_per_radial_period", "angle about L in that time", curve.anglePerRadialPeriod(), "rad", "");
-  const auto closure = curve.closure(kLongestPeriod, kClosureTolerance);
+  const auto closure = curve.closure(kMostRadialPeriods, kClosureTolerance);
   section.add("herpolhode_closes", "the herpolhode closes", closure.has_value(), "", "to 1e-9 rad");
   if (!closure) return;
   section.add("closure_radial_periods", "  after radial periods", closure->radialPeriods, "", "");

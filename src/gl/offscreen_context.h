@@ -42,7 +42,7 @@ std::unique_ptr<OffscreenContext> openContext(Backend backend);
 /// as it is bound, an eighth of their start. Failing is left to openContext().
 void preload(Backend backend);
 
-/// What `poinsot doctor` says of OpenGL.
+/// A line of `poinsot doctor` on OpenGL.
 struct BackendReport {
   std::string name;
   bool works = false;

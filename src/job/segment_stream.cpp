@@ -39,7 +39,7 @@ int writeOut(Bytes bytes) {
   return 0;
 }
 
-[[noreturn]] void fail(int code) {
+[[noreturn]] void failStream(int code) {
   if (code == EPIPE) throw core::BrokenPipe();
   throw core::ioError(fmt::format("standard output: {}", core::systemReason(code)));
 }
@@ -77,13 +77,13 @@ void SegmentStream::sendFile(const std::filesystem::path& file) const {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in || bytes.empty()) throw core::ioError(core::printable(file.native()) + ": cannot be read again");
   if (const int code = writeOut({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}); code != 0)
-    fail(code);
+    failStream(code);
 }
 
 void SegmentStream::finish() {
   if (film_) film_->finish();
   // Pipes and terminals cannot be synced and need not be.
-  if (fsync(STDOUT_FILENO) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) fail(errno);
+  if (fsync(STDOUT_FILENO) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) failStream(errno);
 }
 
 }  // namespace poinsot::job

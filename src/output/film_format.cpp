@@ -33,14 +33,14 @@ constexpr std::array<CodecFacts, 7> kCodecs{{{FilmCodec::kH264, "h264", false, t
                                              {FilmCodec::kGif, "gif", false, true, false},
                                              {FilmCodec::kApng, "apng", true, true, true}}};
 
-const CodecFacts& traitsOf(FilmCodec codec) { return kCodecs[static_cast<std::size_t>(codec)]; }
+const CodecFacts& codecFactsOf(FilmCodec codec) { return kCodecs[static_cast<std::size_t>(codec)]; }
 
 struct ContainerFacts {
   std::string_view name;
   std::vector<FilmCodec> codecs;
 };
 
-const ContainerFacts& traitsOf(FilmContainer container) {
+const ContainerFacts& containerFactsOf(FilmContainer container) {
   static const std::array<ContainerFacts, 5> facts{{{"mp4", {FilmCodec::kH264, FilmCodec::kHevc}},
                                                     {"mov", {FilmCodec::kProRes}},
                                                     {"webm", {FilmCodec::kVp9, FilmCodec::kAv1}},
@@ -80,7 +80,7 @@ void checkSize(const FilmFormat& format, image::PixelSize size) {
 void checkQuality(const FilmFormat& format) {
   if (!(format.crf >= 0 && format.crf <= 51))
     throw core::usageError(fmt::format("crf {}: must be from 0 (lossless) to 51", format.crf));
-  if (format.crf == 0 && !traitsOf(format.codec).lossless)
+  if (format.crf == 0 && !codecFactsOf(format.codec).lossless)
     throw core::usageError(fmt::format("crf 0: {} is never lossless; {} can be", nameOf(format.codec),
                                        codecsWith([](const CodecFacts& facts) { return facts.lossless; })));
 }
@@ -93,7 +93,7 @@ void checkRate(const FilmFormat& format, const core::Rational& fps) {
 
 void checkCodec(const FilmFormat& format) {
   const auto codecs = codecsOf(format.container);
-  const CodecFacts& codec = traitsOf(format.codec);
+  const CodecFacts& codec = codecFactsOf(format.codec);
   if (std::ranges::find(codecs, format.codec) == codecs.end())
     throw core::usageError(fmt::format("codec {}: does not go into a .{}; there go: {}", codec.name,
                                        nameOf(format.container), namesOf(codecs)));
@@ -135,11 +135,11 @@ std::optional<FilmContainer> filmContainer(const std::filesystem::path& file) {
 
 std::span<const FilmContainer> filmContainers() { return kContainers; }
 
-std::string_view nameOf(FilmContainer container) { return traitsOf(container).name; }
+std::string_view nameOf(FilmContainer container) { return containerFactsOf(container).name; }
 
-std::span<const FilmCodec> codecsOf(FilmContainer container) { return traitsOf(container).codecs; }
+std::span<const FilmCodec> codecsOf(FilmContainer container) { return containerFactsOf(container).codecs; }
 
-std::string_view nameOf(FilmCodec codec) { return traitsOf(codec).name; }
+std::string_view nameOf(FilmCodec codec) { return codecFactsOf(codec).name; }
 
 std::optional<FilmCodec> filmCodec(std::string_view name) {
   for (const CodecFacts& facts : kCodecs)

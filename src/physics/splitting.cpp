@@ -12,7 +12,7 @@ namespace {
 
 using Components = std::array<double, 3>;
 
-Components along(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+Components componentsOf(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 /// Points of a step, each rounded to a multiple of one unit in the last place of h: what lies between them adds up
 /// to h exactly, else a step would be longer or shorter by the same rounding every time.
@@ -33,10 +33,10 @@ class StepGrid {
 
 Splitting::Splitting(const PrincipalAxes& axes, const Forcing& forcing)
     : free_(axes.moments()),
-      I_(along(axes.moments().values())),
-      gravity_P_(along(axes.toP(forcing.gravity_B))),
+      I_(componentsOf(axes.moments().values())),
+      gravity_P_(componentsOf(axes.toP(forcing.gravity_B))),
       heavy_(!forcing.gravity_B.isZero(0)),
-      dragRate_(along(forcing.dragRate_P)),
+      dragRate_(componentsOf(forcing.dragRate_P)),
       anisotropic_(dragRate_[0] != dragRate_[1] || dragRate_[1] != dragRate_[2]),
       alpha_(forcing.dissipation) {}
 

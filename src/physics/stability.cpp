@@ -59,8 +59,8 @@ FlipTimes flipTimes(const PrincipalMoments& moments, const Eigen::Vector3d& omeg
   if (k.regime == PolhodeRegime::kSteady) return {};
   const double lambda = std::ldexp(toDouble(k.lambda), k.start.rateExponent), mc = toDouble(k.mc);
   if (!k.periodic()) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return {kInfinity, kInfinity, lambda, 0, 0, true};
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
+    return {kEndless, kEndless, lambda, 0, 0, true};
   }
   const double logarithmic = logarithm(4 / std::sqrt(mc)), tangent = tangentFromMiddle(k);
   const bool distinct = k.start.I[0] < k.start.I[1] && k.start.I[1] < k.start.I[2];

@@ -43,7 +43,7 @@ ScaledEnergy scaledEnergy(const PrincipalMoments& moments, const EnergyStart& st
 
 /// L² - 2 T I, exactly; 0 where that may be the rounding of decimals (a spin about the axis was meant).
 DD excess(const ScaledEnergy& s, double I) {
-  constexpr double kGivenRounded =
+  constexpr double kRoundingOfGiven =
       8 * std::numeric_limits<double>::epsilon();  // of T, L² and I, each given rounded
   Expansion square, energy;
   square.add(s.L);
@@ -52,7 +52,7 @@ DD excess(const ScaledEnergy& s, double I) {
   energy.scale(I);
   square.add(energy);
   const DD difference = square.value();
-  return std::abs(difference.hi) <= kGivenRounded * s.L * s.L ? DD(0) : difference;
+  return std::abs(difference.hi) <= kRoundingOfGiven * s.L * s.L ? DD(0) : difference;
 }
 
 /// That the polhode goes round the axis of smallest moment, or is a point on it.

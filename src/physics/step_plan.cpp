@@ -17,7 +17,7 @@ namespace {
 constexpr double kLongestTurn_rad = 1;
 
 // Steps of the pilot for one part of a piece, where energy is not conserved; and the most parts.
-constexpr std::size_t kStepsPerPart = 32, kMostPieces = 16;
+constexpr std::size_t kStepsPerPart = 32, kMostPartsOfPiece = 16;
 
 // Angular momentum below this part of the largest yet is as good as none: else the pilot would follow the decay of
 // a body at rest down to the smallest doubles, whose digits are few.
@@ -152,7 +152,7 @@ StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, c
     const std::vector<PilotStep> steps = pilot.over(piece);
     const bool rests = !steps.empty() && steps.back().atRest;
     const std::size_t n = steps.size() - (rests ? 1 : 0);
-    const std::size_t parts = conservative ? 1 : std::clamp<std::size_t>(n / kStepsPerPart, 1, kMostPieces);
+    const std::size_t parts = conservative ? 1 : std::clamp<std::size_t>(n / kStepsPerPart, 1, kMostPartsOfPiece);
     for (std::size_t i = 0; i < parts && n > 0; ++i)
       plan.stretches.push_back(stretchOf(piece, steps, i * n / parts, (i + 1) * n / parts));
     if (rests) plan.stretches.push_back(stretchOf(piece, steps, n, n + 1));

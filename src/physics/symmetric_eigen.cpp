@@ -10,7 +10,7 @@ namespace {
 // Four or five sweeps are usual; the bound only ends the loop for a matrix that is not positive.
 constexpr int kMostSweeps = 40;
 // An entry this small beside both its diagonal entries no longer changes them in double-double.
-constexpr double kZero = 0x1p-110;
+constexpr double kNegligibleEntry = 0x1p-110;
 // And one this small beside the largest entry changes nothing that a tensor can be asked for.
 constexpr double kVanishing = 0x1p-300;
 
@@ -24,7 +24,7 @@ struct Iteration {
   bool annihilate(std::size_t p, std::size_t q) {
     const DoubleDouble off = a[p][q];
     const double least = std::min(std::fabs(a[p][p].hi), std::fabs(a[q][q].hi));
-    if (std::fabs(off.hi) <= std::max(kZero * least, kVanishing)) return false;
+    if (std::fabs(off.hi) <= std::max(kNegligibleEntry * least, kVanishing)) return false;
     const DoubleDouble theta = (a[q][q] - a[p][p]) / (2 * off);
     const DoubleDouble root = abs(theta) + sqrt(theta * theta + 1);
     const DoubleDouble tangent = theta.hi < 0 ? -(1 / root) : 1 / root;

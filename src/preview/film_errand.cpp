@@ -20,7 +20,7 @@
 namespace poinsot::preview {
 namespace {
 
-[[noreturn]] void refuse(int why) {
+[[noreturn]] void refuseFilm(int why) {
   throw core::graphicsError("no process can be started: " + core::systemReason(why));
 }
 
@@ -40,7 +40,7 @@ pid_t startProgram(const std::vector<std::string>& words, int errors) {
   pid_t process = -1;
   const int why = posix_spawn(&process, program.c_str(), &files, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&files);
-  if (why != 0) refuse(why);
+  if (why != 0) refuseFilm(why);
   return process;
 }
 
@@ -67,7 +67,7 @@ bool FilmErrand::start(const std::vector<std::string>& words, std::vector<std::s
   if (state_.stage == FilmState::Stage::kMaking) return false;
   if (follower_.joinable()) follower_.join();  // it is over
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(errno);
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuseFilm(errno);
   const core::FileHandle errors(ends[1]);
   core::FileHandle ours(ends[0]);
   process_ = startProgram(words, errors.get());

@@ -45,12 +45,12 @@ std::uint64_t knownRights(int version) {
   return rights;
 }
 
-[[noreturn]] void fail(const std::string& why) { throw core::graphicsError("--untrusted: " + why); }
+[[noreturn]] void failRule(const std::string& why) { throw core::graphicsError("--untrusted: " + why); }
 
 int versionOfKernel() {
   const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version >= kWithRenaming) return static_cast<int>(version);
-  fail(fmt::format(
+  failRule(fmt::format(
       "this kernel cannot hold a process to its files ({}); it takes Linux 5.19 with Landlock switched on",
       version < 0 ? core::systemReason(errno) : "its Landlock is too old"));
 }
@@ -72,7 +72,7 @@ core::FileHandle makeRules(int version) {
 }  // namespace
 
 Landlock::Landlock() : version_(versionOfKernel()), rules_(makeRules(version_)) {
-  if (!rules_) fail("no rules for files: " + core::systemReason(errno));
+  if (!rules_) failRule("no rules for files: " + core::systemReason(errno));
 }
 
 void Landlock::mayRead(const std::filesystem::path& path) { allow(path, kReading); }
@@ -90,12 +90,12 @@ void Landlock::allow(const std::filesystem::path& path, unsigned long long right
   rule.allowed_access = rights & knownRights(version_);
   rule.parent_fd = file.get();
   if (syscall(SYS_landlock_add_rule, rules_.get(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
-    fail(fmt::format("no rule for {}: {}", core::printable(path.native()), core::systemReason(errno)));
+    failRule(fmt::format("no rule for {}: {}", core::printable(path.native()), core::systemReason(errno)));
 }
 
 void Landlock::enforce() const {
   if (syscall(SYS_landlock_restrict_self, rules_.get(), 0) != 0)
-    fail("the rules for files do not hold: " + core::systemReason(errno));
+    failRule("the rules for files do not hold: " + core::systemReason(errno));
 }
 
 }  // namespace poinsot::process

@@ -11,7 +11,8 @@ namespace poinsot::process {
 /// What `work` needs beside the files of its sandbox.
 struct Confinement {
   Sandbox sandbox;
-  /// Shader cache to give a copy of, if `work` draws: others would run one that `work` could write to. Empty: none.
+  /// Shader cache to give a copy of, if `work` draws: others would run one that `work` could write to. Empty:
+  /// none.
   std::filesystem::path shaderCache;
 };
 

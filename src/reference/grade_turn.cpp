@@ -17,6 +17,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
+using Eigen::Vector4d;
 using physics::Quaternion;
 
 constexpr double kTurned_rad = 0.001;  // less is no choice of axes
@@ -66,9 +67,9 @@ const std::vector<Quaternion>& exchanges() {
   return turns;
 }
 
-/// Pairs of vectors, or rotations, that one turn should take from theirs to ours. The unit quaternion of the turn
-/// makes a quadratic form largest, of least squares over vectors and of the mean of rotations of either sign alike
-/// (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
+/// Pairs of vectors, or rotations, that one turn should take from theirs to ours. Both least squares over vectors
+/// and the mean of rotations of either sign are the largest value of a quadratic form in the unit quaternion of
+/// the turn (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
 class TurnFit {
  public:
   void add(const Vector3d& ours, const Vector3d& theirs) {
@@ -81,13 +82,17 @@ class TurnFit {
   }
   void add(const Quaternion& turn) { form_ += turn.coeffs() * turn.coeffs().transpose(); }
 
-  /// Of several that are as good, as where all vectors are parallel, the one by the smallest angle.
+  /// If several turns are as good, as where all vectors are parallel, the one by the smallest angle.
   Quaternion turn() const {
-    constexpr double kPreference = 1e-14;
-    Matrix4d form = form_;
-    form(3, 3) += kPreference * form_.norm();
-    const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(form);
-    return Quaternion(Eigen::Vector4d(solver.eigenvectors().col(3)));
+    constexpr double kEqual = 1e-14;
+    const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(form_);
+    const Vector4d& values = solver.eigenvalues();  // ascending
+    const double least = values[3] - kEqual * values.cwiseAbs().maxCoeff();
+    Vector4d best = solver.eigenvectors().col(3), smallest = Vector4d::Zero();
+    for (int i = 0; i < 4; ++i)
+      if (values[i] >= least) smallest += solver.eigenvectors()(3, i) * solver.eigenvectors().col(i);
+    if (values[2] >= least && !smallest.isZero(kEqual)) best = smallest.normalized();
+    return Quaternion(best);
   }
 
  private:

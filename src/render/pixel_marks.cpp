@@ -9,7 +9,7 @@ namespace poinsot::render {
 namespace {
 
 // Beside a segment, for rounding and for OpenGL's own grid of 1/256 pixel.
-constexpr double kTouching_px = 1.0 / 128;
+constexpr double kRounding_px = 1.0 / 128;
 
 }  // namespace
 
@@ -36,15 +36,15 @@ void PixelMarks::markRow(int row, double left_px, double right_px) {
 
 void PixelMarks::markSegment(glm::dvec2 a, glm::dvec2 b) {
   if (a.y > b.y) std::swap(a, b);
-  const double first = std::max<double>(std::floor(a.y - kTouching_px), top());
-  const double last = std::min<double>(std::floor(b.y + kTouching_px), bottom() - 1);
+  const double first = std::max<double>(std::floor(a.y - kRounding_px), top());
+  const double last = std::min<double>(std::floor(b.y + kRounding_px), bottom() - 1);
   const double slope = b.y - a.y > 1e-9 ? (b.x - a.x) / (b.y - a.y) : 0;
   for (double row = first; row <= last; ++row) {
     // The part of the segment within this row of pixels.
     const bool level = b.y - a.y <= 1e-9;
-    const double x0 = level ? a.x : a.x + slope * (std::clamp(row - kTouching_px, a.y, b.y) - a.y);
-    const double x1 = level ? b.x : a.x + slope * (std::clamp(row + 1 + kTouching_px, a.y, b.y) - a.y);
-    markRow(static_cast<int>(row), std::min(x0, x1) - kTouching_px, std::max(x0, x1) + kTouching_px);
+    const double x0 = level ? a.x : a.x + slope * (std::clamp(row - kRounding_px, a.y, b.y) - a.y);
+    const double x1 = level ? b.x : a.x + slope * (std::clamp(row + 1 + kRounding_px, a.y, b.y) - a.y);
+    markRow(static_cast<int>(row), std::min(x0, x1) - kRounding_px, std::max(x0, x1) + kRounding_px);
   }
 }
 

@@ -17,7 +17,7 @@ std::optional<std::int64_t> parseFrameNumber(std::string_view text) {
   return text.starts_with('-') ? std::nullopt : core::parseInteger<std::int64_t>(text);
 }
 
-[[noreturn]] void refuse(std::string_view frames, std::string_view why) {
+[[noreturn]] void refuseFrames(std::string_view frames, std::string_view why) {
   throw core::usageError(fmt::format("--frames '{}': {}", core::printable(frames), why));
 }
 
@@ -27,8 +27,9 @@ FrameRange parseFrameRange(std::string_view text) {
   const auto dash = text.find('-');
   const auto first = parseFrameNumber(text.substr(0, dash));
   const auto last = dash == std::string_view::npos ? first : parseFrameNumber(text.substr(dash + 1));
-  if (!first || !last) refuse(text, "frames are A-B, both included, such as 0-59, or one number");
-  if (*last < *first) refuse(text, fmt::format("the first frame, {}, comes after the last, {}", *first, *last));
+  if (!first || !last) refuseFrames(text, "frames are A-B, both included, such as 0-59, or one number");
+  if (*last < *first)
+    refuseFrames(text, fmt::format("the first frame, {}, comes after the last, {}", *first, *last));
   return FrameRange{*first, *last};
 }
 

@@ -25,8 +25,8 @@ struct UserDefaults {
   std::vector<DefaultKey> keys;  ///< in the order of the file
 };
 
-/// Where a user keeps them: $XDG_CONFIG_HOME/poinsot/defaults.toml, else ~/.config/poinsot/defaults.toml; empty where
-/// the environment names neither folder.
+/// Where a user keeps them: $XDG_CONFIG_HOME/poinsot/defaults.toml, else ~/.config/poinsot/defaults.toml; empty
+/// where the environment names neither folder.
 std::filesystem::path userDefaultsFile();
 
 /// Of a file with the tables [units], a unit by the name of a dimension ("angular_velocity"), and [scene], keys

@@ -23,7 +23,7 @@ struct Scales {
       1;  ///< radius of the ball about the centre that holds the body, and the ellipsoid where it is shown
 };
 
-/// Of the picture's height, what captions may take.
+/// The part of the picture's height that captions may take.
 inline constexpr double kMostStrip = 0.4;
 
 Scales makeScales(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body);

@@ -35,15 +35,15 @@ constexpr double kAxis = 1.3;  // in radii of the sphere
 // In em of the type.
 constexpr double kMapType = 0.034;  // of what type is sized by
 constexpr double kBarGap = 3.2, kBarWidth = 1.0;
-constexpr double kBarTick = 0.3, kBarTickGap = 0.35, kBarDigit = 0.67;
+constexpr double kBarTick = 0.3, kBarTickGap = 0.35, kMapDigit = 0.67;
 constexpr double kBarHeight = 1.7;                // in radii
 constexpr double kBarTip = 1.1, kOverBar = 0.9;   // height of the bar's end; of the unit over it
 constexpr double kMark = 1.1, kBesideMark = 0.8;  // where the scene's L is on the bar
-constexpr double kPoleNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5,
+constexpr double kMapNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5,
                  kHeadWidth = 0.22;  // of axes and L
 constexpr double kMapEdge = 0.6;     // free at the picture's edges, of what notes leave
 // In ordinary lines.
-constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kPoleAxisLine = 1.4, kFootLine = 1.6,
+constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kMapAxisLine = 1.4, kAxisFoot = 1.6,
                  kStartDot = 3.2, kRing = 1.3;
 constexpr double kLeastRim_px = 2;  // covers the steps that areas over one another leave at their common edge
 
@@ -120,7 +120,7 @@ void addName(draw::Picture& picture, const std::string& tex, glm::dvec2 centre_p
   draw::Text text;
   text.tex = tex;
   text.size_px = static_cast<float>(em_px);
-  text.baseline_px = glm::vec2(centre_px + glm::dvec2(-0.5 * widthOf(tex, em_px), 0.5 * kBarDigit * em_px));
+  text.baseline_px = glm::vec2(centre_px + glm::dvec2(-0.5 * widthOf(tex, em_px), 0.5 * kMapDigit * em_px));
   text.color = color;
   text.halo = halo;
   text.halo_px = static_cast<float>(0.14 * em_px);
@@ -232,15 +232,15 @@ void StabilityMap::addAxes(draw::Picture& picture, const Globe& globe, const Pen
     const std::vector<glm::vec2> head{glm::vec2(neck + kHeadWidth * pen.em_px * across), tip,
                                       glm::vec2(neck - kHeadWidth * pen.em_px * across)};
     const auto add = [&](double rim, const draw::Color& color) {
-      picture.strokes.push_back(stroke({foot, tip}, (kPoleAxisLine + rim) * pen.line_px, color));
-      picture.strokes.push_back(stroke(head, (kPoleAxisLine + rim) * pen.line_px, color));
-      picture.strokes.push_back(spot(foot, (kFootLine + 0.5 * rim) * pen.line_px, color));
+      picture.strokes.push_back(stroke({foot, tip}, (kMapAxisLine + rim) * pen.line_px, color));
+      picture.strokes.push_back(stroke(head, (kMapAxisLine + rim) * pen.line_px, color));
+      picture.strokes.push_back(spot(foot, (kAxisFoot + 0.5 * rim) * pen.line_px, color));
     };
     add(kRing, colors_.paper);
     add(0, colors_.axis);
     std::string name = scene_.labels[kKeys[static_cast<std::size_t>(axis)]];
     if (signs_[axis] < 0 && !name.empty()) name.insert(0, "$-$");
-    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, kPoleNames * pen.em_px, colors_.axis,
+    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, kMapNames * pen.em_px, colors_.axis,
             colors_.paper);
   }
 }
@@ -250,7 +250,7 @@ void StabilityMap::addScenesL(draw::Picture& picture, const Globe& globe, const 
   picture.strokes.push_back(spot(at, (kStartDot + kRing) * pen.line_px, colors_.paper));
   picture.strokes.push_back(spot(at, kStartDot * pen.line_px, colors_.L));
   addName(picture, scene_.labels[scene::LabelName::kL], glm::dvec2(at) + glm::dvec2(1.1, -0.8) * pen.em_px,
-          kPoleNames * pen.em_px, colors_.L, colors_.paper);
+          kMapNames * pen.em_px, colors_.L, colors_.paper);
 }
 
 // Its end stands for all longer times, up to infinity.
@@ -269,16 +269,16 @@ void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen
   const double share = scale_.share(sceneTime_s());
   const double y = share < 1 ? at(share) : std::isfinite(share) ? 0.5 * (top + bar.top) : bar.top;
   const double left = bar.left - kMark * pen.em_px;
-  picture.strokes.push_back(stroke({{left, y}, {bar.left, y}}, kPoleAxisLine * pen.line_px, colors_.L));
-  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y},
-          kPoleNames * pen.em_px, colors_.L, colors_.paper);
+  picture.strokes.push_back(stroke({{left, y}, {bar.left, y}}, kMapAxisLine * pen.line_px, colors_.L));
+  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y}, kMapNames * pen.em_px,
+          colors_.L, colors_.paper);
 }
 
 void StabilityMap::addTimes(draw::Picture& picture, const PixelBox& bar, const std::function<double(double)>& at,
                             const Pen& pen) const {
   const double em = pen.em_px, right = bar.right + kBarTick * em;
   const auto label = [&](const std::string& tex, double y, const draw::Color& color) {
-    addLine(picture, tex, right + kBarTickGap * em, y + 0.5 * kBarDigit * em, Align::kLeft, em, color);
+    addLine(picture, tex, right + kBarTickGap * em, y + 0.5 * kMapDigit * em, Align::kLeft, em, color);
   };
   for (const StabilityScale::Tick& tick : scale_.ticks(unit_.perSi)) {
     const double y = at(scale_.share(tick.time_s));

@@ -37,9 +37,9 @@ std::optional<compare::PictureOrigin> parsePictureOrigin(std::string_view text) 
   auto json = core::parseJson(text);
   if (!json.is_object()) return std::nullopt;
   json.emplace("driver", "");  // where it is missing
-  constexpr std::array kKeys{"renderer", "driver", "software", "scene"};
+  constexpr std::array kFields{"renderer", "driver", "software", "scene"};
   const auto isText = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
-  if (json.size() != kKeys.size() || !std::ranges::all_of(kKeys, isText)) return std::nullopt;
+  if (json.size() != kFields.size() || !std::ranges::all_of(kFields, isText)) return std::nullopt;
   return compare::PictureOrigin{json["renderer"], json["driver"], json["software"], json["scene"]};
 } catch (const core::Error&) {
   return std::nullopt;

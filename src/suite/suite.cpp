@@ -2,12 +2,12 @@
 #include "suite/suite.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
@@ -70,8 +70,7 @@ std::string listText(const std::vector<std::string>& names) {
   for (const std::string& name : names)
     if (std::ranges::find(all, name) == all.end()) all.push_back(name);
   const std::size_t shown = std::min(all.size(), kMost);
-  return fmt::format("{}{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                     shown < all.size() ? ", ..." : "");
+  return core::joined(std::span(all).first(shown), ", ") + (shown < all.size() ? ", ..." : "");
 }
 
 bool isAskedFor(const GoldenCase& one, const std::string& word) {

@@ -9,8 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "support/program_run.h"
 #include "image/png_file.h"
+#include "support/program_run.h"
 #include "support/shell_run.h"
 
 namespace poinsot {

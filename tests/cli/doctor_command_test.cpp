@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/program_run.h"
 #include "support/back_ends.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

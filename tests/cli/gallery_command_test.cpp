@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "support/program_run.h"
 #include "image/png_file.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

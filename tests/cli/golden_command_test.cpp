@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "support/program_run.h"
 #include "image/png_file.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "support/program_run.h"
 #include "support/development_examples.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

@@ -13,9 +13,9 @@
 #include <set>
 #include <sstream>
 
-#include "support/program_run.h"
 #include "image/png_file.h"
 #include "support/back_ends.h"
+#include "support/program_run.h"
 #include "support/shell_run.h"
 
 namespace poinsot {

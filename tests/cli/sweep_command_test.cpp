@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/program_run.h"
 #include "image/png_file.h"
+#include "support/program_run.h"
 #include "support/sanitized.h"
 
 namespace poinsot {

@@ -55,7 +55,8 @@ TEST_F(TimelineFilm, LeavesOthersCaptionsAlone) {
   folder_.put("a.srt", "mine");
   const RunResult refused = render("a.mp4", {"--frames", "0-20"});
   EXPECT_EQ(refused.exitCode, 4);
-  EXPECT_THAT(refused.err, HasSubstr("a.srt: exists and was not written by poinsot as captions; --force replaces it"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("a.srt: exists and was not written by poinsot as captions; --force replaces it"));
   EXPECT_EQ(bytesOf(folder_ / "a.srt"), "mine");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.srt", "a.toml"));
 }
@@ -112,7 +113,8 @@ TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUser) {
     for (const std::string& film : kFilms) {
       const RunResult refused = render(film);
       EXPECT_EQ(refused.exitCode, 4) << film;
-      EXPECT_THAT(refused.err, HasSubstr(name + ": exists and was not written by poinsot as captions; --force replaces it"));
+      EXPECT_THAT(refused.err,
+                  HasSubstr(name + ": exists and was not written by poinsot as captions; --force replaces it"));
       EXPECT_EQ(bytesOf(folder_ / name), "mine") << film;
     }
     EXPECT_EQ(render("a.gif", {"--force"}).exitCode, 0);

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "support/program_run.h"
 #include "support/development_examples.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

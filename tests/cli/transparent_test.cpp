@@ -7,9 +7,9 @@
 #include <cmath>
 #include <variant>
 
-#include "support/program_run.h"
 #include "image/png_file.h"
 #include "output/film_reader.h"
+#include "support/program_run.h"
 
 namespace poinsot {
 namespace {

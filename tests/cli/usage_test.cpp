@@ -18,9 +18,9 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kCommands{
-    "doctor", "preview", "new",     "render", "still",    "sweep",  "gallery",  "submit", "info",  "trajectory",
-    "grade",  "check",   "explain", "schema", "status", "assemble", "diff",   "golden"};
+const std::vector<std::string> kCommands{"doctor",  "preview", "new",    "render",     "still", "sweep",
+                                         "gallery", "submit",  "info",   "trajectory", "grade", "check",
+                                         "explain", "schema",  "status", "assemble",   "diff",  "golden"};
 
 TEST(Usage, HelpListsTheCommandsThatPeopleType) {
   const ScratchFolder folder;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cluster/submission_text.h"
 #include "core/error.h"
 #include "request/memory.h"
 #include "support/hostile_words.h"
@@ -106,6 +107,12 @@ TEST(Scripts, MakeRefusesWhatItCannotHold) {
       EXPECT_THAT(error.what(), HasSubstr("make cannot hold the '"));
     }
   }
+}
+
+TEST(Filled, ReplacesNamesOfValuesAndNoOtherAt) {
+  EXPECT_EQ(filled("run @a@ \"$@\" ${x[@]}@b@ --signal=USR1@60 @a", {{"a", "@b@"}, {"b", "2"}}),
+            "run @b@ \"$@\" ${x[@]}2 --signal=USR1@60 @a");
+  EXPECT_EQ(filled("@a@", {{"a", ""}}), "");
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <functional>
 
 #include "cli/exit_code.h"
-#include "support/program_run.h"
 #include "core/file_handle.h"
 #include "figure/figure.h"
 #include "output/film.h"
@@ -19,6 +18,7 @@
 #include "request/scene_request.h"
 #include "stage/stage.h"
 #include "support/failing_memory.h"
+#include "support/program_run.h"
 #include "support/sanitized.h"
 
 namespace poinsot::faults {

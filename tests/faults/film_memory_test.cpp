@@ -6,8 +6,8 @@
 
 #include <cstdlib>
 
-#include "output/film_reader.h"
 #include "compare/memory.h"
+#include "output/film_reader.h"
 #include "support/sanitized.h"
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a worker, measured: at 4K over many frames, and against what request/memory.h says of each encoder.
+// The memory of a worker, measured: at 4K over many frames, and against what request/memory.h says of each
+// encoder.
 #include <gmock/gmock.h>
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faults/submitted_film.h"
 
-#include "support/program_run.h"
 #include "faults/tiny_film.h"
+#include "support/program_run.h"
 
 namespace poinsot::faults {
 SubmittedFilm::SubmittedFilm(const std::string& folder) : folder_(scratch_ / folder) {

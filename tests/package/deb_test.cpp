@@ -59,9 +59,9 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
   EXPECT_EQ(field("Package"), "poinsot\n");
   EXPECT_THAT(field("Version"), MatchesRegex("[0-9.]+\n"));
   const std::string depends = field("Depends");
-  for (const char* linked : {"libc6", "libstdc++6", "libcairo2"})
-    EXPECT_THAT(depends, HasSubstr(linked));
-  // All but libfmt are opened when a film is made: no linker says so. Oracle: the packages that the libraries lie in.
+  for (const char* linked : {"libc6", "libstdc++6", "libcairo2"}) EXPECT_THAT(depends, HasSubstr(linked));
+  // All but libfmt are opened when a film is made: no linker says so. Oracle: the packages that the libraries lie
+  // in.
   for (const char* name : {"libfmt", "libavformat", "libavcodec", "libavutil", "libswscale", "libimagequant"}) {
     const std::string package = run("dpkg-query -S /usr/lib/*/" + std::string(name) + ".so.? /usr/lib/*/" + name +
                                     ".so.?? 2>/dev/null | head -n 1 | sed 's/:.*//' | tr -d '\\n' || true");

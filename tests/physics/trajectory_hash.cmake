@@ -9,7 +9,7 @@ set(hash_sources composition.cpp decaying_motion.cpp driven_motion.cpp driven_tr
   symmetric_eigen.cpp transcendental.cpp)
 list(TRANSFORM hash_sources PREPEND ${PROJECT_SOURCE_DIR}/src/physics/)
 list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
-# As one source, which each variant compiles.
+# Each variant compiles them as one source.
 list(TRANSFORM hash_sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE hash_includes)
 list(JOIN hash_includes "" hash_includes)
 set(hash_source ${CMAKE_CURRENT_BINARY_DIR}/trajectory_hash_all.cpp)

@@ -36,7 +36,8 @@ class FolderTest : public ::testing::Test {
   /// Names of all entries, sorted: nothing temporary may be among them.
   std::vector<std::string> names() const {
     std::vector<std::string> all;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) all.push_back(entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      all.push_back(entry.path().filename());
     std::sort(all.begin(), all.end());
     return all;
   }

@@ -15,11 +15,13 @@ namespace {
 
 using core::ErrorKind;
 
-[[noreturn]] void refuse(ErrorKind kind, const std::string& path, const std::string& why) {
+[[noreturn]] void refuseFile(ErrorKind kind, const std::string& path, const std::string& why) {
   throw core::Error(kind, fmt::format("cannot read {}: {}", core::printable(path), why));
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) { refuse(ErrorKind::kScene, path, why); }
+[[noreturn]] void refuseFile(const std::string& path, const std::string& why) {
+  refuseFile(ErrorKind::kScene, path, why);
+}
 
 std::string reason(int error) {
   if (error == ELOOP) return "it is a symbolic link, or lies behind one; a scene names regular files";
@@ -37,18 +39,18 @@ bool isAddress(std::string path) {
 
 /// What others expand is said to be no name; nothing here expands anything.
 void expectPlain(const std::string& path) {
-  if (path.empty()) refuse(path, "the name is empty");
+  if (path.empty()) refuseFile(path, "the name is empty");
   if (std::ranges::any_of(path, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
-    refuse(path, "a name holds no control characters");
-  if (isAddress(path)) refuse(path, "it is an address; a scene names files by their paths from its folder");
+    refuseFile(path, "a name holds no control characters");
+  if (isAddress(path)) refuseFile(path, "it is an address; a scene names files by their paths from its folder");
   if (path.front() == '~' || path.find_first_of("$`") != std::string::npos)
-    refuse(path, "nothing is expanded in a name: no ~ at its beginning, no $ and no `");
+    refuseFile(path, "nothing is expanded in a name: no ~ at its beginning, no $ and no `");
 }
 
 void expectBeneath(const std::filesystem::path& path) {
-  if (path.is_absolute()) refuse(path, "the path must be relative to the scene's folder");
+  if (path.is_absolute()) refuseFile(path, "the path must be relative to the scene's folder");
   for (const auto& part : path)
-    if (part == "..") refuse(path, "the file must lie in the scene's folder or below it, without \"..\"");
+    if (part == "..") refuseFile(path, "the file must lie in the scene's folder or below it, without \"..\"");
 }
 
 /// The first that is there.
@@ -63,7 +65,7 @@ core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const s
     if (errno != ENOENT && errno != ENOTDIR) break;  // it is there, and is no file to be read
   }
   const char* const others = roots.size() > 1 ? ", nor in a folder of --asset-root" : "";
-  refuse(path, why == ENOENT ? reason(why) + " in the scene's folder" + others : reason(why));
+  refuseFile(path, why == ENOENT ? reason(why) + " in the scene's folder" + others : reason(why));
 }
 
 }  // namespace
@@ -85,10 +87,10 @@ std::string SceneFolder::read(const std::string& relativePath) const {
   try {
     text = core::allBytesOf(file, isLast ? rest : limits_.bytes(limit), ErrorKind::kScene);
   } catch (const core::Error& error) {
-    if (error.kind() != ErrorKind::kLimit) refuse(relativePath, error.message());
-    refuse(ErrorKind::kLimit, relativePath,
-           fmt::format("{}; {}{}", error.message(), isLast ? "the files of a scene have too many together; " : "",
-                       howToRaise(limit)));
+    if (error.kind() != ErrorKind::kLimit) refuseFile(relativePath, error.message());
+    refuseFile(ErrorKind::kLimit, relativePath,
+               fmt::format("{}; {}{}", error.message(),
+                           isLast ? "the files of a scene have too many together; " : "", howToRaise(limit)));
   }
   bytes_ += text.size();
   input.digest = core::sha256(text);

@@ -13,7 +13,7 @@ constexpr Range kMomenta{.least = kLeastMoment * kLeastSpin, .most = kMostMoment
 constexpr Range kLengthOfL{.least = kLeastMoment * kLeastSpin, .most = kMostMoment * kMostSpin};
 constexpr Range kEnergies{.least = 1e-140, .most = 1e140};
 constexpr Range kTilts{.least = 0, .most = 89.999, .unit = "deg"};  // at 90 there is no spin about the axis
-constexpr Range kPhase{.least = -360, .most = 360, .unit = "deg"};
+constexpr Range kTiltSides{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kPhases{.least = 0, .most = 0.999999999};   // 1 is 0 again
 constexpr Range kTolerances{.least = 1e-14, .most = 1e-3};  // below, rounding decides; above, pictures show it
 
@@ -78,7 +78,7 @@ std::vector<Key> spinKeys() {
        .put = into([](Draft& d) { return &d.start.tilt; })},
       {.path = "motion.tilt_towards",
        .dimension = kAngle,
-       .range = kPhase,
+       .range = kTiltSides,
        .example = "\"90 deg\"",
        .help = "With tilt, the side that L leans to: 0 is the principal axis after spin_axis in the order 1, 2, "
                "3, 1, and 90 "

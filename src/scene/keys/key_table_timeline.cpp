@@ -10,8 +10,8 @@ using enum Dimension;
 
 const Range kFilmTime{.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration};
 constexpr Range kOrbits{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred orbits either way
-constexpr Range kKeyElevation{.least = -90, .most = 90, .unit = "deg"};
-constexpr Range kKeyZoom{.least = 0.05, .most = 20};
+constexpr Range kMoveElevation{.least = -90, .most = 90, .unit = "deg"};
+constexpr Range kMoveZoom{.least = 0.05, .most = 20};
 constexpr Range kPace{.least = 0, .most = 100};
 
 template <class F>
@@ -104,12 +104,12 @@ std::vector<Key> cameraMoveKeys() {
        .put = intoEntry([](TimelineDraft& e) { return &e.turn; })},
       {.path = "timeline[].camera.elevation",
        .dimension = kAngle,
-       .range = kKeyElevation,
+       .range = kMoveElevation,
        .example = "\"60 deg\"",
        .help = "How far above the horizontal the camera goes.",
        .put = intoEntry([](TimelineDraft& e) { return &e.elevation; })},
       {.path = "timeline[].camera.zoom",
-       .range = kKeyZoom,
+       .range = kMoveZoom,
        .example = "1.6",
        .help = "How close the camera goes: 1 holds the whole motion, seen from wherever it will be.",
        .put = intoEntry([](TimelineDraft& e) { return &e.zoom; })},

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPartArrow = 0.023;  // more than of L and of the axis, on which these arrows lie
+constexpr double kPartArrowRadius = 0.023;  // more than of L and of the axis, on which these arrows lie
 
 }  // namespace
 
@@ -24,8 +24,8 @@ void DecompositionFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   const auto [precession, spin] = parts_V(state);
   const Vector3d whole = scale_ * state.omega_V;
   const draw::Color& color = canvas.colors.omegaParts;
-  canvas.arrow(precession, kPartArrow, color);
-  canvas.arrow(spin, kPartArrow, color);
+  canvas.arrow(precession, kPartArrowRadius, color);
+  canvas.arrow(spin, kPartArrowRadius, color);
   canvas.dashes(precession, whole, color, 1.2);
   canvas.dashes(spin, whole, color, 1.2);
   canvas.label(scene::LabelName::kOmegaP, 0.8 * precession, 0.8 * whole, color);

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFlightArrow = 0.016;        // of an arrow
+constexpr double kFlightArrowRadius = 0.016;  // of an arrow
 constexpr double kCentreDot = 0.028;          // where the centre of mass is, and the origin
 constexpr double kWeight = 0.55;              // length of the arrow M g
 constexpr double kLongestWeightTorque = 0.9;  // of R x M g
@@ -59,17 +59,17 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
     const Vector3d origin = origin_V(state);
     canvas.dot(origin, kCentreDot, canvas.colors.ink);
     canvas.label(scene::LabelName::kOrigin, origin, Vector3d::Zero(), canvas.colors.ink);
-    canvas.arrowFrom(origin, Vector3d::Zero(), kFlightArrow, canvas.colors.ink);
+    canvas.arrowFrom(origin, Vector3d::Zero(), kFlightArrowRadius, canvas.colors.ink);
     const double most = follows_ ? kNearBody / std::max(origin.norm(), kNearBody) : 1;
     canvas.label(scene::LabelName::kR, std::min(kNameOfR, most) * origin, origin + Vector3d::UnitX(),
                  canvas.colors.ink);
   }
   if (velocity_ && !state.velocity_V.isZero(0)) {
-    canvas.arrow(velocityTip_V(state), kFlightArrow, color);
+    canvas.arrow(velocityTip_V(state), kFlightArrowRadius, color);
     canvas.label(scene::LabelName::kV, velocityTip_V(state), Vector3d::Zero(), color);
   }
   if (weight_ && !weight_W_.isZero(0)) {
-    canvas.arrow(weightTip_V(state), kFlightArrow, canvas.colors.torque);
+    canvas.arrow(weightTip_V(state), kFlightArrowRadius, canvas.colors.torque);
     canvas.label(scene::LabelName::kWeight, weightTip_V(state), Vector3d::Zero(), canvas.colors.torque);
   }
 }
@@ -111,7 +111,7 @@ void TotalAngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/
   const Vector3d origin = origin_V(state), corner = origin + orbital_V(state), tip = origin + total_V(state);
   const draw::Color parts = mixed(canvas.colors.L, canvas.colors.paper, 0.6);
   const auto arrow = [&](const Vector3d& from, const Vector3d& to, const draw::Color& color) {
-    if (!(to - from).isZero(0)) canvas.arrowFrom(from, to, kFlightArrow, color);
+    if (!(to - from).isZero(0)) canvas.arrowFrom(from, to, kFlightArrowRadius, color);
   };
   arrow(origin, corner, parts);
   arrow(corner, tip, parts);

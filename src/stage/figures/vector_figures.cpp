@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kArrow = 0.019;
+constexpr double kVectorRadius = 0.019;
 constexpr double kNameSize = 1.15;  // in ordinary labels
 constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
@@ -20,7 +20,7 @@ constexpr double kFading = 0.5;       // about there
 
 float headRadius_px(const Canvas& canvas, const Vector3d& tip_V) {
   const draw::Camera& camera = canvas.list.camera;
-  return static_cast<float>(headRadius(kArrow)) * camera.scale_px(depthOf(camera, toPicture(tip_V)));
+  return static_cast<float>(headRadius(kVectorRadius)) * camera.scale_px(depthOf(camera, toPicture(tip_V)));
 }
 
 /// Right of an arrow that is upright in the picture, and square to the others, but beyond the tip of those that
@@ -40,7 +40,7 @@ AngularMomentumFigure::AngularMomentumFigure(const Setting& setting) : scale_(se
 void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const Vector3d tip_V = scale_ * state.L_V;
   if (tip_V.isZero(0)) return;
-  canvas.arrow(tip_V, kArrow, canvas.colors.L);
+  canvas.arrow(tip_V, kVectorRadius, canvas.colors.L);
   const glm::vec2 tip = canvas.at_px(tip_V), along = softUnit(tip - canvas.at_px(Vector3d::Zero()), 1);
   canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, kNameSize, kLabelGap / kNameSize);
 }
@@ -57,7 +57,7 @@ AngularVelocityFigure::AngularVelocityFigure(const Setting& setting)
 
 void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   if (state.atRest()) return;
-  canvas.arrow(scale_ * state.omega_V, kArrow, canvas.colors.omega);
+  canvas.arrow(scale_ * state.omega_V, kVectorRadius, canvas.colors.omega);
   addName(canvas, scale_ * state.omega_V);
 }
 
@@ -100,7 +100,7 @@ TorqueFigure::TorqueFigure(const Setting& setting) : scale_(0) {
 void TorqueFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const Vector3d tip_V = scale_ * state.torque_V;
   if (tip_V.isZero(0)) return;
-  canvas.arrow(tip_V, kArrow, canvas.colors.torque);
+  canvas.arrow(tip_V, kVectorRadius, canvas.colors.torque);
   canvas.label(scene::LabelName::kTorque, tip_V, Vector3d::Zero(), canvas.colors.torque, kNameSize);
 }
 

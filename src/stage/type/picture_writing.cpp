@@ -5,7 +5,7 @@ namespace poinsot::stage {
 
 PictureWriting pictureWriting(const scene::Scene& scene, const WrittenThings& things, glm::ivec2 size_px,
                               const Sizing& sizing, const Palette& colors) {
-  constexpr int kRounds = 40;
+  constexpr int kMostRounds = 40;
   constexpr double kSmaller = 0.9;
   const glm::dvec2 size(size_px);
   Sizing type = typeScaled(sizing, scene.style.textSize);
@@ -14,7 +14,7 @@ PictureWriting pictureWriting(const scene::Scene& scene, const WrittenThings& th
     PictureWriting writing{pictureBlocks(scene, things, type, size.x - 2 * edge_px, colors), {}, {}};
     writing.boxes = placedBlocks(writing.blocks, size, edge_px);
     writing.reach = reachOf(writing.blocks, writing.boxes, size);
-    if (round == kRounds || leavesRoom(writing.boxes, writing.reach, size)) return writing;
+    if (round == kMostRounds || leavesRoom(writing.boxes, writing.reach, size)) return writing;
   }
 }
 
