@@ -3,7 +3,6 @@
 
 #include <map>
 #include <tuple>
-#include <utility>
 
 #include "draw/draw_list.h"
 #include "gl/shader_program.h"

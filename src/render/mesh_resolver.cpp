@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "render/pixel_visibility.h"
+#include "render/pixel_fragment.h"
 
 namespace poinsot::render {
 namespace {

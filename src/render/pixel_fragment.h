@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace poinsot::render {
 
@@ -30,5 +31,9 @@ struct PixelFragment {
 /// @return nothing when the triangle does not reach the pixel.
 std::optional<PixelFragment> pixelFragment(const std::array<glm::dvec3, 3>& triangle, glm::ivec2 pixel,
                                            bool parallel = false);
+
+/// Which share of the pixel each fragment is seen in: exact areas where nothing is hidden, else by samples.
+/// @return one number to a fragment; their sum is at most 1.
+std::vector<double> visibleAreas(std::span<const PixelFragment> fragments);
 
 }  // namespace poinsot::render

@@ -11,7 +11,6 @@
 #include "core/regular_file.h"
 #include "core/text.h"
 #include "scene/assembly/assemble.h"
-#include "scene/assembly/doubtful_values.h"
 #include "scene/assembly/style_file.h"
 #include "scene/document/document.h"
 #include "scene/document/text_lines.h"

@@ -8,7 +8,6 @@
 #include "random.h"
 #include "render/pixel_fragment.h"
 #include "render/pixel_marks.h"
-#include "render/pixel_visibility.h"
 
 namespace poinsot::render {
 namespace {

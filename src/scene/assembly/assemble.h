@@ -12,4 +12,8 @@ namespace poinsot::scene {
 /// What it returns counts only while nothing was found.
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder);
 
+/// Doubts what is hardly ever meant: a bare whole number as an angle (who means radians writes a fraction), a bare
+/// length of metres in a body whose other lengths have units, a density that no matter has.
+void doubtValues(const Leaves& leaves, Findings& findings);
+
 }  // namespace poinsot::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/assembly/doubtful_values.h"
+#include "scene/assembly/assemble.h"
 
 #include <fmt/format.h>
 
