@@ -19,7 +19,6 @@ namespace poinsot::python {
 namespace {
 
 using Artist = core::OwningThread<job::FramesCache>;
-using core::ErrorKind;
 
 /// Ends a picture whose caller has left.
 class Abandoned : public std::exception {};

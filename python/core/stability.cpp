@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stability.h"
 
-#include <array>
-
 #include "stage/stability_map.h"
 
 namespace poinsot::python {

@@ -43,7 +43,6 @@ namespace fs = std::filesystem;
 using compare::Outcome;
 using compare::OutcomeStatus;
 using core::Error;
-using core::ErrorKind;
 
 gl::Backend backendOf(const std::string& word) {
   return word == "osmesa" ? gl::Backend::kOsMesa : word == "egl" ? gl::Backend::kEgl : gl::Backend::kAuto;

@@ -26,7 +26,6 @@ namespace poinsot::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using core::Error;
 using core::ErrorKind;
 
 constexpr std::string_view kSchemaName = "poinsot.schema.json";

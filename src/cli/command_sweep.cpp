@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "cli/commands.h"
 #include "cli/film_options.h"

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 #include "core/version.h"
 #include "scene/keys/keys.h"

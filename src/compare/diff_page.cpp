@@ -10,7 +10,6 @@
 #include <span>
 #include <string_view>
 #include <system_error>
-#include <tuple>
 
 #include "compare/diff_text.h"
 #include "core/base64.h"

@@ -2,7 +2,6 @@
 #include "compare/outcome_page.h"
 
 #include <algorithm>
-#include <map>
 #include <variant>
 
 #include "compare/file_diff.h"

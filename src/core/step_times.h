@@ -39,7 +39,6 @@ class StepTimes {
   /// Of these and those between them.
   double sum_s(Step first = Step::kSimulate, Step last = Step::kWrite) const;
   /// What makes a picture, without what is done with it.
-  double making_s() const { return sum_s(Step::kSimulate, Step::kText); }
 
  private:
   std::array<double, kSteps> seconds_{};

@@ -2,6 +2,7 @@
 #include "draw/color.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace poinsot::draw {

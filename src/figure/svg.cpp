@@ -4,7 +4,6 @@
 // @font-face, so that a label would be set in whatever font is there.
 #include <fmt/format.h>
 
-#include <map>
 #include <set>
 #include <utility>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "figure/visibility_pieces.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>

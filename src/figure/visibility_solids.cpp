@@ -2,7 +2,6 @@
 #include "figure/visibility_solids.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace poinsot::geometry {

@@ -10,7 +10,6 @@ namespace poinsot::gl {
 namespace {
 
 using core::Error;
-using core::ErrorKind;
 
 std::string glString(GLenum name) {
   const auto* text = glGetString(name);

@@ -9,7 +9,6 @@
 namespace poinsot::gl {
 namespace {
 
-using core::Error;
 using core::ErrorKind;
 
 constexpr const char* kOsMesaLibrary = "libOSMesa.so.8";

@@ -8,9 +8,6 @@
 namespace poinsot::gl {
 namespace {
 
-using core::Error;
-using core::ErrorKind;
-
 template <typename GetParameter, typename GetLog>
 void requireOk(GLuint id, GLenum status, const std::string& what, GetParameter get, GetLog log) {
   GLint ok = 0, length = 0;

@@ -12,14 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
 #include <new>
-#include <system_error>
 
 #include "core/expect.h"
 #include "core/file_error.h"

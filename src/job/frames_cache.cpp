@@ -2,7 +2,6 @@
 #include "job/frames_cache.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/frame_clock.h"
 #include "job/render_request.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job/scene_frames.h"
 
-#include <utility>
-
 #include "core/frame_clock.h"
 #include "figure/alpha.h"
 #include "request/requested_scene.h"

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 
 #include "job/job_record.h"
 #include "request/output_target.h"

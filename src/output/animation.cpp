@@ -16,7 +16,6 @@
 namespace poinsot::output {
 namespace {
 
-using core::Error;
 using core::ErrorKind;
 using std::filesystem::path;
 

@@ -2,7 +2,6 @@
 #include "output/animation_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <string_view>

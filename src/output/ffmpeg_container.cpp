@@ -19,7 +19,6 @@
 namespace poinsot::output {
 namespace {
 
-using core::Error;
 using core::ErrorKind;
 
 #if LIBAVFORMAT_VERSION_MAJOR >= 61

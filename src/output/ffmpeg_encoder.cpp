@@ -13,9 +13,6 @@
 namespace poinsot::output {
 namespace {
 
-using core::Error;
-using core::ErrorKind;
-
 // A seek decodes at most so many frames; segments are shorter, so each has one key frame.
 constexpr int kMostFramesToKey = 250;
 constexpr double kWorstFactor = 51;  // of x264 and x265

@@ -22,7 +22,6 @@ namespace poinsot::output {
 namespace {
 
 using core::Error;
-using core::ErrorKind;
 using std::filesystem::path;
 
 [[noreturn]] void refuseFilm(const path& segment, std::string_view reason) {

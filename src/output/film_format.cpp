@@ -14,9 +14,6 @@
 namespace poinsot::output {
 namespace {
 
-using core::Error;
-using core::ErrorKind;
-
 struct CodecFacts {
   FilmCodec codec;
   std::string_view name;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -27,7 +26,6 @@ std::int64_t ticksOf(const Frame& frame) {
     return frame.pkt_duration;
 }
 
-using core::Error;
 using core::ErrorKind;
 
 struct ScalerDeleter {

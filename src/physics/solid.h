@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "core/abi.h"
 #include "physics/unaligned_types.h"

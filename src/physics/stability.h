@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <numbers>
 
 #include "physics/principal_moments.h"

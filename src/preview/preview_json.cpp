@@ -7,7 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <span>
 
 #include "core/error.h"
 #include "core/frame_clock.h"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <exception>
 #include <utility>
 
 #include "core/error.h"

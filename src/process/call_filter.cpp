@@ -6,8 +6,6 @@
 
 #include <cerrno>
 #include <memory>
-#include <span>
-#include <string>
 
 #include "core/error.h"
 

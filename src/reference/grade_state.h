@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "physics/principal_axes.h"
 #include "physics/rigid_body_state.h"

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "core/abi.h"
 

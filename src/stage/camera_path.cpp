@@ -2,7 +2,6 @@
 #include "stage/camera_path.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace poinsot::stage {

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <string>
 
 #include "scene/scene.h"
 #include "stage/composer.h"

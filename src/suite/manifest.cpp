@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <system_error>
 
 #include "core/error.h"
 #include "core/expect.h"

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "suite/reference.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "core/error.h"
 #include "core/folder.h"

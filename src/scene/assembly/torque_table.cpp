@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 
 #include "core/error.h"
 #include "core/number.h"

@@ -2,7 +2,6 @@
 #include "scene/document/source.h"
 
 #include <algorithm>
-#include <span>
 #include <tuple>
 
 #include "core/text.h"

@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "core/number.h"
 #include "scene/document/document.h"

@@ -2,7 +2,6 @@
 #include "stage/body/body_figure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "physics/symmetric_eigen.h"

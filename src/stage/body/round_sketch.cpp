@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/body/round_sketch.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

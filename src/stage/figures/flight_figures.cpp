@@ -2,7 +2,6 @@
 #include "stage/figures/flight_figures.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/expect.h"
 #include "stage/even_times.h"

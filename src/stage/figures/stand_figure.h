@@ -21,7 +21,6 @@ class StandFigure {
 
   /// Points that the frame must hold at that instant, in V: the body and the pedestal.
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const;
-  bool hasPedestal() const { return hasPedestal_; }
 
  private:
   void addRod(draw::DrawList& list, const PictureState& state, const Palette& colors) const;

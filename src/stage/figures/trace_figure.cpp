@@ -11,7 +11,6 @@
 namespace poinsot::stage {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kSphereReach = 1.1;  // radius of the sphere, of the ball that holds the body

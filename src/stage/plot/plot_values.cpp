@@ -2,7 +2,6 @@
 #include "stage/plot/plot_values.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace poinsot::stage {
