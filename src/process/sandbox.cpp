@@ -65,10 +65,10 @@ void enterSandbox(const Sandbox& sandbox) {
   for (const auto& path : sandbox.read) files.mayRead(path);
   for (const auto& path : sandbox.write) files.mayWrite(path);
   files.mayWrite("/dev/null");
-  limitResources(sandbox);
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail("no-new-privileges");
   files.enforce();
   forbidCalls();
+  limitResources(sandbox);  // last: libseccomp crashes where memory runs out while it makes the filter
   inside = true;
 }
 

@@ -174,6 +174,22 @@ TEST_F(Sandboxed, WhatItMayTakeIsWhatIsAllowed) {
   }
 }
 
+// libseccomp 2.5 crashes if memory runs out while it makes its filter. When that happens depends on what lies in
+// the heap.
+TEST_F(Sandboxed, ReportsMissingMemoryAtAnyLimit) {
+  std::filesystem::copy_file(POINSOT_SOURCE_DIR "/scenes/football.toml", folder_ / "football.toml");
+  std::filesystem::create_directory(folder_ / "home");
+  for (const char* scene : {"tiny.toml", "football.toml"})
+    for (const char* memory : {"1MiB", "2MiB", "5MiB", "12MiB"})
+      for (const std::size_t padding : {0, 3000, 30'000}) {
+        const RunResult ended =
+            runIn(untrusted({"render", scene, "-o", "t.mp4", "--max-memory", memory}),
+                  {"HOME=" + (folder_ / "home").string(), "LANG=" + std::string(padding, 'x')});
+        EXPECT_THAT(ended.exitCode, testing::AnyOf(2, 3)) << scene << ' ' << memory;
+        EXPECT_THAT(ended.err, testing::AnyOf(HasSubstr("memory"), HasSubstr("cannot be opened"))) << memory;
+      }
+}
+
 TEST_F(Sandboxed, ASignalEndsItAndLeavesNothingBehind) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     ProgramRun running(folder_, untrusted(renderArguments(kLongFilm)), Stdout::kFile, environment());
