@@ -38,7 +38,6 @@ class StepTimes {
   StepTimes& operator-=(const StepTimes& other);
   /// Of these and those between them.
   double sum_s(Step first = Step::kSimulate, Step last = Step::kWrite) const;
-  /// What makes a picture, without what is done with it.
 
  private:
   std::array<double, kSteps> seconds_{};
