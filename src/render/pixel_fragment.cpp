@@ -123,7 +123,7 @@ std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle,
 namespace {
 
 constexpr std::size_t kSamples = 64;
-// Of the area that the samples find inside one edge.
+// Error of the area that the samples measure inside one edge.
 constexpr double kCoverageError = 0.02;
 
 /// Hammersley's points: one in each of 64 columns and rows, so that an upright edge is seen as well as a slanting
@@ -220,7 +220,7 @@ std::vector<double> visibleAreas(std::span<const PixelFragment> fragments) {
     areas.push_back(share * f.area);
     (estimated.back() ? partlyHidden : open) += areas.back();
   }
-  // What is partly hidden takes the room that the rest leaves.
+  // Partly hidden parts fill the area that the others leave.
   const double room = std::max(1 - open, 0.0);
   const bool fit = partlyHidden > 0 && (full || partlyHidden > room);
   const double stretch = fit ? room / partlyHidden : 1, shrink = open > 1 ? 1 / open : 1;
