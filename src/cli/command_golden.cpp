@@ -312,7 +312,6 @@ class Golden {
 
   /// Whether it is written down what the reference was made with.
   static bool hasOrigin(const Outcome& outcome) {
-    std::error_code ignored;
     return suite::isDescription(suite::descriptionOf(outcome.reference));
   }
 

@@ -33,8 +33,7 @@ double sensitivity(const ScaledStart& start, bool aligned) {
 
 /// e^x - 1 for x >= 0; infinite where a double cannot hold it.
 double growth(double x) {
-  constexpr double kLargest = 700;
-  return x > kLargest ? std::numeric_limits<double>::infinity() : exponential(x) - 1;
+  return x > kLargestExponent ? std::numeric_limits<double>::infinity() : exponential(x) - 1;
 }
 
 /// The uncertainty that the passages of the middle axis bring, over eps.

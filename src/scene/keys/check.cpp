@@ -357,8 +357,7 @@ class Checker {
     if (const auto* string = node.as<std::string>()) text = *string;
     if (text.empty()) return refuseType(node);
     const auto rate = core::parseRational(text);
-    const bool positiveNumber = node.as<std::string>() || (text[0] != '-' && text != "0" && text != "nan");
-    if (!rate && positiveNumber && node.as<std::string>()) return refuseType(node);
+    if (!rate && node.as<std::string>()) return refuseType(node);
     if (const auto* number = node.as<double>(); !rate && number && inRange(*number))
       return refuse(node, fmt::format("has too many digits to be kept exactly, got {}; write a fraction such as "
                                       "\"30000/1001\"",
